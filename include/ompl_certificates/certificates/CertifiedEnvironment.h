@@ -1,0 +1,158 @@
+#ifndef OMPL_CERTIFICATES_CERTIFICATES_CERTIFIED_ENVIRONMENT_
+#define OMPL_CERTIFICATES_CERTIFICATES_CERTIFIED_ENVIRONMENT_
+
+#include "ompl_certificates/certificates/CertificateTree.h"
+#include "ompl_certificates/certificates/CheckCounts.h"
+#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/geometry/Robot.h"
+
+#include <limits>
+
+namespace ompl_certificates
+{
+    /** \brief The question whether a body touches the obstacles */
+    struct PoseQuery
+    {
+        const Body &body;
+        const Pose &pose;
+
+        /** \brief How fast the body moves, to find how long its verdict lasts; null if it does not move */
+        const TravelBound *travel{nullptr};
+
+        /** \brief A certificate that proves less than this, in time of the motion, is passed over for a new clearance */
+        double minimumReach{0.0};
+
+        /** \brief How fast the center of a ball of the body moves, at most */
+        double speedOf(const Ball &ball) const
+        {
+            return travel ? travel->at(ball.center.norm()) : 0.0;
+        }
+    };
+
+    /** \brief The answer to a PoseQuery */
+    struct PoseVerdict
+    {
+        bool free{false};
+
+        /** \brief The body is free while the motion's time differs by less than this; 0 if no clearance says so */
+        double reach{0.0};
+
+        /** \brief A certificate that took part in the proof, or NO_CERTIFICATE */
+        CertificateIndex reference{NO_CERTIFICATE};
+
+        /** \brief Whether the obstacles were asked */
+        bool asked{false};
+
+        /** \brief If they were: the clearance of the center of the body's enclosing ball */
+        double clearance{0.0};
+    };
+
+    /** \brief Proves from certificates that a body is free: refines its cover where \e lookup, a function from a BallQuery to a
+        Covering, proves nothing of a coarse ball. Lowers \e verdict.reach to how long the proof lasts, and sets its
+        reference; \e verdict is meaningless if the proof fails. \e margin is what radii must be enlarged by.
+
+        \param levels how often the cover may be refined */
+    template <typename Lookup>
+    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, const Lookup &lookup,
+                   PoseVerdict &verdict);
+
+    /** \brief Obstacles, and what is known of them: settles whether a body touches them, by certificates if possible.
+
+        The environment may be the workspace, or another robot's body seen from its own frame (the paper's footnote 2).
+        All methods but clear() may be called from many threads at once. */
+    class CertifiedEnvironment
+    {
+    public:
+        /** \brief Nothing is known of \e obstacles yet.
+            \param remember whether certificates are kept; not worth it where a clearance costs less than looking one up */
+        explicit CertifiedEnvironment(ObstaclesPtr obstacles, bool remember = true);
+
+        /** \brief Settle \e query: by certificates, else by asking the obstacles, and remember the answer.
+            \param hint a certificate that may well be near, or NO_CERTIFICATE
+            \param counts where to count clearances and exact calls */
+        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, CheckCounts &counts) const;
+
+        /** \brief Settle \e query by asking the obstacles, with no use of certificates */
+        PoseVerdict ask(const PoseQuery &query, CheckCounts &counts) const;
+
+        /** \brief Settle \e query by certificate \e hint alone
+            \return whether it proves the body free; then \e verdict tells for how long */
+        bool settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const;
+
+        /** \brief What the radii of the balls of \e body are enlarged by to count as free, or shrunk by to collide */
+        double getMargin(const Body &body) const
+        {
+            return obstacles_->getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+        }
+
+        /** \brief The obstacles */
+        const Obstacles &getObstacles() const
+        {
+            return *obstacles_;
+        }
+
+        /** \brief What is known of them */
+        const CertificateTree &getCertificates() const
+        {
+            return certificates_;
+        }
+
+        /** \brief Forget all certificates. Not while others use the environment. */
+        void clear()
+        {
+            certificates_.clear();
+        }
+
+    private:
+        /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
+        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const;
+
+        /** \brief Any certificate that settles \e ball, a free one only with \e leastSlack to spare */
+        Covering lookUp(BallQuery ball, CertificateIndex hint, double leastSlack) const;
+
+        /** \brief Whether a certificate proves that a core ball of a body, not a ball itself, collides */
+        bool provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const;
+
+        ObstaclesPtr obstacles_;
+        bool remember_;
+        mutable CertificateTree certificates_;
+    };
+
+    template <typename Lookup>
+    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, const Lookup &lookup,
+                   PoseVerdict &verdict)
+    {
+        struct Open
+        {
+            std::uint32_t node;
+            unsigned int level;
+        };
+        constexpr std::size_t capacity = 64;
+        Open stack[capacity];
+        std::size_t open = 0;
+        stack[open++] = {0, 0};
+        verdict.reach = std::numeric_limits<double>::infinity();
+        const auto &nodes = query.body.getCover().getNodes();
+        while (open > 0)
+        {
+            const auto [index, level] = stack[--open];
+            const Cover::Node &node = nodes[index];
+            const Covering covering = lookup(BallQuery{query.pose * node.ball.center, node.ball.radius + margin,
+                                                       -std::numeric_limits<double>::infinity()});
+            if (covering.verdict == Covering::FREE)
+            {
+                if (index == 0 || verdict.reference == NO_CERTIFICATE)
+                    verdict.reference = covering.certificate;
+                verdict.reach = std::min(verdict.reach, covering.slack / query.speedOf(node.ball));
+                continue;
+            }
+            if (level == levels || node.childCount == 0 || open + node.childCount > capacity)
+                return false;
+            for (std::uint32_t child = 0; child < node.childCount; ++child)
+                stack[open++] = {node.firstChild + child, level + 1};
+        }
+        return true;
+    }
+}
+
+#endif

@@ -1,0 +1,100 @@
+#ifndef OMPL_CERTIFICATES_CERTIFICATES_CHUNKED_ARRAY_
+#define OMPL_CERTIFICATES_CERTIFICATES_CHUNKED_ARRAY_
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    /** \brief An array that grows without moving its elements: chunks that double in size. One thread may append while
+        others read the elements that they know of; readers take no lock. */
+    template <typename T>
+    class ChunkedArray
+    {
+    public:
+        ChunkedArray() = default;
+
+        ~ChunkedArray()
+        {
+            clear();
+        }
+
+        ChunkedArray(const ChunkedArray &) = delete;
+        ChunkedArray &operator=(const ChunkedArray &) = delete;
+
+        /** \brief Append a default element and return its index. Not for two threads at once. */
+        std::uint32_t append()
+        {
+            const std::uint32_t index = size_;
+            const auto [chunk, offset] = locate(index);
+            if (chunk >= CHUNKS)
+                throw ompl::Exception("A store of certificates is full");
+            if (offset == 0)
+            {
+                chunks_[chunk].store(new T[FIRST_CHUNK << chunk], std::memory_order_release);
+                allocated_ += FIRST_CHUNK << chunk;
+            }
+            ++size_;
+            return index;
+        }
+
+        /** \brief The element with this index, which must have been appended */
+        T &operator[](std::uint32_t index) const
+        {
+            const auto [chunk, offset] = locate(index);
+            return chunks_[chunk].load(std::memory_order_acquire)[offset];
+        }
+
+        /** \brief The number of elements; for the appending thread */
+        std::uint32_t size() const
+        {
+            return size_;
+        }
+
+        /** \brief The memory taken, in bytes; for the appending thread */
+        std::size_t bytes() const
+        {
+            return allocated_ * sizeof(T);
+        }
+
+        /** \brief Remove all elements. Not while others read. */
+        void clear()
+        {
+            for (auto &chunk : chunks_)
+            {
+                delete[] chunk.load(std::memory_order_relaxed);
+                chunk.store(nullptr, std::memory_order_relaxed);
+            }
+            size_ = 0;
+            allocated_ = 0;
+        }
+
+    private:
+        static constexpr std::size_t FIRST_CHUNK = 64;
+        static constexpr std::size_t CHUNKS = 25;  // 2^31 elements
+
+        struct Place
+        {
+            std::size_t chunk;
+            std::size_t offset;
+        };
+
+        /** Chunk k begins at FIRST_CHUNK * (2^k - 1). */
+        static Place locate(std::uint32_t index)
+        {
+            const std::uint64_t position = index / FIRST_CHUNK + 1;
+            const auto chunk = static_cast<std::size_t>(63 - __builtin_clzll(position));
+            return {chunk, index - FIRST_CHUNK * ((std::size_t(1) << chunk) - 1)};
+        }
+
+        std::array<std::atomic<T *>, CHUNKS> chunks_{};
+        std::uint32_t size_{0};
+        std::size_t allocated_{0};
+    };
+}
+
+#endif

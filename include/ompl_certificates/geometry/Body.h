@@ -1,0 +1,137 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_BODY_
+#define OMPL_CERTIFICATES_GEOMETRY_BODY_
+
+#include "ompl_certificates/geometry/Cover.h"
+#include "ompl_certificates/geometry/Pose.h"
+#include "ompl_certificates/geometry/Shape.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A rigid body: one or more solid shapes, fixed to each other, in the body's frame.
+
+        A body cannot change after it has been made and is cheap to copy: copies share its shapes, its cover and its
+        core. The factories throw ompl::Exception for sizes that are not positive and finite. Lengths are in the scene's
+        unit. */
+    class Body
+    {
+    public:
+        /** \brief A shape and where it is in the body's frame */
+        struct Part
+        {
+            Shape shape;
+            Pose pose;
+        };
+
+        /** \brief A disc, in the plane; radius 0 is a point */
+        static Body disc(double radius);
+
+        /** \brief A sphere, in space; radius 0 is a point */
+        static Body sphere(double radius);
+
+        /** \brief A rectangle about the origin, with the given extents along x and y */
+        static Body box(double x, double y);
+
+        /** \brief A box about the origin, with the given extents along x, y and z */
+        static Body box(double x, double y, double z);
+
+        /** \brief All points of the plane within \e radius of a segment of the given length along x about the origin */
+        static Body planarCapsule(double radius, double length);
+
+        /** \brief All points of space within \e radius of a segment of the given length along z about the origin */
+        static Body capsule(double radius, double length);
+
+        /** \brief A cylinder along z about the origin, in space */
+        static Body cylinder(double radius, double length);
+
+        /** \brief The convex hull of the given points of the plane
+            \throws ompl::Exception if they span no area or are too many (see convexHull()) */
+        static Body convexPolygon(const std::vector<Eigen::Vector2d> &points);
+
+        /** \brief The convex hull of the given points of space
+            \throws ompl::Exception if they span no volume or are too many (see convexHull()) */
+        static Body convexPolytope(const std::vector<Eigen::Vector3d> &points);
+
+        /** \brief One body of several shapes, at poses in the body's frame
+            \throws ompl::Exception if there is none, or if planar and spatial shapes are mixed */
+        explicit Body(std::vector<Part> parts);
+
+        /** \brief The dimension of the workspace that this body is for: 2 or 3 */
+        unsigned int getDimension() const;
+
+        /** \brief The shapes that the body is made of */
+        const std::vector<Part> &getParts() const
+        {
+            return data_->parts;
+        }
+
+        /** \brief Balls that contain the body, coarse to fine */
+        const Cover &getCover() const
+        {
+            return data_->getBalls().cover;
+        }
+
+        /** \brief Balls that the body contains, the largest first. Not empty: the body of a point has a ball of radius 0. */
+        const std::vector<Ball> &getCore() const
+        {
+            return data_->getBalls().core;
+        }
+
+        /** \brief Whether the body is one disc or one sphere, which its cover and its core describe exactly */
+        bool isBall() const
+        {
+            return data_->isBall;
+        }
+
+        /** \brief The largest distance of a point of the body from the origin of its frame (an upper bound) */
+        double getReach() const
+        {
+            return data_->reach;
+        }
+
+        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside */
+        double signedDistance(const Eigen::Vector3d &point) const;
+
+        /** \brief Whether the two bodies have the same shapes at the same poses, in the same order */
+        bool operator==(const Body &other) const;
+
+    private:
+        /** \brief The balls of a body; made when they are first asked for, since obstacles need none */
+        struct Balls
+        {
+            Cover cover;
+            std::vector<Ball> core;
+        };
+
+        struct Data
+        {
+            std::vector<Part> parts;
+            bool isBall{false};
+            double reach{0.0};
+            mutable std::once_flag once;
+            mutable std::unique_ptr<const Balls> balls;
+
+            const Balls &getBalls() const
+            {
+                std::call_once(once, [this] { makeBalls(); });
+                return *balls;
+            }
+
+            void makeBalls() const;
+        };
+
+        std::shared_ptr<Data> data_;
+    };
+
+    /** \brief A body at a fixed pose, such as an obstacle */
+    struct PlacedBody
+    {
+        Body body;
+        Pose pose{Pose::Identity()};
+    };
+}
+
+#endif

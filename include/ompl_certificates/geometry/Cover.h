@@ -1,0 +1,49 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_COVER_
+#define OMPL_CERTIFICATES_GEOMETRY_COVER_
+
+#include "ompl_certificates/geometry/Ball.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Balls in a body's frame whose union contains the body, as a tree from coarse to fine.
+
+        The root alone contains the whole body. The children of a node together contain the part of the body that the
+        node stands for, so any set of nodes that cuts every path from the root to a leaf covers the body. A few coarse
+        balls settle most poses; finer ones are looked at only where a coarse one is not certified. */
+    class Cover
+    {
+    public:
+        /** \brief A ball and its children, which stand next to each other */
+        struct Node
+        {
+            Ball ball;
+            std::uint32_t firstChild{0};
+            std::uint32_t childCount{0};
+        };
+
+        /** \brief Takes over \e nodes; the first is the root, and children come after their parent. */
+        explicit Cover(std::vector<Node> nodes) : nodes_(std::move(nodes))
+        {
+        }
+
+        /** \brief All nodes; the first is the root */
+        const std::vector<Node> &getNodes() const
+        {
+            return nodes_;
+        }
+
+        /** \brief The ball that contains the whole body */
+        const Ball &getRoot() const
+        {
+            return nodes_.front().ball;
+        }
+
+    private:
+        std::vector<Node> nodes_;
+    };
+}
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_OBSTACLES_
+#define OMPL_CERTIFICATES_GEOMETRY_OBSTACLES_
+
+#include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/Pose.h"
+
+#include <memory>
+
+namespace ompl_certificates
+{
+    /** \brief What the robots must not touch: an exact check for bodies, and the clearance of points.
+
+        Derive from this class to plan among obstacles of another kind, such as a distance field. All methods are called
+        from many threads at once. The obstacles must not change while they are used. */
+    class Obstacles
+    {
+    public:
+        virtual ~Obstacles() = default;
+
+        /** \brief The dimension of the workspace: 2 or 3 */
+        virtual unsigned int getDimension() const = 0;
+
+        /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for. */
+        virtual bool collides(const Body &body, const Pose &pose) const = 0;
+
+        /** \brief The clearance φ of a point of the workspace: its distance to the nearest obstacle point, negative inside a
+            solid where known, infinite if there are no obstacles.
+
+            It must be 1-Lipschitz: the clearances of two points differ by no more than their distance. */
+        virtual double clearance(const Eigen::Vector3d &point) const = 0;
+
+        /** \brief The ε of every clearance, in the scene's length unit: a ball with more clearance than its radius plus ε is
+            found free by collides(), and one with less than its radius minus ε is found colliding. It pays for rounding
+            and for the solver of the exact check. */
+        virtual double getTolerance() const = 0;
+
+        /** \brief Whether clearance() is the distance itself and not only a lower bound. Only then can a certificate prove
+            that a body collides. */
+        virtual bool provesCollisions() const
+        {
+            return true;
+        }
+    };
+
+    /** \brief A shared pointer to obstacles */
+    using ObstaclesPtr = std::shared_ptr<const Obstacles>;
+
+    /** \brief The tolerance of FCL's checks of two shapes, relative to their sizes. Its solvers iterate, and its
+        box-box test enlarges the boxes by about a millionth. */
+    constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
+}
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_POSE_
+#define OMPL_CERTIFICATES_GEOMETRY_POSE_
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace ompl_certificates
+{
+    /** \brief Where a body is: the rigid transform from the body's frame to the workspace. In the plane: z = 0 and a
+        rotation about the z axis. */
+    using Pose = Eigen::Isometry3d;
+
+    /** \brief The pose at \e position without rotation */
+    inline Pose poseAt(const Eigen::Vector3d &position)
+    {
+        Pose pose = Pose::Identity();
+        pose.translation() = position;
+        return pose;
+    }
+
+    /** \brief The planar pose at (\e x, \e y), turned counter-clockwise by \e angle (radians) */
+    inline Pose planarPose(double x, double y, double angle = 0.0)
+    {
+        const double c = std::cos(angle), s = std::sin(angle);
+        Pose pose = Pose::Identity();
+        pose.linear().topLeftCorner<2, 2>() << c, -s, s, c;
+        pose.translation() << x, y, 0.0;
+        return pose;
+    }
+}
+
+#endif

@@ -1,0 +1,120 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_SHAPE_
+#define OMPL_CERTIFICATES_GEOMETRY_SHAPE_
+
+#include "ompl_certificates/geometry/ConvexHull.h"
+
+#include <Eigen/Geometry>
+#include <fcl/geometry/collision_geometry.h>
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A solid primitive of the plane or of space, in its own frame.
+
+        All lengths are in the scene's unit. Planar shapes lie in the plane z = 0 and are handed to FCL as prisms, or as
+        spheres and capsules centered in the plane, so that FCL's verdict is the planar one. The factories throw
+        ompl::Exception for sizes that are not positive and finite (a ball's radius may be zero: a point). */
+    class Shape
+    {
+    public:
+        /** \brief What a shape is */
+        enum class Kind
+        {
+            /// A disc or a sphere about the origin.
+            BALL,
+            /// A rectangle or a box about the origin, along the axes.
+            BOX,
+            /// All points within a radius of a segment along z about the origin, as FCL has it; in a planar body laid
+            /// into the plane by the part's pose.
+            CAPSULE,
+            /// A cylinder about the origin, along z.
+            CYLINDER,
+            /// A convex polygon or polytope.
+            POLYTOPE
+        };
+
+        /** \brief A disc (\e dimension 2) or a sphere (3) */
+        static Shape ball(unsigned int dimension, double radius);
+
+        /** \brief A rectangle with the given extents along x and y */
+        static Shape box(const Eigen::Vector2d &size);
+
+        /** \brief A box with the given extents along x, y and z */
+        static Shape box(const Eigen::Vector3d &size);
+
+        /** \brief A capsule whose segment lies along z and has the given length */
+        static Shape capsule(unsigned int dimension, double radius, double length);
+
+        /** \brief A cylinder along z, in space */
+        static Shape cylinder(double radius, double length);
+
+        /** \brief The convex hull of points of the plane (\e dimension 2; z is ignored) or of space (3), see convexHull() */
+        static Shape polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points);
+
+        /** \brief What this shape is */
+        Kind getKind() const
+        {
+            return kind_;
+        }
+
+        /** \brief The dimension of the workspace that this shape is for: 2 or 3 */
+        unsigned int getDimension() const
+        {
+            return dimension_;
+        }
+
+        /** \brief The radius of a ball, a capsule or a cylinder; else 0 */
+        double getRadius() const
+        {
+            return radius_;
+        }
+
+        /** \brief Extents of a box along its axes, (0, 0, length) of a capsule or a cylinder; else zero */
+        const Eigen::Vector3d &getSize() const
+        {
+            return size_;
+        }
+
+        /** \brief The hull of a POLYTOPE and of a BOX; else nullptr */
+        const ConvexHull *getHull() const
+        {
+            return hull_.get();
+        }
+
+        /** \brief Signed distance from \e point, in the shape's frame, to the shape: exact, negative inside. Takes a few
+            nanoseconds; linear in the number of faces of a polytope. */
+        double signedDistance(const Eigen::Vector3d &point) const;
+
+        /** \brief The smallest box along the axes of the shape's frame that contains the shape */
+        Eigen::AlignedBox3d getBounds() const;
+
+        /** \brief FCL is handed all lengths times this power of two. Its solvers have absolute tolerances that are made for
+            sizes above one; at a thousandth of that they report collisions across gaps of a per cent of a shape's size. */
+        static constexpr double FCL_SCALE = 1024.0;
+
+        /** \brief The shape as FCL sees it, FCL_SCALE times as large, shared by all copies */
+        const std::shared_ptr<fcl::CollisionGeometryd> &getCollisionGeometry() const
+        {
+            return geometry_;
+        }
+
+        /** \brief Whether the two are the same shape in the same frame */
+        bool operator==(const Shape &other) const;
+
+    private:
+        Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size);
+
+        /** \brief Make geometry_ from the other members */
+        void makeCollisionGeometry();
+
+        Kind kind_;
+        unsigned int dimension_;
+        double radius_;
+        Eigen::Vector3d size_;
+        std::shared_ptr<const ConvexHull> hull_;
+        std::shared_ptr<fcl::CollisionGeometryd> geometry_;
+    };
+}
+
+#endif

@@ -1,0 +1,110 @@
+#ifndef OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
+#define OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
+
+#include "ompl_certificates/certificates/Certificate.h"
+#include "ompl_certificates/geometry/Robot.h"
+
+#include <atomic>
+#include <ompl/base/StateSpace.h>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief The state space of a team: a CompoundStateSpace with one component per robot.
+
+        The distance between two states is Euclidean over the robots: the root of the sum of the squares of the weighted
+        distances in the components, as in the paper's RD-dimensional space. Every state carries, for each robot, a
+        reference to a certificate that proved it free. References are hints: copyState(), cloneState() and interpolate()
+        pass them on, sampling and deserialization clear them, and serialization, equality and distance ignore them. */
+    class TeamStateSpace : public ompl::base::CompoundStateSpace
+    {
+    public:
+        /** \brief A state of the team: the robots' states, and a certificate reference for each robot. */
+        class StateType : public ompl::base::CompoundStateSpace::StateType
+        {
+        public:
+            /** \brief The certificate that proved robot \e robot free, or NO_CERTIFICATE */
+            CertificateIndex getReference(unsigned int robot) const
+            {
+                return references_[robot].load(std::memory_order_relaxed);
+            }
+
+            /** \brief Remember that \e certificate proved robot \e robot free. Part of the state's cache, not of its value, so
+                it may be called on a constant state and from many threads at once. */
+            void setReference(unsigned int robot, CertificateIndex certificate) const
+            {
+                references_[robot].store(certificate, std::memory_order_relaxed);
+            }
+
+        private:
+            friend class TeamStateSpace;
+            std::atomic<CertificateIndex> *references_{nullptr};
+        };
+
+        /** \brief A team without robots */
+        TeamStateSpace();
+
+        /** \brief Add a robot; distances in its component count \e weight times
+            \throws ompl::Exception if \e robot is null, if its name is taken, if its workspace is not the others', if
+            \e weight is negative, or if the space is locked */
+        void addRobot(const RobotPtr &robot, double weight = 1.0);
+
+        /** \brief The number of robots */
+        unsigned int getRobotCount() const
+        {
+            return static_cast<unsigned int>(robots_.size());
+        }
+
+        /** \brief The robots, in the order of the components */
+        const std::vector<RobotPtr> &getRobots() const
+        {
+            return robots_;
+        }
+
+        /** \brief The robot of component \e index; see getRobots() */
+        const Robot &getRobot(unsigned int index) const
+        {
+            return *robots_[index];
+        }
+
+        /** \brief The dimension of the team's workspace: 2 or 3; 0 while there is no robot */
+        unsigned int getWorkspaceDimension() const;
+
+        /** \brief Forget the certificate references of \e state */
+        void clearReferences(const ompl::base::State *state) const;
+
+        double getMaximumExtent() const override;
+
+        double distance(const ompl::base::State *state1, const ompl::base::State *state2) const override;
+
+        void copyState(ompl::base::State *destination, const ompl::base::State *source) const override;
+
+        void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t,
+                         ompl::base::State *state) const override;
+
+        void deserialize(ompl::base::State *state, const void *serialization) const override;
+
+        ompl::base::State *allocState() const override;
+
+        void freeState(ompl::base::State *state) const override;
+
+        ompl::base::StateSamplerPtr allocDefaultStateSampler() const override;
+
+        /** \brief Registers a default projection for planners that need one: the positions of all robots' first bodies,
+            combined into two (three for spatial teams) coordinates that every robot moves */
+        void registerProjections() override;
+
+        /** \throws ompl::Exception if the team has no robot, or a component that was not added by addRobot() */
+        void setup() override;
+
+    private:
+        void copyReferences(const StateType *destination, const StateType *source) const;
+
+        std::vector<RobotPtr> robots_;
+    };
+
+    /** \brief A shared pointer to a team's state space */
+    using TeamStateSpacePtr = std::shared_ptr<TeamStateSpace>;
+}
+
+#endif

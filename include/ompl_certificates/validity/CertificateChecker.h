@@ -1,0 +1,82 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_CHECKER_
+#define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_CHECKER_
+
+#include "ompl_certificates/validity/TeamValidityChecker.h"
+
+namespace ompl_certificates
+{
+    /** \brief A validity checker that remembers clearances and checks only what they do not settle. Its verdicts are those of
+        TeamValidityChecker.
+
+        The robots are settled in groups: each for itself, or all together in the Basic method. Derived classes say where
+        a group's certificates are looked up and kept; isValid() and CertificateMotionValidator do the rest.
+
+        @par External documentation
+        J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
+        section II. */
+    class CertificateChecker : public TeamValidityChecker
+    {
+    public:
+        using TeamValidityChecker::TeamValidityChecker;
+
+        bool isValid(const ompl::base::State *state) const override;
+
+        using TeamValidityChecker::isValid;
+
+        /** \brief Forget all certificates; references in states become stale, which costs time but changes no verdict. Not
+            while others use the checker. */
+        virtual void clear();
+
+        /** \brief The number of certificates kept for the obstacles' side */
+        virtual std::size_t getCertificateCount() const = 0;
+
+        /** \brief All certificates kept for the obstacles' side, for pictures and analysis */
+        virtual std::vector<Certificate> getCertificates() const = 0;
+
+        /** \brief Robots that are settled together: those from \e first to \e last - 1 */
+        struct Group
+        {
+            unsigned int first, last;
+        };
+
+        /** \brief The number of groups */
+        virtual unsigned int getGroupCount() const
+        {
+            return team_.getRobotCount();
+        }
+
+        /** \brief The robots of a group */
+        virtual Group getGroup(unsigned int group) const
+        {
+            return {group, group + 1};
+        }
+
+        /** \brief Settle the robots of a group against the obstacles.
+            \param poses poses of all bodies of the team, of which those of the group are filled in
+            \param travel how fast all bodies of the team move, or null if they do not move
+            \param minimumReach certificates that prove less, in time of the motion, are passed over
+            \param references certificates, one for each robot of the team, that may be near; replaced by better ones
+            \param counts where to count */
+        virtual PoseVerdict settleGroup(unsigned int group, const Pose *poses, const TravelBound *travel,
+                                        double minimumReach, CertificateIndex *references,
+                                        CheckCounts &counts) const = 0;
+
+        /** \brief For how long the certificates referred to prove a group free; 0 if they do not. Looks no further. */
+        virtual double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
+                                         const CertificateIndex *references) const = 0;
+
+    protected:
+        friend class CertificateMotionValidator;
+
+        /** \brief What a body is asked of its environment; \e body counts within the robot */
+        PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const TravelBound *travel,
+                          double minimumReach = 0.0) const
+        {
+            const std::size_t index = getFirstBody(robot) + body;
+            return {team_.getRobot(robot).getBodies()[body], poses[index], travel ? travel + index : nullptr,
+                    minimumReach};
+        }
+    };
+}
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_MOTION_VALIDATOR_
+#define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_MOTION_VALIDATOR_
+
+#include "ompl_certificates/validity/CertificateChecker.h"
+
+#include <memory>
+#include <ompl/base/MotionValidator.h>
+
+namespace ompl_certificates
+{
+    class MotionScratchPool;
+
+    /** \brief Checks motions by certified stretches: where a clearance proves a robot free for a while, the samples in that
+        while are skipped.
+
+        In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator. In
+        continuous mode a motion is accepted only if certified stretches cover all of it, so that nothing can be between
+        two samples; a robot that passes closer to an obstacle than its finest covering balls and the tolerance allow is
+        then taken to collide. May be used by many threads at once. */
+    class CertificateMotionValidator : public ompl::base::MotionValidator
+    {
+    public:
+        /** \brief What it takes for a motion to be valid */
+        enum Mode
+        {
+            /// All samples at the space's resolution are valid, as for OMPL's own validator.
+            DISCRETE,
+            /// All of the motion is certified.
+            CONTINUOUS
+        };
+
+        /** \brief A motion validator that looks certificates up in, and adds them to, those of \e checker
+            \throws ompl::Exception if \e checker is null */
+        explicit CertificateMotionValidator(std::shared_ptr<const CertificateChecker> checker, Mode mode = DISCRETE);
+
+        ~CertificateMotionValidator() override;
+
+        bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
+
+        bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
+                         std::pair<ompl::base::State *, double> &lastValid) const override;
+
+        /** \brief What it takes for a motion to be valid */
+        Mode getMode() const
+        {
+            return mode_;
+        }
+
+    private:
+        std::shared_ptr<const CertificateChecker> checker_;
+        Mode mode_;
+        std::unique_ptr<MotionScratchPool> scratch_;
+    };
+}
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_PROJECTED_CHECKER_
+#define OMPL_CERTIFICATES_VALIDITY_PROJECTED_CHECKER_
+
+#include "ompl_certificates/validity/CertificateChecker.h"
+
+#include <memory>
+
+namespace ompl_certificates
+{
+    /** \brief Settles each robot for itself, in its projection of the team's space to the workspace: what the methods Partial
+        and Shared Projection have in common. They differ in which robots share a tree of certificates. */
+    class ProjectedChecker : public CertificateChecker
+    {
+    public:
+        void clear() override;
+
+        std::size_t getCertificateCount() const override;
+
+        std::vector<Certificate> getCertificates() const override;
+
+        PoseVerdict settleGroup(unsigned int group, const Pose *poses, const TravelBound *travel, double minimumReach,
+                                CertificateIndex *references, CheckCounts &counts) const override;
+
+        double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
+                                 const CertificateIndex *references) const override;
+
+    protected:
+        /** \brief A checker with one tree of certificates for all robots, if they \e share it, or else one for each */
+        ProjectedChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, bool share);
+
+    private:
+        const CertifiedEnvironment &environmentOf(unsigned int robot) const
+        {
+            return environments_.size() == 1 ? *environments_.front() : *environments_[robot];
+        }
+
+        std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
+    };
+}
+
+#endif

@@ -1,0 +1,93 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
+#define OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
+
+#include "ompl_certificates/certificates/CertifiedEnvironment.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
+
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Checks the robots of a team against each other.
+
+        Two discs or spheres are settled by arithmetic. Of two other bodies, one is the environment of the other, seen from
+        its own frame, as in the paper's footnote 2; all bodies of equal shape share that environment and what is known of
+        it. Bodies of the same robot are not checked against each other. */
+    class RobotPairs
+    {
+    public:
+        /** \brief The pairs of the robots of \e team */
+        explicit RobotPairs(const TeamStateSpace &team);
+
+        /** \brief The number of pairs of robots */
+        unsigned int getPairCount() const
+        {
+            return static_cast<unsigned int>(pairs_.size());
+        }
+
+        /** \brief The first robot of a pair, which has the smaller index */
+        unsigned int getFirst(unsigned int pair) const
+        {
+            return pairs_[pair].first;
+        }
+
+        /** \brief The second robot of a pair */
+        unsigned int getSecond(unsigned int pair) const
+        {
+            return pairs_[pair].second;
+        }
+
+        /** \brief Whether the two robots of a pair touch each other, by the exact check
+            \param first poses of the first robot's bodies
+            \param second poses of the second robot's bodies */
+        bool collide(unsigned int pair, const Pose *first, const Pose *second, CheckCounts &counts) const;
+
+        /** \brief Like collide(), by clearances and certificates where possible, and for how long the two stay apart
+            \param firstTravel how fast the first robot's bodies move
+            \param secondTravel how fast the second robot's bodies move */
+        PoseVerdict settle(unsigned int pair, const Pose *first, const Pose *second, const TravelBound *firstTravel,
+                           const TravelBound *secondTravel, CheckCounts &counts) const;
+
+        /** \brief For how long the two robots of a pair stay apart, judged by their enclosing balls alone; 0 if those touch */
+        double reachOfEnclosingBalls(unsigned int pair, const Pose *first, const Pose *second,
+                                     const TravelBound *firstTravel, const TravelBound *secondTravel) const;
+
+        /** \brief A lower bound of the distance between the two robots of a pair, to within the accuracy of their covers;
+            negative if they may touch */
+        double distance(unsigned int pair, const Pose *first, const Pose *second) const;
+
+        /** \brief Forget all certificates. Not while others use the pairs. */
+        void clear();
+
+    private:
+        /** \brief A body of one robot and a body of the other */
+        struct BodyPair
+        {
+            std::size_t firstBody, secondBody;
+
+            /** One body is the environment of the other: the second, or the first if \e swapped is set */
+            bool swapped;
+            std::shared_ptr<CertifiedEnvironment> environment;
+
+            /** What rounding and FCL may be wrong by when the enclosing balls are compared */
+            double margin;
+        };
+
+        struct Pair
+        {
+            unsigned int first, second;
+            std::vector<BodyPair> bodies;
+        };
+
+        const Body &firstBody(const Pair &pair, const BodyPair &bodies) const;
+        const Body &secondBody(const Pair &pair, const BodyPair &bodies) const;
+        std::shared_ptr<CertifiedEnvironment> environmentOf(const Body &body);
+
+        const TeamStateSpace &team_;
+        std::vector<Pair> pairs_;
+        std::vector<std::pair<Body, std::shared_ptr<CertifiedEnvironment>>> environments_;
+    };
+}
+
+#endif

@@ -1,0 +1,77 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_SETUP_
+#define OMPL_CERTIFICATES_VALIDITY_TEAM_SETUP_
+
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
+
+#include <ompl/geometric/SimpleSetup.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    /** \brief The ways to check a team */
+    enum class Method
+    {
+        /// TeamValidityChecker and OMPL's motion validator: every check is exact.
+        STANDARD,
+        /// Basic
+        BASIC,
+        /// Partial
+        PARTIAL,
+        /// SharedProjection
+        SHARED_PROJECTION
+    };
+
+    /** \brief All methods, the standard one first */
+    const std::vector<Method> &allMethods();
+
+    /** \brief The name of a method: standard, basic, partial or shared */
+    std::string nameOf(Method method);
+
+    /** \brief The method of that name
+        \throws ompl::Exception that lists the names if there is none */
+    Method methodOf(const std::string &name);
+
+    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place. */
+    class TeamSetup : public ompl::geometric::SimpleSetup
+    {
+    public:
+        /** \brief A setup for \e team among \e obstacles
+            \throws ompl::Exception as TeamValidityChecker does, or if the continuous mode is asked of the standard method,
+            which makes no certificates */
+        TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
+                  Method method = Method::SHARED_PROJECTION,
+                  CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+
+        /** \brief The team */
+        const TeamStateSpace &getTeam() const
+        {
+            return checker_->getTeam();
+        }
+
+        /** \brief The validity checker of the team */
+        const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
+        {
+            return checker_;
+        }
+
+        /** \brief The checker of the team if it is one with certificates; else null */
+        std::shared_ptr<CertificateChecker> getCertificateChecker() const
+        {
+            return std::dynamic_pointer_cast<CertificateChecker>(checker_);
+        }
+
+        /** \brief What has been checked so far, and how */
+        Statistics &getStatistics() const
+        {
+            return checker_->getStatistics();
+        }
+
+    private:
+        std::shared_ptr<TeamValidityChecker> checker_;
+    };
+
+    /** \brief A shared pointer to a team's setup */
+    using TeamSetupPtr = std::shared_ptr<TeamSetup>;
+}
+
+#endif

@@ -1,0 +1,103 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
+#define OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
+
+#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
+#include "ompl_certificates/validity/RobotPairs.h"
+#include "ompl_certificates/validity/Statistics.h"
+
+#include <ompl/base/StateValidityChecker.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    /** \brief The standard check of a team: every robot against the obstacles, every pair of robots against each other,
+        always by the exact check. The baseline of every comparison, and the base of the checkers with certificates.
+
+        A state is valid if no robot touches an obstacle or another robot. Bounds are not checked, as in OMPL. All
+        methods may be called from many threads at once. */
+    class TeamValidityChecker : public ompl::base::StateValidityChecker
+    {
+    public:
+        /** \brief A checker for the team of \e si, whose state space must be a TeamStateSpace with all its robots
+            \throws ompl::Exception if it is not, if the team is empty, if \e obstacles is null, or if the obstacles'
+            workspace is not the team's */
+        TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles);
+
+        bool isValid(const ompl::base::State *state) const override;
+
+        using ompl::base::StateValidityChecker::isValid;
+
+        /** \brief A lower bound of the distance from the team to the nearest contact, with an obstacle or between robots,
+            in the scene's length unit; exact for discs and spheres, else to within the finest covering balls. Not
+            positive if \e state is not valid. Costs some microseconds per robot. */
+        double clearance(const ompl::base::State *state) const override;
+
+        using ompl::base::StateValidityChecker::clearance;
+
+        /** \brief The name of the method: standard, basic, partial or shared */
+        virtual std::string getMethodName() const
+        {
+            return "standard";
+        }
+
+        /** \brief The team */
+        const TeamStateSpace &getTeam() const
+        {
+            return team_;
+        }
+
+        /** \brief The obstacles */
+        const Obstacles &getObstacles() const
+        {
+            return *obstacles_;
+        }
+
+        /** \brief The pairs of robots */
+        const RobotPairs &getPairs() const
+        {
+            return pairs_;
+        }
+
+        /** \brief What this checker, and the motion validator that uses it, have done so far */
+        Statistics &getStatistics() const
+        {
+            return statistics_;
+        }
+
+        /** \brief A one-line description of the first thing wrong with \e state, such as which robots touch; empty if it is
+            valid. Costs the exact checks of a standard check. */
+        std::string describeCollision(const ompl::base::State *state) const;
+
+    protected:
+        /** \brief Where the poses of a robot's bodies begin among those of the team */
+        std::size_t getFirstBody(unsigned int robot) const
+        {
+            return firstBody_[robot];
+        }
+
+        /** \brief The number of bodies of the team */
+        std::size_t getBodyCount() const
+        {
+            return firstBody_.back();
+        }
+
+        /** \brief Memory for the poses of the team's bodies, for this thread until its next call */
+        Pose *poseBuffer() const;
+
+        ObstaclesPtr obstacles_;
+        const TeamStateSpace &team_;
+        RobotPairs pairs_;
+
+    private:
+        /** \brief Find the first contact
+            \param others set to the robots that touch; the second is the first's own index if it touches an obstacle */
+        bool findContact(const ompl::base::State *state, CheckCounts &counts, unsigned int &first,
+                         unsigned int &second) const;
+
+        std::vector<std::size_t> firstBody_;
+        mutable Statistics statistics_;
+    };
+}
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef OMPL_CERTIFICATES_TEAM_TEAM_PROJECTION_
+#define OMPL_CERTIFICATES_TEAM_TEAM_PROJECTION_
+
+#include "ompl_certificates/team/TeamStateSpace.h"
+
+#include <Eigen/Core>
+#include <ompl/base/ProjectionEvaluator.h>
+
+namespace ompl_certificates
+{
+/** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has dimensions,
+        with orthonormal rows, so that no robot's motion is invisible to a planner that looks at projections. */
+class TeamProjection : public ompl::base::ProjectionEvaluator
+{
+public:
+    explicit TeamProjection(const TeamStateSpace *team);
+
+    unsigned int getDimension() const override;
+
+    void project(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override;
+
+private:
+    const TeamStateSpace *team_;
+    Eigen::MatrixXd map_;
+    std::size_t mostBodies_{0};
+};
+}
+
+#endif

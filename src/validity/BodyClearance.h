@@ -1,0 +1,13 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_BODY_CLEARANCE_
+#define OMPL_CERTIFICATES_VALIDITY_BODY_CLEARANCE_
+
+#include "ompl_certificates/geometry/Obstacles.h"
+
+namespace ompl_certificates
+{
+/** \brief A lower bound of the distance from \e body at \e pose to the obstacles: that of its finest covering balls.
+        Exact for a disc and a sphere. */
+double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose);
+}
+
+#endif
