@@ -4,130 +4,139 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    constexpr double INF = std::numeric_limits<double>::infinity();
-
-    /** How often a cover is refined by certificates, and by new clearances */
-    constexpr unsigned int STORED_LEVELS = 0, ASKED_LEVELS = 4;
-
-    /** How many clearances may be asked of one pose before the exact check is the cheaper one */
-    constexpr unsigned int MOST_CLEARANCES = 8;
-
-    /** How many balls of a core are looked up */
-    constexpr std::size_t CORE_LOOKUPS = 1;
-}
-
-CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles, bool remember)
-  : obstacles_(std::move(obstacles)), remember_(remember), certificates_(obstacles_->getDimension())
-{
-}
-
-bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
-{
-    const auto lookup = [&](const BallQuery &ball) { return certificates_.coveringBy(hint, ball); };
-    verdict.free = proveFree(query, getMargin(query.body), STORED_LEVELS, lookup, verdict);
-    return verdict.free;
-}
-
-PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, CheckCounts &counts) const
-{
-    if (!remember_)
-        return ask(query, counts);
-    const double margin = getMargin(query.body);
-    PoseVerdict verdict;
-    if (query.body.isBall())
+    namespace
     {
-        // One ball is all of the body: one search settles it either way.
+        constexpr double INF = std::numeric_limits<double>::infinity();
+
+        /** How often a cover is refined by one certificate, and by new clearances */
+        constexpr unsigned int STORED_LEVELS = 2, ASKED_LEVELS = 4;
+
+        /** How many clearances may be asked of one pose before the exact check is the cheaper one */
+        constexpr unsigned int MOST_CLEARANCES = 8;
+    }
+
+    CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles)
+      : obstacles_(std::move(obstacles)), certificates_(obstacles_->getDimension())
+    {
+    }
+
+    bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
+    {
+        const auto lookup = [&](const BallQuery &ball) { return certificates_.coveringBy(hint, ball); };
+        verdict.free = proveFree(query, getMargin(query.body), STORED_LEVELS, lookup, verdict);
+        return verdict.free;
+    }
+
+    PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, BodyLookupPolicy &policy,
+                                             CheckCounts &counts) const
+    {
+        if (query.body.isBall())
+            return settleBall(query, hint, counts);
+        PoseVerdict verdict;
+        if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
+            return verdict;
+        const double margin = getMargin(query.body);
+        const bool search = policy.free.isWorthwhile();
+        if (search)
+        {
+            const Ball &ball = query.body.getCover().getRoot();
+            const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
+            const Covering covering =
+                certificates_.covering({query.pose * ball.center, ball.radius + margin + leastSlack, -INF}, hint);
+            policy.free.note(covering.verdict == Covering::FREE);
+            if (covering.verdict == Covering::FREE)
+            {
+                verdict.free = true;
+                verdict.reference = covering.certificate;
+                verdict.reach = (covering.slack + leastSlack) / speed;
+                return verdict;
+            }
+        }
+        verdict = {};
+        const bool searchColliding = policy.colliding.isWorthwhile();
+        if (searchColliding)
+        {
+            const bool colliding = provesCollision(query, margin, hint);
+            policy.colliding.note(colliding);
+            if (colliding)
+                return verdict;
+        }
+        // What is not looked up need not be remembered.
+        return askAndLearn(query, search || searchColliding, counts);
+    }
+
+    PoseVerdict CertifiedEnvironment::settleBall(const PoseQuery &query, CertificateIndex hint,
+                                                 CheckCounts &counts) const
+    {
+        const double margin = getMargin(query.body);
         const Ball &ball = query.body.getCover().getRoot();
-        const BallQuery ballQuery{query.pose * ball.center, ball.radius + margin, ball.radius - margin};
-        const Covering covering = lookUp(ballQuery, hint, query.minimumReach * query.speedOf(ball));
+        const double speed = query.speedOf(ball);
+        const double leastSlack = query.minimumReach * speed;
+        const BallQuery ballQuery{query.pose * ball.center, ball.radius + margin + leastSlack, ball.radius - margin};
+        Covering covering = certificates_.coveringBy(hint, ballQuery);
+        if (covering.verdict == Covering::UNKNOWN)
+            covering = certificates_.covering(ballQuery, hint);
         if (covering.verdict == Covering::UNKNOWN)
             return askAndLearn(query, true, counts);
+        PoseVerdict verdict;
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
-            verdict.reach = covering.slack / query.speedOf(ball);
+            verdict.reach = (covering.slack + leastSlack) / speed;
         return verdict;
     }
-    const double leastSlack = query.travel ? query.minimumReach * query.travel->at(query.body.getReach()) : 0.0;
-    const auto lookup = [&](const BallQuery &ball) { return lookUp(ball, hint, leastSlack); };
-    verdict.free = proveFree(query, margin, STORED_LEVELS, lookup, verdict);
-    if (verdict.free)
-        return verdict;
-    verdict.reach = 0.0;
-    if (provesCollision(query, margin, hint))
-        return verdict;
-    return askAndLearn(query, true, counts);
-}
 
-Covering CertifiedEnvironment::lookUp(BallQuery ball, CertificateIndex hint, double leastSlack) const
-{
-    ball.freeRadius += leastSlack;
-    Covering covering = certificates_.coveringBy(hint, ball);
-    if (covering.verdict == Covering::UNKNOWN)
-        covering = certificates_.covering(ball, hint);
-    if (covering.verdict == Covering::FREE)
-        covering.slack += leastSlack;
-    return covering;
-}
-
-bool CertifiedEnvironment::provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const
-{
-    const auto &core = query.body.getCore();
-    for (std::size_t i = 0; i < std::min(core.size(), CORE_LOOKUPS); ++i)
+    bool CertifiedEnvironment::provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const
     {
-        const BallQuery ball{query.pose * core[i].center, INF, core[i].radius - margin};
-        if (certificates_.covering(ball, hint).verdict == Covering::COLLIDING)
-            return true;
+        const Ball &core = query.body.getCore().front();
+        const BallQuery ball{query.pose * core.center, INF, core.radius - margin};
+        return certificates_.covering(ball, hint).verdict == Covering::COLLIDING;
     }
-    return false;
-}
 
-PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const
-{
-    return askAndLearn(query, false, counts);
-}
-
-PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const
-{
-    const double margin = getMargin(query.body);
-    const bool provesCollisions = obstacles_->provesCollisions();
-    unsigned int clearances = 0;
-    bool collides = false;
-    PoseVerdict verdict;
-    verdict.asked = true;
-
-    const auto lookup = [&](const BallQuery &ball) -> Covering
+    PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const
     {
-        if (collides || clearances == MOST_CLEARANCES)
-            return {};
-        ++clearances;
-        const Certificate certificate{ball.center, obstacles_->clearance(ball.center)};
-        if (clearances == 1)
-            verdict.clearance = certificate.clearance;
-        Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
-        if (covering.verdict != Covering::FREE && provesCollisions)
-            for (const Ball &core : query.body.getCore())
-                if ((query.pose * core.center - ball.center).norm() + certificate.clearance < core.radius - margin)
-                {
-                    collides = true;
-                    break;
-                }
-        if (learn && (collides || (clearances == 1 && covering.verdict == Covering::FREE)))
-            covering.certificate = certificates_.insert(certificate);
-        return covering;
-    };
-    const bool proved = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, lookup, verdict);
-    counts.clearanceQueries += clearances;
-    if (collides || proved)
+        return askAndLearn(query, false, counts);
+    }
+
+    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const
     {
-        verdict.free = proved;
+        const double margin = getMargin(query.body);
+        const bool provesCollisions = obstacles_->provesCollisions();
+        unsigned int clearances = 0;
+        bool collides = false;
+        PoseVerdict verdict;
+        verdict.asked = true;
+
+        const auto lookup = [&](const BallQuery &ball) -> Covering
+        {
+            if (collides || clearances == MOST_CLEARANCES)
+                return {};
+            ++clearances;
+            const Certificate certificate{ball.center, obstacles_->clearance(ball.center)};
+            if (clearances == 1)
+                verdict.clearance = certificate.clearance;
+            Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
+            if (covering.verdict != Covering::FREE && provesCollisions)
+                for (const Ball &core : query.body.getCore())
+                    if ((query.pose * core.center - ball.center).norm() + certificate.clearance < core.radius - margin)
+                    {
+                        collides = true;
+                        break;
+                    }
+            if (learn && (collides || (clearances == 1 && covering.verdict == Covering::FREE)))
+                covering.certificate = certificates_.insert(certificate);
+            return covering;
+        };
+        const bool proved = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, lookup, verdict);
+        counts.clearanceQueries += clearances;
+        if (collides || proved)
+        {
+            verdict.free = proved;
+            return verdict;
+        }
+        ++counts.exactCalls;
+        verdict.free = !obstacles_->collides(query.body, query.pose);
+        verdict.reach = 0.0;
         return verdict;
     }
-    ++counts.exactCalls;
-    verdict.free = !obstacles_->collides(query.body, query.pose);
-    verdict.reach = 0.0;
-    return verdict;
-}
 }

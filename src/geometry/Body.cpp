@@ -8,119 +8,125 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    double reachOf(const Body::Part &part)
+    namespace
     {
-        if (const ConvexHull *hull = part.shape.getHull())
+        double reachOf(const Body::Part &part)
         {
-            double farthest = 0.0;
-            for (const auto &vertex : hull->vertices)
-                farthest = std::max(farthest, (part.pose * vertex).norm());
-            return farthest;
+            if (const ConvexHull *hull = part.shape.getHull())
+            {
+                double farthest = 0.0;
+                for (const auto &vertex : hull->vertices)
+                    farthest = std::max(farthest, (part.pose * vertex).norm());
+                return farthest;
+            }
+            const double halfLength = 0.5 * part.shape.getSize().z(), radius = part.shape.getRadius();
+            const bool flat = part.shape.getKind() == Shape::Kind::CYLINDER;
+            return part.pose.translation().norm() + (flat ? std::hypot(halfLength, radius) : halfLength + radius);
         }
-        const double halfLength = 0.5 * part.shape.getSize().z(), radius = part.shape.getRadius();
-        const bool flat = part.shape.getKind() == Shape::Kind::CYLINDER;
-        return part.pose.translation().norm() + (flat ? std::hypot(halfLength, radius) : halfLength + radius);
+
+        Body single(Shape shape)
+        {
+            return Body({{std::move(shape), Pose::Identity()}});
+        }
     }
 
-    Body single(Shape shape)
+    Body Body::disc(double radius)
     {
-        return Body({{std::move(shape), Pose::Identity()}});
+        return single(Shape::ball(2, radius));
     }
-}
 
-Body Body::disc(double radius)
-{
-    return single(Shape::ball(2, radius));
-}
-
-Body Body::sphere(double radius)
-{
-    return single(Shape::ball(3, radius));
-}
-
-Body Body::box(double x, double y)
-{
-    return single(Shape::box(Eigen::Vector2d(x, y)));
-}
-
-Body Body::box(double x, double y, double z)
-{
-    return single(Shape::box(Eigen::Vector3d(x, y, z)));
-}
-
-Body Body::planarCapsule(double radius, double length)
-{
-    // FCL's capsules lie along z: this one is turned to lie along x.
-    Pose alongX = Pose::Identity();
-    alongX.linear() << 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0;
-    return Body({{Shape::capsule(2, radius, length), alongX}});
-}
-
-Body Body::capsule(double radius, double length)
-{
-    return single(Shape::capsule(3, radius, length));
-}
-
-Body Body::cylinder(double radius, double length)
-{
-    return single(Shape::cylinder(radius, length));
-}
-
-Body Body::convexPolygon(const std::vector<Eigen::Vector2d> &points)
-{
-    std::vector<Eigen::Vector3d> flat;
-    for (const auto &point : points)
-        flat.emplace_back(point.x(), point.y(), 0.0);
-    return single(Shape::polytope(2, flat));
-}
-
-Body Body::convexPolytope(const std::vector<Eigen::Vector3d> &points)
-{
-    return single(Shape::polytope(3, points));
-}
-
-Body::Body(std::vector<Part> parts)
-{
-    if (parts.empty())
-        throw ompl::Exception("A body needs at least one shape");
-    for (const Part &part : parts)
+    Body Body::sphere(double radius)
     {
-        if (part.shape.getDimension() != parts.front().shape.getDimension())
-            throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
-        if (!part.pose.matrix().allFinite())
-            throw ompl::Exception("The pose of a body's shape must be finite");
+        return single(Shape::ball(3, radius));
     }
-    data_ = std::make_shared<Data>();
-    data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
-    for (const Part &part : parts)
-        data_->reach = std::max(data_->reach, reachOf(part));
-    data_->parts = std::move(parts);
-}
 
-void Body::Data::makeBalls() const
-{
-    Cover cover = buildCover(parts);
-    std::vector<Ball> core = buildCore(parts, cover);
-    balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core)});
-}
+    Body Body::box(double x, double y)
+    {
+        return single(Shape::box(Eigen::Vector2d(x, y)));
+    }
 
-unsigned int Body::getDimension() const
-{
-    return getParts().front().shape.getDimension();
-}
+    Body Body::box(double x, double y, double z)
+    {
+        return single(Shape::box(Eigen::Vector3d(x, y, z)));
+    }
 
-double Body::signedDistance(const Eigen::Vector3d &point) const
-{
-    return ompl_certificates::signedDistance(getParts(), point);
-}
+    Body Body::planarCapsule(double radius, double length)
+    {
+        // FCL's capsules lie along z: this one is turned to lie along x.
+        Pose alongX = Pose::Identity();
+        alongX.linear() << 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0;
+        return Body({{Shape::capsule(2, radius, length), alongX}});
+    }
 
-bool Body::operator==(const Body &other) const
-{
-    const auto same = [](const Part &a, const Part &b)
-    { return a.shape == b.shape && a.pose.matrix() == b.pose.matrix(); };
-    return data_ == other.data_ ||
-           std::equal(getParts().begin(), getParts().end(), other.getParts().begin(), other.getParts().end(), same);
-}
+    Body Body::capsule(double radius, double length)
+    {
+        return single(Shape::capsule(3, radius, length));
+    }
+
+    Body Body::cylinder(double radius, double length)
+    {
+        return single(Shape::cylinder(radius, length));
+    }
+
+    Body Body::convexPolygon(const std::vector<Eigen::Vector2d> &points)
+    {
+        std::vector<Eigen::Vector3d> flat;
+        for (const auto &point : points)
+            flat.emplace_back(point.x(), point.y(), 0.0);
+        return single(Shape::polytope(2, flat));
+    }
+
+    Body Body::convexPolytope(const std::vector<Eigen::Vector3d> &points)
+    {
+        return single(Shape::polytope(3, points));
+    }
+
+    Body::Body(std::vector<Part> parts)
+    {
+        if (parts.empty())
+            throw ompl::Exception("A body needs at least one shape");
+        for (const Part &part : parts)
+        {
+            if (part.shape.getDimension() != parts.front().shape.getDimension())
+                throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
+            if (!part.pose.matrix().allFinite())
+                throw ompl::Exception("The pose of a body's shape must be finite");
+        }
+        data_ = std::make_shared<Data>();
+        data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
+        for (const Part &part : parts)
+            data_->reach = std::max(data_->reach, reachOf(part));
+        data_->parts = std::move(parts);
+    }
+
+    const Body::Balls &Body::Data::makeBalls() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!balls)
+        {
+            Cover cover = buildCover(parts);
+            std::vector<Ball> core = buildCore(parts, cover);
+            balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core)});
+            made.store(balls.get(), std::memory_order_release);
+        }
+        return *balls;
+    }
+
+    unsigned int Body::getDimension() const
+    {
+        return getParts().front().shape.getDimension();
+    }
+
+    double Body::signedDistance(const Eigen::Vector3d &point) const
+    {
+        return ompl_certificates::signedDistance(getParts(), point);
+    }
+
+    bool Body::operator==(const Body &other) const
+    {
+        const auto same = [](const Part &a, const Part &b)
+        { return a.shape == b.shape && a.pose.matrix() == b.pose.matrix(); };
+        return data_ == other.data_ ||
+               std::equal(getParts().begin(), getParts().end(), other.getParts().begin(), other.getParts().end(), same);
+    }
 }

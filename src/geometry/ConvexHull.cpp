@@ -9,172 +9,193 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    double distanceToSegment(const Eigen::Vector3d &point, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+    namespace
     {
-        const Eigen::Vector3d ab = b - a;
-        const double t = std::clamp((point - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-        return (point - a - t * ab).norm();
-    }
-
-    double distanceToFace(const ConvexHull &hull, const ConvexHull::Face &face, const Eigen::Vector3d &point)
-    {
-        const auto &corners = face.vertices;
-        if (corners.size() == 2)
-            return distanceToSegment(point, hull.vertices[corners[0]], hull.vertices[corners[1]]);
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < corners.size(); ++i)
+        double distanceToSegment(const Eigen::Vector3d &point, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
         {
-            const Eigen::Vector3d &a = hull.vertices[corners[i]];
-            const Eigen::Vector3d &b = hull.vertices[corners[(i + 1) % corners.size()]];
-            if (face.normal.cross(b - a).dot(point - a) < 0.0)
-                nearest = std::min(nearest, distanceToSegment(point, a, b));
+            const Eigen::Vector3d ab = b - a;
+            const double t = std::clamp((point - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+            return (point - a - t * ab).norm();
         }
-        // Beside no edge: the foot of the perpendicular lies in the face.
-        return std::isinf(nearest) ? std::abs(face.normal.dot(point) - face.offset) : nearest;
-    }
 
-    double cross2(const Eigen::Vector3d &o, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
-    {
-        return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-    }
-
-    /** Andrew's monotone chain; corners that are straight to within \e tolerance (an area) are left out. */
-    ConvexHull planarHull(std::vector<Eigen::Vector3d> points, double tolerance)
-    {
-        for (auto &point : points)
-            point.z() = 0.0;
-        std::sort(points.begin(), points.end(),
-                  [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
-                  { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-        ConvexHull hull;
-        auto &chain = hull.vertices;
-        const auto append = [&chain, tolerance](const Eigen::Vector3d &point, std::size_t fixed)
+        double distanceToFace(const ConvexHull &hull, const ConvexHull::Face &face, const Eigen::Vector3d &point)
         {
-            while (chain.size() > fixed && cross2(chain[chain.size() - 2], chain.back(), point) <= tolerance)
-                chain.pop_back();
-            chain.push_back(point);
-        };
-        for (const auto &point : points)
-            append(point, 1);
-        const std::size_t lower = chain.size();
-        for (auto point = points.rbegin() + 1; point != points.rend(); ++point)
-            append(*point, lower);
-        chain.pop_back();
-        if (chain.size() < 3)
-            throw ompl::Exception("The points of a polygon span no area");
-        for (std::size_t i = 0; i < chain.size(); ++i)
-        {
-            const std::size_t next = (i + 1) % chain.size();
-            const Eigen::Vector3d edge = chain[next] - chain[i];
-            const Eigen::Vector3d normal = Eigen::Vector3d(edge.y(), -edge.x(), 0.0).normalized();
-            hull.faces.push_back({normal, normal.dot(chain[i]), {i, next}});
-        }
-        return hull;
-    }
-
-    /** Every plane through three points that has no point beyond it is a face. */
-    ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &points, double tolerance)
-    {
-        ConvexHull hull;
-        std::vector<std::vector<std::size_t>> known;
-        const std::size_t count = points.size();
-        const auto addFace = [&](std::size_t i, std::size_t j, std::size_t k)
-        {
-            Eigen::Vector3d normal = (points[j] - points[i]).cross(points[k] - points[i]);
-            const double scale = (points[j] - points[i]).norm() + (points[k] - points[i]).norm();
-            if (normal.norm() <= tolerance * scale)
-                return;
-            normal.normalize();
-            for (const double sign : {1.0, -1.0})
+            const auto &corners = face.vertices;
+            if (corners.size() == 2)
+                return distanceToSegment(point, hull.vertices[corners[0]], hull.vertices[corners[1]]);
+            double nearest = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < corners.size(); ++i)
             {
-                const Eigen::Vector3d outward = sign * normal;
-                double offset = outward.dot(points[i]);
-                const auto beyond = [&](const Eigen::Vector3d &p) { return outward.dot(p) > offset + tolerance; };
-                if (std::any_of(points.begin(), points.end(), beyond))
-                    continue;
-                std::vector<std::size_t> corners;
-                for (std::size_t v = 0; v < count; ++v)
-                    if (outward.dot(points[v]) >= offset - tolerance)
-                        corners.push_back(v);
-                const auto sameFace = [&](const std::vector<std::size_t> &other)
+                const Eigen::Vector3d &a = hull.vertices[corners[i]];
+                const Eigen::Vector3d &b = hull.vertices[corners[(i + 1) % corners.size()]];
+                if (face.normal.cross(b - a).dot(point - a) < 0.0)
+                    nearest = std::min(nearest, distanceToSegment(point, a, b));
+            }
+            // Beside no edge: the foot of the perpendicular lies in the face.
+            return std::isinf(nearest) ? std::abs(face.normal.dot(point) - face.offset) : nearest;
+        }
+
+        double cross2(const Eigen::Vector3d &o, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+        {
+            return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+        }
+
+        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain; those that are
+            straight to within \e tolerance (an area) are left out. Fewer than three if the points span no area. */
+        std::vector<Eigen::Vector3d> outlineOf(std::vector<Eigen::Vector3d> points, double tolerance)
+        {
+            std::sort(points.begin(), points.end(),
+                      [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+                      { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+            std::vector<Eigen::Vector3d> chain;
+            const auto append = [&chain, tolerance](const Eigen::Vector3d &point, std::size_t fixed)
+            {
+                while (chain.size() > fixed && cross2(chain[chain.size() - 2], chain.back(), point) <= tolerance)
+                    chain.pop_back();
+                chain.push_back(point);
+            };
+            for (const auto &point : points)
+                append(point, 1);
+            const std::size_t lower = chain.size();
+            for (auto point = points.rbegin() + 1; point != points.rend(); ++point)
+                append(*point, lower);
+            chain.pop_back();
+            return chain;
+        }
+
+        ConvexHull planarHull(std::vector<Eigen::Vector3d> points, double tolerance)
+        {
+            for (auto &point : points)
+                point.z() = 0.0;
+            ConvexHull hull;
+            hull.vertices = outlineOf(std::move(points), tolerance);
+            const auto &chain = hull.vertices;
+            if (chain.size() < 3)
+                throw ompl::Exception("The points of a polygon span no area");
+            for (std::size_t i = 0; i < chain.size(); ++i)
+            {
+                const std::size_t next = (i + 1) % chain.size();
+                const Eigen::Vector3d edge = chain[next] - chain[i];
+                const Eigen::Vector3d normal = Eigen::Vector3d(edge.y(), -edge.x(), 0.0).normalized();
+                hull.faces.push_back({normal, normal.dot(chain[i]), {i, next}});
+            }
+            return hull;
+        }
+
+        /** The points without those that are within \e tolerance of an earlier one */
+        std::vector<Eigen::Vector3d> distinct(const std::vector<Eigen::Vector3d> &points, double tolerance)
+        {
+            std::vector<Eigen::Vector3d> kept;
+            for (const auto &point : points)
+                if (std::none_of(kept.begin(), kept.end(),
+                                 [&](const Eigen::Vector3d &other) { return (point - other).norm() <= tolerance; }))
+                    kept.push_back(point);
+            return kept;
+        }
+
+        /** Every plane through three points that has no point beyond it is a face. */
+        ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double tolerance)
+        {
+            ConvexHull hull;
+            const std::vector<Eigen::Vector3d> points = distinct(given, tolerance);
+            std::vector<std::vector<std::size_t>> known;
+            const std::size_t count = points.size();
+            const auto addFace = [&](std::size_t i, std::size_t j, std::size_t k)
+            {
+                Eigen::Vector3d normal = (points[j] - points[i]).cross(points[k] - points[i]);
+                const double scale = (points[j] - points[i]).norm() + (points[k] - points[i]).norm();
+                if (normal.norm() <= tolerance * scale)
+                    return;
+                normal.normalize();
+                // Three points that are not on a line lie in one plane only. Two faces may well share more than two
+                // points: all those of their common edge.
+                const auto holdsAllThree = [&](const std::vector<std::size_t> &face)
                 {
-                    std::vector<std::size_t> common;
-                    std::set_intersection(other.begin(), other.end(), corners.begin(), corners.end(),
-                                          std::back_inserter(common));
-                    return common.size() >= 3;
+                    const auto holds = [&face](std::size_t v)
+                    { return std::binary_search(face.begin(), face.end(), v); };
+                    return holds(i) && holds(j) && holds(k);
                 };
-                if (std::any_of(known.begin(), known.end(), sameFace))
-                    continue;
-                known.push_back(corners);
-                // Put the corners in the plane's own coordinates and let the planar hull order them.
-                const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
-                std::vector<Eigen::Vector3d> flat;
-                for (const std::size_t v : corners)
-                    flat.emplace_back(x.dot(points[v] - points[i]), y.dot(points[v] - points[i]), 0.0);
-                const ConvexHull outline = planarHull(flat, tolerance * tolerance);
-                ConvexHull::Face face{outward, offset, {}};
-                for (const Eigen::Vector3d &vertex : outline.vertices)
-                    face.vertices.push_back(
-                        corners[static_cast<std::size_t>(std::find(flat.begin(), flat.end(), vertex) - flat.begin())]);
-                hull.faces.push_back(std::move(face));
-            }
-        };
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t j = i + 1; j < count; ++j)
-                for (std::size_t k = j + 1; k < count; ++k)
-                    addFace(i, j, k);
-
-        // Keep the points that are corners, and number them anew.
-        std::vector<std::size_t> newIndex(count, count);
-        for (auto &face : hull.faces)
-            for (auto &vertex : face.vertices)
-            {
-                if (newIndex[vertex] == count)
+                if (std::any_of(known.begin(), known.end(), holdsAllThree))
+                    return;
+                for (const double sign : {1.0, -1.0})
                 {
-                    newIndex[vertex] = hull.vertices.size();
-                    hull.vertices.push_back(points[vertex]);
+                    const Eigen::Vector3d outward = sign * normal;
+                    double offset = outward.dot(points[i]);
+                    const auto beyond = [&](const Eigen::Vector3d &p) { return outward.dot(p) > offset + tolerance; };
+                    if (std::any_of(points.begin(), points.end(), beyond))
+                        continue;
+                    std::vector<std::size_t> corners;
+                    for (std::size_t v = 0; v < count; ++v)
+                        if (outward.dot(points[v]) >= offset - tolerance)
+                            corners.push_back(v);
+                    known.push_back(corners);
+                    // Put the corners in the plane's own coordinates and let the planar hull order them.
+                    const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
+                    std::vector<Eigen::Vector3d> flat;
+                    for (const std::size_t v : corners)
+                        flat.emplace_back(x.dot(points[v] - points[i]), y.dot(points[v] - points[i]), 0.0);
+                    ConvexHull::Face face{outward, offset, {}};
+                    for (const Eigen::Vector3d &vertex : outlineOf(flat, tolerance * tolerance))
+                        face.vertices.push_back(corners[static_cast<std::size_t>(
+                            std::find(flat.begin(), flat.end(), vertex) - flat.begin())]);
+                    if (face.vertices.size() >= 3)
+                        hull.faces.push_back(std::move(face));
                 }
-                vertex = newIndex[vertex];
-            }
-        if (hull.faces.size() < 4)
-            throw ompl::Exception("The points of a polytope span no volume");
-        return hull;
+            };
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = i + 1; j < count; ++j)
+                    for (std::size_t k = j + 1; k < count; ++k)
+                        addFace(i, j, k);
+
+            // Keep the points that are corners, and number them anew.
+            std::vector<std::size_t> newIndex(count, count);
+            for (auto &face : hull.faces)
+                for (auto &vertex : face.vertices)
+                {
+                    if (newIndex[vertex] == count)
+                    {
+                        newIndex[vertex] = hull.vertices.size();
+                        hull.vertices.push_back(points[vertex]);
+                    }
+                    vertex = newIndex[vertex];
+                }
+            if (hull.faces.size() < 4)
+                throw ompl::Exception("The points of a polytope span no volume");
+            return hull;
+        }
     }
-}
 
-double ConvexHull::signedDistance(const Eigen::Vector3d &point) const
-{
-    double highest = -std::numeric_limits<double>::infinity();
-    for (const Face &face : faces)
-        highest = std::max(highest, face.normal.dot(point) - face.offset);
-    if (highest <= 0.0)
-        return highest;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Face &face : faces)
-        if (face.normal.dot(point) > face.offset)
-            nearest = std::min(nearest, distanceToFace(*this, face, point));
-    return nearest;
-}
-
-ConvexHull convexHull(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
-{
-    if (points.size() < dimension + 1)
-        throw ompl::Exception("A convex hull in " + std::to_string(dimension) + " dimensions needs at least " +
-                              std::to_string(dimension + 1) + " points, not " + std::to_string(points.size()));
-    if (points.size() > MAX_HULL_POINTS)
-        throw ompl::Exception("A convex hull takes at most " + std::to_string(MAX_HULL_POINTS) + " points, not " +
-                              std::to_string(points.size()));
-    Eigen::AlignedBox3d box;
-    for (const auto &point : points)
+    double ConvexHull::signedDistance(const Eigen::Vector3d &point) const
     {
-        if (!point.allFinite())
-            throw ompl::Exception("A convex hull's points must be finite numbers");
-        box.extend(point);
+        double highest = -std::numeric_limits<double>::infinity();
+        for (const Face &face : faces)
+            highest = std::max(highest, face.normal.dot(point) - face.offset);
+        if (highest <= 0.0)
+            return highest;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Face &face : faces)
+            if (face.normal.dot(point) > face.offset)
+                nearest = std::min(nearest, distanceToFace(*this, face, point));
+        return nearest;
     }
-    if (dimension == 2)
-        return planarHull(points, 1e-12 * box.sizes().head<2>().squaredNorm());
-    return spatialHull(points, 1e-10 * box.diagonal().norm());
-}
+
+    ConvexHull convexHull(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
+    {
+        if (points.size() < dimension + 1)
+            throw ompl::Exception("A convex hull in " + std::to_string(dimension) + " dimensions needs at least " +
+                                  std::to_string(dimension + 1) + " points, not " + std::to_string(points.size()));
+        if (points.size() > MAX_HULL_POINTS)
+            throw ompl::Exception("A convex hull takes at most " + std::to_string(MAX_HULL_POINTS) + " points, not " +
+                                  std::to_string(points.size()));
+        Eigen::AlignedBox3d box;
+        for (const auto &point : points)
+        {
+            if (!point.allFinite())
+                throw ompl::Exception("A convex hull's points must be finite numbers");
+            box.extend(point);
+        }
+        if (dimension == 2)
+            return planarHull(points, 1e-12 * box.sizes().head<2>().squaredNorm());
+        return spatialHull(points, 1e-10 * box.diagonal().norm());
+    }
 }

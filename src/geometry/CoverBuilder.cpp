@@ -6,237 +6,237 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    /** A leaf's ball is at most this fraction of its shape's own ball, ... */
-    constexpr double LEAF_RADIUS = 0.125;
+    namespace
+    {
+        /** A leaf's ball is at most this fraction of its shape's own ball, ... */
+        constexpr double LEAF_RADIUS = 0.125;
 
-    /** ... or no more than this much larger than the rounding of its piece, as a capsule's. */
-    constexpr double TIGHT = 1.05;
+        /** ... or no more than this much larger than the rounding of its piece, as a capsule's. */
+        constexpr double TIGHT = 1.05;
 
-    constexpr unsigned int MAX_DEPTH = 7;
+        constexpr unsigned int MAX_DEPTH = 7;
 
-    constexpr std::size_t CORE_BALLS = 8;
+        constexpr std::size_t CORE_BALLS = 8;
 
-    /** A convex piece of a shape: the outlines of its faces (or its one outline in the plane, its two ends for a
+        /** A convex piece of a shape: the outlines of its faces (or its one outline in the plane, its two ends for a
         segment), enlarged by a rounding. */
-    struct Piece
-    {
-        std::vector<std::vector<Eigen::Vector3d>> outlines;
-        double rounding;
-
-        std::vector<Eigen::Vector3d> vertices() const
+        struct Piece
         {
-            std::vector<Eigen::Vector3d> all;
-            for (const auto &outline : outlines)
-                all.insert(all.end(), outline.begin(), outline.end());
-            return all;
-        }
-    };
+            std::vector<std::vector<Eigen::Vector3d>> outlines;
+            double rounding;
 
-    /** The part of an outline where sign * (p[axis] - position) <= 0; the points on the cut are added to \e cut. */
-    std::vector<Eigen::Vector3d> clip(const std::vector<Eigen::Vector3d> &outline, Eigen::Index axis, double position,
-                                      double sign, std::vector<Eigen::Vector3d> &cut)
-    {
-        std::vector<Eigen::Vector3d> kept;
-        for (std::size_t i = 0; i < outline.size(); ++i)
-        {
-            const Eigen::Vector3d &a = outline[i], &b = outline[(i + 1) % outline.size()];
-            const double da = sign * (a[axis] - position), db = sign * (b[axis] - position);
-            if (da <= 0.0)
-                kept.push_back(a);
-            if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0))
+            std::vector<Eigen::Vector3d> vertices() const
             {
-                Eigen::Vector3d crossing = a + da / (da - db) * (b - a);
-                crossing[axis] = position;
-                kept.push_back(crossing);
-                cut.push_back(crossing);
+                std::vector<Eigen::Vector3d> all;
+                for (const auto &outline : outlines)
+                    all.insert(all.end(), outline.begin(), outline.end());
+                return all;
             }
-            else if (da == 0.0)
-                cut.push_back(a);
-        }
-        return kept;
-    }
-
-    /** Put the corners of a convex polygon, across \e axis, in order around their mean. */
-    void sortAround(std::vector<Eigen::Vector3d> &corners, Eigen::Index axis)
-    {
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (const auto &corner : corners)
-            mean += corner / static_cast<double>(corners.size());
-        const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const auto angle = [&](const Eigen::Vector3d &p) { return std::atan2(p[v] - mean[v], p[u] - mean[u]); };
-        std::sort(corners.begin(), corners.end(),
-                  [&](const Eigen::Vector3d &a, const Eigen::Vector3d &b) { return angle(a) < angle(b); });
-    }
-
-    Piece halfOf(const Piece &piece, Eigen::Index axis, double position, double sign)
-    {
-        Piece half{{}, piece.rounding};
-        std::vector<Eigen::Vector3d> cut;
-        for (const auto &outline : piece.outlines)
-            if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
-                half.outlines.push_back(std::move(kept));
-        // The new face closes the piece, so that later cuts find the edges inside the shape too.
-        if (piece.outlines.size() > 1 && cut.size() >= 3)
-        {
-            sortAround(cut, axis);
-            half.outlines.push_back(std::move(cut));
-        }
-        return half;
-    }
-
-    /** A prism of 16 sides around a cylinder: 2 % wider at its corners */
-    Piece prismAround(double radius, double length)
-    {
-        constexpr std::size_t sides = 16;
-        const double corner = radius / std::cos(M_PI / sides);
-        Piece prism{{{}, {}}, 0.0};
-        const auto at = [&](std::size_t i, double z)
-        {
-            const double angle = 2.0 * M_PI * static_cast<double>(i) / sides;
-            return Eigen::Vector3d(corner * std::cos(angle), corner * std::sin(angle), z);
         };
-        for (std::size_t i = 0; i < sides; ++i)
+
+        /** The part of an outline where sign * (p[axis] - position) <= 0; the points on the cut are added to \e cut. */
+        std::vector<Eigen::Vector3d> clip(const std::vector<Eigen::Vector3d> &outline, Eigen::Index axis,
+                                          double position, double sign, std::vector<Eigen::Vector3d> &cut)
         {
-            prism.outlines[0].push_back(at(i, -0.5 * length));
-            prism.outlines[1].push_back(at(i, 0.5 * length));
+            std::vector<Eigen::Vector3d> kept;
+            for (std::size_t i = 0; i < outline.size(); ++i)
+            {
+                const Eigen::Vector3d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+                const double da = sign * (a[axis] - position), db = sign * (b[axis] - position);
+                if (da <= 0.0)
+                    kept.push_back(a);
+                if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0))
+                {
+                    Eigen::Vector3d crossing = a + da / (da - db) * (b - a);
+                    crossing[axis] = position;
+                    kept.push_back(crossing);
+                    cut.push_back(crossing);
+                }
+                else if (da == 0.0)
+                    cut.push_back(a);
+            }
+            return kept;
         }
-        for (std::size_t i = 0; i < sides; ++i)
-            prism.outlines.push_back(
-                {at(i, -0.5 * length), at(i + 1, -0.5 * length), at(i + 1, 0.5 * length), at(i, 0.5 * length)});
-        return prism;
-    }
 
-    Piece wholeOf(const Shape &shape)
-    {
-        switch (shape.getKind())
+        /** Put the corners of a convex polygon, across \e axis, in order around their mean. */
+        void sortAround(std::vector<Eigen::Vector3d> &corners, Eigen::Index axis)
         {
-            case Shape::Kind::BALL:
-                return {{{Eigen::Vector3d::Zero()}}, shape.getRadius()};
-            case Shape::Kind::CAPSULE:
-                return {{{-0.5 * shape.getSize(), 0.5 * shape.getSize()}}, shape.getRadius()};
-            case Shape::Kind::CYLINDER:
-                return prismAround(shape.getRadius(), shape.getSize().z());
-            default:
-                break;
+            Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+            for (const auto &corner : corners)
+                mean += corner / static_cast<double>(corners.size());
+            const Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const auto angle = [&](const Eigen::Vector3d &p) { return std::atan2(p[v] - mean[v], p[u] - mean[u]); };
+            std::sort(corners.begin(), corners.end(),
+                      [&](const Eigen::Vector3d &a, const Eigen::Vector3d &b) { return angle(a) < angle(b); });
         }
-        const ConvexHull &hull = *shape.getHull();
-        if (shape.getDimension() == 2)
-            return {{hull.vertices}, 0.0};
-        Piece piece{{}, 0.0};
-        for (const auto &face : hull.faces)
+
+        Piece halfOf(const Piece &piece, Eigen::Index axis, double position, double sign)
         {
-            piece.outlines.emplace_back();
-            for (const std::size_t vertex : face.vertices)
-                piece.outlines.back().push_back(hull.vertices[vertex]);
+            Piece half{{}, piece.rounding};
+            std::vector<Eigen::Vector3d> cut;
+            for (const auto &outline : piece.outlines)
+                if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
+                    half.outlines.push_back(std::move(kept));
+            // The new face closes the piece, so that later cuts find the edges inside the shape too.
+            if (piece.outlines.size() > 1 && cut.size() >= 3)
+            {
+                sortAround(cut, axis);
+                half.outlines.push_back(std::move(cut));
+            }
+            return half;
         }
-        return piece;
+
+        /** A prism of 16 sides around a cylinder: 2 % wider at its corners */
+        Piece prismAround(double radius, double length)
+        {
+            constexpr std::size_t sides = 16;
+            const double corner = radius / std::cos(M_PI / sides);
+            Piece prism{{{}, {}}, 0.0};
+            const auto at = [&](std::size_t i, double z)
+            {
+                const double angle = 2.0 * M_PI * static_cast<double>(i) / sides;
+                return Eigen::Vector3d(corner * std::cos(angle), corner * std::sin(angle), z);
+            };
+            for (std::size_t i = 0; i < sides; ++i)
+            {
+                prism.outlines[0].push_back(at(i, -0.5 * length));
+                prism.outlines[1].push_back(at(i, 0.5 * length));
+            }
+            for (std::size_t i = 0; i < sides; ++i)
+                prism.outlines.push_back(
+                    {at(i, -0.5 * length), at(i + 1, -0.5 * length), at(i + 1, 0.5 * length), at(i, 0.5 * length)});
+            return prism;
+        }
+
+        Piece wholeOf(const Shape &shape)
+        {
+            switch (shape.getKind())
+            {
+                case Shape::Kind::BALL:
+                    return {{{Eigen::Vector3d::Zero()}}, shape.getRadius()};
+                case Shape::Kind::CAPSULE:
+                    return {{{-0.5 * shape.getSize(), 0.5 * shape.getSize()}}, shape.getRadius()};
+                case Shape::Kind::CYLINDER:
+                    return prismAround(shape.getRadius(), shape.getSize().z());
+                default:
+                    break;
+            }
+            const ConvexHull &hull = *shape.getHull();
+            if (shape.getDimension() == 2)
+                return {{hull.vertices}, 0.0};
+            Piece piece{{}, 0.0};
+            for (const auto &face : hull.faces)
+            {
+                piece.outlines.emplace_back();
+                for (const std::size_t vertex : face.vertices)
+                    piece.outlines.back().push_back(hull.vertices[vertex]);
+            }
+            return piece;
+        }
+
+        Ball ballAround(const Piece &piece, const Pose &pose)
+        {
+            Ball ball = enclosingBall(piece.vertices(), piece.rounding);
+            ball.center = pose * ball.center;
+            // Pays for the rounding of the clipping, so that no sliver of the shape is left outside.
+            ball.radius *= 1.0 + 1e-12;
+            return ball;
+        }
+
+        void addChildren(std::vector<Cover::Node> &nodes, std::size_t parent, const Piece &piece, const Pose &pose,
+                         double smallest, unsigned int depth)
+        {
+            const double radius = nodes[parent].ball.radius;
+            if (depth == MAX_DEPTH || radius <= smallest || radius <= TIGHT * piece.rounding)
+                return;
+            Eigen::AlignedBox3d box;
+            for (const auto &vertex : piece.vertices())
+                box.extend(vertex);
+            Eigen::Index axis;
+            if (box.sizes().maxCoeff(&axis) <= 0.0)
+                return;
+            const double middle = box.center()[axis];
+            const Piece halves[] = {halfOf(piece, axis, middle, 1.0), halfOf(piece, axis, middle, -1.0)};
+            const auto first = static_cast<std::uint32_t>(nodes.size());
+            nodes[parent].firstChild = first;
+            nodes[parent].childCount = 2;
+            for (const Piece &half : halves)
+                nodes.push_back({ballAround(half, pose), 0, 0});
+            for (std::size_t i = 0; i < 2; ++i)
+                addChildren(nodes, first + i, halves[i], pose, smallest, depth + 1);
+        }
     }
 
-    Ball ballAround(const Piece &piece, const Pose &pose)
+    Cover buildCover(const std::vector<Body::Part> &parts)
     {
-        Ball ball = enclosingBall(piece.vertices(), piece.rounding);
-        ball.center = pose * ball.center;
-        // Pays for the rounding of the clipping, so that no sliver of the shape is left outside.
-        ball.radius *= 1.0 + 1e-12;
-        return ball;
-    }
-
-    void addChildren(std::vector<Cover::Node> &nodes, std::size_t parent, const Piece &piece, const Pose &pose,
-                     double smallest, unsigned int depth)
-    {
-        const double radius = nodes[parent].ball.radius;
-        if (depth == MAX_DEPTH || radius <= smallest || radius <= TIGHT * piece.rounding)
-            return;
-        Eigen::AlignedBox3d box;
-        for (const auto &vertex : piece.vertices())
-            box.extend(vertex);
-        Eigen::Index axis;
-        if (box.sizes().maxCoeff(&axis) <= 0.0)
-            return;
-        const double middle = box.center()[axis];
-        const Piece halves[] = {halfOf(piece, axis, middle, 1.0), halfOf(piece, axis, middle, -1.0)};
-        const auto first = static_cast<std::uint32_t>(nodes.size());
-        nodes[parent].firstChild = first;
-        nodes[parent].childCount = 2;
-        for (const Piece &half : halves)
-            nodes.push_back({ballAround(half, pose), 0, 0});
-        for (std::size_t i = 0; i < 2; ++i)
-            addChildren(nodes, first + i, halves[i], pose, smallest, depth + 1);
-    }
-}
-
-Cover buildCover(const std::vector<Body::Part> &parts)
-{
-    std::vector<Cover::Node> nodes(1);
-    std::vector<Piece> pieces;
-    std::vector<Eigen::Vector3d> extremes;
-    double rounding = 0.0;
-    for (const auto &part : parts)
-    {
-        pieces.push_back(wholeOf(part.shape));
-        for (const auto &vertex : pieces.back().vertices())
-            extremes.push_back(part.pose * vertex);
-        rounding = std::max(rounding, pieces.back().rounding);
-    }
-    if (parts.size() == 1)
-    {
-        nodes[0].ball = ballAround(pieces[0], parts[0].pose);
-        addChildren(nodes, 0, pieces[0], parts[0].pose, LEAF_RADIUS * nodes[0].ball.radius, 0);
+        std::vector<Cover::Node> nodes(1);
+        std::vector<Piece> pieces;
+        std::vector<Eigen::Vector3d> extremes;
+        double rounding = 0.0;
+        for (const auto &part : parts)
+        {
+            pieces.push_back(wholeOf(part.shape));
+            for (const auto &vertex : pieces.back().vertices())
+                extremes.push_back(part.pose * vertex);
+            rounding = std::max(rounding, pieces.back().rounding);
+        }
+        if (parts.size() == 1)
+        {
+            nodes[0].ball = ballAround(pieces[0], parts[0].pose);
+            addChildren(nodes, 0, pieces[0], parts[0].pose, LEAF_RADIUS * nodes[0].ball.radius, 0);
+            return Cover(std::move(nodes));
+        }
+        nodes[0].ball = enclosingBall(extremes, rounding);
+        nodes[0].firstChild = 1;
+        nodes[0].childCount = static_cast<std::uint32_t>(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            nodes.push_back({ballAround(pieces[i], parts[i].pose), 0, 0});
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            addChildren(nodes, 1 + i, pieces[i], parts[i].pose, LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
         return Cover(std::move(nodes));
     }
-    nodes[0].ball = enclosingBall(extremes, rounding);
-    nodes[0].firstChild = 1;
-    nodes[0].childCount = static_cast<std::uint32_t>(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        nodes.push_back({ballAround(pieces[i], parts[i].pose), 0, 0});
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        addChildren(nodes, 1 + i, pieces[i], parts[i].pose, LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
-    return Cover(std::move(nodes));
-}
 
-double signedDistance(const std::vector<Body::Part> &parts, const Eigen::Vector3d &point)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto &part : parts)
-        nearest = std::min(nearest, part.shape.signedDistance(part.pose.inverse() * point));
-    return nearest;
-}
-
-std::vector<Ball> buildCore(const std::vector<Body::Part> &parts, const Cover &cover)
-{
-    std::vector<Ball> candidates;
-    const auto addBallAbout = [&](const Eigen::Vector3d &center)
+    double signedDistance(const std::vector<Body::Part> &parts, const Eigen::Vector3d &point)
     {
-        // Shrunk like the cover is enlarged: a core ball never sticks out by a rounding error.
-        if (const double depth = -signedDistance(parts, center); depth > 0.0)
-            candidates.push_back({center, depth * (1.0 - 1e-12)});
-    };
-    for (const auto &part : parts)
-        if (part.shape.getKind() == Shape::Kind::BALL)
-            candidates.push_back({part.pose.translation(), part.shape.getRadius()});
-        else if (const ConvexHull *hull = part.shape.getHull())
-        {
-            // The cover's centers may all lie on the edges of a sliver; the mean of the corners lies inside.
-            Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-            for (const auto &vertex : hull->vertices)
-                mean += vertex / static_cast<double>(hull->vertices.size());
-            addBallAbout(part.pose * mean);
-        }
-    for (const auto &node : cover.getNodes())
-        addBallAbout(node.ball.center);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
-    std::vector<Ball> core;
-    for (const Ball &ball : candidates)
-    {
-        // A ball whose center an earlier, larger one holds adds little.
-        const auto holds = [&ball](const Ball &other)
-        { return (other.center - ball.center).norm() < 0.5 * other.radius || other.center == ball.center; };
-        if (core.size() < CORE_BALLS && std::none_of(core.begin(), core.end(), holds))
-            core.push_back(ball);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto &part : parts)
+            nearest = std::min(nearest, part.shape.signedDistance(part.pose.inverse() * point));
+        return nearest;
     }
-    return core;
-}
+
+    std::vector<Ball> buildCore(const std::vector<Body::Part> &parts, const Cover &cover)
+    {
+        std::vector<Ball> candidates;
+        const auto addBallAbout = [&](const Eigen::Vector3d &center)
+        {
+            // Shrunk like the cover is enlarged: a core ball never sticks out by a rounding error.
+            if (const double depth = -signedDistance(parts, center); depth > 0.0)
+                candidates.push_back({center, depth * (1.0 - 1e-12)});
+        };
+        for (const auto &part : parts)
+            if (part.shape.getKind() == Shape::Kind::BALL)
+                candidates.push_back({part.pose.translation(), part.shape.getRadius()});
+            else if (const ConvexHull *hull = part.shape.getHull())
+            {
+                // The cover's centers may all lie on the edges of a sliver; the mean of the corners lies inside.
+                Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+                for (const auto &vertex : hull->vertices)
+                    mean += vertex / static_cast<double>(hull->vertices.size());
+                addBallAbout(part.pose * mean);
+            }
+        for (const auto &node : cover.getNodes())
+            addBallAbout(node.ball.center);
+        std::stable_sort(candidates.begin(), candidates.end(),
+                         [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
+        std::vector<Ball> core;
+        for (const Ball &ball : candidates)
+        {
+            // A ball whose center an earlier, larger one holds adds little.
+            const auto holds = [&ball](const Ball &other)
+            { return (other.center - ball.center).norm() < 0.5 * other.radius || other.center == ball.center; };
+            if (core.size() < CORE_BALLS && std::none_of(core.begin(), core.end(), holds))
+                core.push_back(ball);
+        }
+        return core;
+    }
 }

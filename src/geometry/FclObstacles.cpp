@@ -12,166 +12,167 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    PlacedBody spatialBody(const fcl::CollisionObjectd &object)
+    namespace
     {
-        const auto *geometry = object.collisionGeometry().get();
-        const Pose pose(object.getTransform());
-        switch (object.getNodeType())
+        PlacedBody spatialBody(const fcl::CollisionObjectd &object)
         {
-            case fcl::GEOM_SPHERE:
-                return {Body::sphere(static_cast<const fcl::Sphered *>(geometry)->radius), pose};
-            case fcl::GEOM_BOX:
+            const auto *geometry = object.collisionGeometry().get();
+            const Pose pose(object.getTransform());
+            switch (object.getNodeType())
             {
-                const auto &side = static_cast<const fcl::Boxd *>(geometry)->side;
-                return {Body::box(side.x(), side.y(), side.z()), pose};
+                case fcl::GEOM_SPHERE:
+                    return {Body::sphere(static_cast<const fcl::Sphered *>(geometry)->radius), pose};
+                case fcl::GEOM_BOX:
+                {
+                    const auto &side = static_cast<const fcl::Boxd *>(geometry)->side;
+                    return {Body::box(side.x(), side.y(), side.z()), pose};
+                }
+                case fcl::GEOM_CAPSULE:
+                {
+                    const auto *capsule = static_cast<const fcl::Capsuled *>(geometry);
+                    return {Body::capsule(capsule->radius, capsule->lz), pose};
+                }
+                case fcl::GEOM_CYLINDER:
+                {
+                    const auto *cylinder = static_cast<const fcl::Cylinderd *>(geometry);
+                    return {Body::cylinder(cylinder->radius, cylinder->lz), pose};
+                }
+                case fcl::GEOM_CONVEX:
+                    return {Body::convexPolytope(static_cast<const fcl::Convexd *>(geometry)->getVertices()), pose};
+                default:
+                    throw ompl::Exception(
+                        "FclObstacles takes spheres, boxes, capsules, cylinders and convex polytopes, not "
+                        "FCL's node type " +
+                        std::to_string(object.getNodeType()));
             }
-            case fcl::GEOM_CAPSULE:
+        }
+
+        PlacedBody planarBody(const fcl::CollisionObjectd &object)
+        {
+            const auto *geometry = object.collisionGeometry().get();
+            const fcl::Transform3d &transform = object.getTransform();
+            const fcl::Matrix3d turn = transform.linear();
+            const bool upright = std::abs(turn(2, 2)) > 1.0 - 1e-9;
+            const Pose pose = planarPose(transform.translation().x(), transform.translation().y(),
+                                         std::atan2(turn(1, 0), turn(0, 0)));
+            const auto requireUpright = [&]
             {
-                const auto *capsule = static_cast<const fcl::Capsuled *>(geometry);
-                return {Body::capsule(capsule->radius, capsule->lz), pose};
-            }
-            case fcl::GEOM_CYLINDER:
+                if (!upright)
+                    throw ompl::Exception("An obstacle of a planar workspace must stand upright");
+            };
+            switch (object.getNodeType())
             {
-                const auto *cylinder = static_cast<const fcl::Cylinderd *>(geometry);
-                return {Body::cylinder(cylinder->radius, cylinder->lz), pose};
+                case fcl::GEOM_SPHERE:
+                    return {Body::disc(static_cast<const fcl::Sphered *>(geometry)->radius), pose};
+                case fcl::GEOM_BOX:
+                {
+                    requireUpright();
+                    const auto &side = static_cast<const fcl::Boxd *>(geometry)->side;
+                    return {Body::box(side.x(), side.y()), pose};
+                }
+                case fcl::GEOM_CAPSULE:
+                    requireUpright();
+                    return {Body::disc(static_cast<const fcl::Capsuled *>(geometry)->radius), pose};
+                case fcl::GEOM_CYLINDER:
+                    requireUpright();
+                    return {Body::disc(static_cast<const fcl::Cylinderd *>(geometry)->radius), pose};
+                case fcl::GEOM_CONVEX:
+                {
+                    std::vector<Eigen::Vector2d> outline;
+                    for (const auto &vertex : static_cast<const fcl::Convexd *>(geometry)->getVertices())
+                        outline.push_back((transform * vertex).head<2>());
+                    return {Body::convexPolygon(outline), Pose::Identity()};
+                }
+                default:
+                    return spatialBody(object);  // reports the kind
             }
-            case fcl::GEOM_CONVEX:
-                return {Body::convexPolytope(static_cast<const fcl::Convexd *>(geometry)->getVertices()), pose};
-            default:
-                throw ompl::Exception(
-                    "FclObstacles takes spheres, boxes, capsules, cylinders and convex polytopes, not "
-                    "FCL's node type " +
-                    std::to_string(object.getNodeType()));
+        }
+
+        fcl::CollisionObjectd makeObject(const Body::Part &part, const Pose &bodyPose)
+        {
+            Pose pose = bodyPose * part.pose;
+            pose.translation() *= Shape::FCL_SCALE;
+            return {part.shape.getCollisionGeometry(), pose};
+        }
+
+        bool stopAtFirstContact(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *data)
+        {
+            // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape.
+            fcl::CollisionRequestd request;
+            request.gjk_tolerance =
+                1e-6 * std::min(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
+            fcl::CollisionResultd result;
+            if (fcl::collide(a, b, request, result) == 0)
+                return false;
+            *static_cast<bool *>(data) = true;
+            return true;
         }
     }
 
-    PlacedBody planarBody(const fcl::CollisionObjectd &object)
+    FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles)
+      : dimension_(dimension), bodies_(obstacles)
     {
-        const auto *geometry = object.collisionGeometry().get();
-        const fcl::Transform3d &transform = object.getTransform();
-        const fcl::Matrix3d turn = transform.linear();
-        const bool upright = std::abs(turn(2, 2)) > 1.0 - 1e-9;
-        const Pose pose =
-            planarPose(transform.translation().x(), transform.translation().y(), std::atan2(turn(1, 0), turn(0, 0)));
-        const auto requireUpright = [&]
+        build();
+    }
+
+    FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
+                               unsigned int dimension)
+      : dimension_(dimension)
+    {
+        for (const auto &object : objects)
         {
-            if (!upright)
-                throw ompl::Exception("An obstacle of a planar workspace must stand upright");
-        };
-        switch (object.getNodeType())
-        {
-            case fcl::GEOM_SPHERE:
-                return {Body::disc(static_cast<const fcl::Sphered *>(geometry)->radius), pose};
-            case fcl::GEOM_BOX:
-            {
-                requireUpright();
-                const auto &side = static_cast<const fcl::Boxd *>(geometry)->side;
-                return {Body::box(side.x(), side.y()), pose};
-            }
-            case fcl::GEOM_CAPSULE:
-                requireUpright();
-                return {Body::disc(static_cast<const fcl::Capsuled *>(geometry)->radius), pose};
-            case fcl::GEOM_CYLINDER:
-                requireUpright();
-                return {Body::disc(static_cast<const fcl::Cylinderd *>(geometry)->radius), pose};
-            case fcl::GEOM_CONVEX:
-            {
-                std::vector<Eigen::Vector2d> outline;
-                for (const auto &vertex : static_cast<const fcl::Convexd *>(geometry)->getVertices())
-                    outline.push_back((transform * vertex).head<2>());
-                return {Body::convexPolygon(outline), Pose::Identity()};
-            }
-            default:
-                return spatialBody(object);  // reports the kind
+            if (!object)
+                throw ompl::Exception("A collision object must not be null");
+            bodies_.push_back(dimension == 2 ? planarBody(*object) : spatialBody(*object));
         }
+        build();
     }
 
-    fcl::CollisionObjectd makeObject(const Body::Part &part, const Pose &bodyPose)
+    void FclObstacles::build()
     {
-        Pose pose = bodyPose * part.pose;
-        pose.translation() *= Shape::FCL_SCALE;
-        return {part.shape.getCollisionGeometry(), pose};
+        if (dimension_ != 2 && dimension_ != 3)
+            throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension_));
+        manager_ = std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>();
+        double largest = 0.0, farthest = 0.0;
+        for (const auto &[body, pose] : bodies_)
+        {
+            if (body.getDimension() != dimension_)
+                throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
+                                      " dimensions, its workspace " + std::to_string(dimension_));
+            if (!pose.matrix().allFinite())
+                throw ompl::Exception("The pose of an obstacle must be finite");
+            for (const auto &part : body.getParts())
+            {
+                const Pose partPose = pose * part.pose;
+                objects_.push_back(std::make_unique<fcl::CollisionObjectd>(makeObject(part, pose)));
+                manager_->registerObject(objects_.back().get());
+                clearances_.add(part.shape, partPose);
+                const auto bounds = part.shape.getBounds();
+                largest = std::max(largest, bounds.max().cwiseMax(-bounds.min()).norm());
+                farthest = std::max(farthest, partPose.translation().norm());
+            }
+        }
+        manager_->setup();
+        clearances_.build();
+        // The second term pays for the rounding of coordinates far from the origin.
+        tolerance_ = EXACT_CHECK_TOLERANCE * largest + 1e-14 * farthest;
     }
 
-    bool stopAtFirstContact(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *data)
+    bool FclObstacles::collides(const Body &body, const Pose &pose) const
     {
-        // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape.
-        fcl::CollisionRequestd request;
-        request.gjk_tolerance =
-            1e-6 * std::min(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
-        fcl::CollisionResultd result;
-        if (fcl::collide(a, b, request, result) == 0)
-            return false;
-        *static_cast<bool *>(data) = true;
-        return true;
-    }
-}
-
-FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles)
-  : dimension_(dimension), bodies_(obstacles)
-{
-    build();
-}
-
-FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects, unsigned int dimension)
-  : dimension_(dimension)
-{
-    for (const auto &object : objects)
-    {
-        if (!object)
-            throw ompl::Exception("A collision object must not be null");
-        bodies_.push_back(dimension == 2 ? planarBody(*object) : spatialBody(*object));
-    }
-    build();
-}
-
-void FclObstacles::build()
-{
-    if (dimension_ != 2 && dimension_ != 3)
-        throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension_));
-    manager_ = std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>();
-    double largest = 0.0, farthest = 0.0;
-    for (const auto &[body, pose] : bodies_)
-    {
-        if (body.getDimension() != dimension_)
-            throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
-                                  " dimensions, its workspace " + std::to_string(dimension_));
-        if (!pose.matrix().allFinite())
-            throw ompl::Exception("The pose of an obstacle must be finite");
+        bool hit = false;
         for (const auto &part : body.getParts())
         {
-            const Pose partPose = pose * part.pose;
-            objects_.push_back(std::make_unique<fcl::CollisionObjectd>(makeObject(part, pose)));
-            manager_->registerObject(objects_.back().get());
-            clearances_.add(part.shape, partPose);
-            const auto bounds = part.shape.getBounds();
-            largest = std::max(largest, bounds.max().cwiseMax(-bounds.min()).norm());
-            farthest = std::max(farthest, partPose.translation().norm());
+            fcl::CollisionObjectd object = makeObject(part, pose);
+            manager_->collide(&object, &hit, stopAtFirstContact);
+            if (hit)
+                return true;
         }
+        return false;
     }
-    manager_->setup();
-    clearances_.build();
-    // The second term pays for the rounding of coordinates far from the origin.
-    tolerance_ = EXACT_CHECK_TOLERANCE * largest + 1e-14 * farthest;
-}
 
-bool FclObstacles::collides(const Body &body, const Pose &pose) const
-{
-    bool hit = false;
-    for (const auto &part : body.getParts())
+    double FclObstacles::clearance(const Eigen::Vector3d &point) const
     {
-        fcl::CollisionObjectd object = makeObject(part, pose);
-        manager_->collide(&object, &hit, stopAtFirstContact);
-        if (hit)
-            return true;
+        return clearances_.signedDistance(point);
     }
-    return false;
-}
-
-double FclObstacles::clearance(const Eigen::Vector3d &point) const
-{
-    return clearances_.signedDistance(point);
-}
 }

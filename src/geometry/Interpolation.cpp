@@ -5,43 +5,43 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    namespace ob = ompl::base;
-
-    Eigen::Quaterniond quaternionOf(const ob::SO3StateSpace::StateType &state)
+    namespace
     {
-        return Eigen::Quaterniond(state.w, state.x, state.y, state.z).normalized();
+        namespace ob = ompl::base;
+
+        Eigen::Quaterniond quaternionOf(const ob::SO3StateSpace::StateType &state)
+        {
+            return Eigen::Quaterniond(state.w, state.x, state.y, state.z).normalized();
+        }
     }
-}
 
-double turnOf(const ob::SO2StateSpace::StateType &from, const ob::SO2StateSpace::StateType &to)
-{
-    const double difference = std::abs(to.value - from.value);
-    return difference <= M_PI ? difference : std::abs(2.0 * M_PI - difference);
-}
+    double turnOf(const ob::SO2StateSpace::StateType &from, const ob::SO2StateSpace::StateType &to)
+    {
+        const double difference = std::abs(to.value - from.value);
+        return difference <= M_PI ? difference : std::abs(2.0 * M_PI - difference);
+    }
 
-double turnOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
-{
-    const Eigen::Quaterniond a = quaternionOf(from), b = quaternionOf(to);
-    const Eigen::Quaterniond turn = a.conjugate() * b;
-    const double angle = 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-    // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal, angles up to about 1e-4: it keeps the first
-    // orientation up to the end of the motion. Nothing bounds the speed of that jump.
-    constexpr double jump = 1e-3, noTurn = 1e-12;
-    if (angle > noTurn && angle < jump)
-        return 1e100;
-    // Unnormalised quaternions do not turn evenly; how unevenly is bounded by OMPL's tolerance on their norms.
-    return angle * (1.0 + 1e-6);
-}
+    double turnOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
+    {
+        const Eigen::Quaterniond a = quaternionOf(from), b = quaternionOf(to);
+        const Eigen::Quaterniond turn = a.conjugate() * b;
+        const double angle = 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+        // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal, angles up to about 1e-4: it keeps the first
+        // orientation up to the end of the motion. Nothing bounds the speed of that jump.
+        constexpr double jump = 1e-3, noTurn = 1e-12;
+        if (angle > noTurn && angle < jump)
+            return 1e100;
+        // Unnormalised quaternions do not turn evenly; how unevenly is bounded by OMPL's tolerance on their norms.
+        return angle * (1.0 + 1e-6);
+    }
 
-double distanceOf(const ob::SE2StateSpace::StateType &from, const ob::SE2StateSpace::StateType &to)
-{
-    return std::hypot(to.getX() - from.getX(), to.getY() - from.getY());
-}
+    double distanceOf(const ob::SE2StateSpace::StateType &from, const ob::SE2StateSpace::StateType &to)
+    {
+        return std::hypot(to.getX() - from.getX(), to.getY() - from.getY());
+    }
 
-double distanceOf(const ob::SE3StateSpace::StateType &from, const ob::SE3StateSpace::StateType &to)
-{
-    return Eigen::Vector3d(to.getX() - from.getX(), to.getY() - from.getY(), to.getZ() - from.getZ()).norm();
-}
+    double distanceOf(const ob::SE3StateSpace::StateType &from, const ob::SE3StateSpace::StateType &to)
+    {
+        return Eigen::Vector3d(to.getX() - from.getX(), to.getY() - from.getY(), to.getZ() - from.getZ()).norm();
+    }
 }

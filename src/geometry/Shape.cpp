@@ -11,210 +11,210 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    double checkedSize(const char *what, double size)
+    namespace
     {
-        if (!(size > 0.0) || !std::isfinite(size))
-            throw ompl::Exception(std::string("The ") + what + " must be positive and finite, not " +
-                                  std::to_string(size));
-        return size;
-    }
-
-    double signedBoxDistance(const Eigen::Vector3d &halfSize, const Eigen::Vector3d &point, unsigned int dimension)
-    {
-        const Eigen::Vector3d q = point.cwiseAbs() - halfSize;
-        const double inside = dimension == 2 ? std::max(q.x(), q.y()) : q.maxCoeff();
-        return inside <= 0.0 ? inside : q.cwiseMax(0.0).norm();
-    }
-
-    double signedCylinderDistance(double radius, double halfLength, const Eigen::Vector3d &point)
-    {
-        const double radial = std::hypot(point.x(), point.y()) - radius;
-        const double axial = std::abs(point.z()) - halfLength;
-        const double inside = std::max(radial, axial);
-        return inside <= 0.0 ? inside : std::hypot(std::max(radial, 0.0), std::max(axial, 0.0));
-    }
-
-    std::vector<Eigen::Vector3d> boxCorners(const Eigen::Vector3d &size)
-    {
-        std::vector<Eigen::Vector3d> corners;
-        for (const double x : {-0.5, 0.5})
-            for (const double y : {-0.5, 0.5})
-                for (const double z : {-0.5, 0.5})
-                    if (size.z() > 0.0 || z > 0.0)
-                        corners.emplace_back(x * size.x(), y * size.y(), z * size.z());
-        return corners;
-    }
-
-    /** FCL's convex polytope for a hull; a polygon becomes a prism of the given height about the plane z = 0. */
-    std::shared_ptr<fcl::CollisionGeometryd> makeConvex(const ConvexHull &hull, double prismHeight)
-    {
-        auto vertices = std::make_shared<std::vector<fcl::Vector3d>>(hull.vertices);
-        auto faces = std::make_shared<std::vector<int>>();
-        int faceCount = 0;
-        const auto addFace = [&](const std::vector<std::size_t> &corners)
+        double checkedSize(const char *what, double size)
         {
-            faces->push_back(static_cast<int>(corners.size()));
-            for (const std::size_t corner : corners)
-                faces->push_back(static_cast<int>(corner));
-            ++faceCount;
-        };
-        if (prismHeight > 0.0)
+            if (!(size > 0.0) || !std::isfinite(size))
+                throw ompl::Exception(std::string("The ") + what + " must be positive and finite, not " +
+                                      std::to_string(size));
+            return size;
+        }
+
+        double signedBoxDistance(const Eigen::Vector3d &halfSize, const Eigen::Vector3d &point, unsigned int dimension)
         {
-            const std::size_t n = hull.vertices.size();
-            const Eigen::Vector3d up(0.0, 0.0, 0.5 * prismHeight);
-            std::vector<std::size_t> top, bottom;
-            for (std::size_t i = 0; i < n; ++i)
+            const Eigen::Vector3d q = point.cwiseAbs() - halfSize;
+            const double inside = dimension == 2 ? std::max(q.x(), q.y()) : q.maxCoeff();
+            return inside <= 0.0 ? inside : q.cwiseMax(0.0).norm();
+        }
+
+        double signedCylinderDistance(double radius, double halfLength, const Eigen::Vector3d &point)
+        {
+            const double radial = std::hypot(point.x(), point.y()) - radius;
+            const double axial = std::abs(point.z()) - halfLength;
+            const double inside = std::max(radial, axial);
+            return inside <= 0.0 ? inside : std::hypot(std::max(radial, 0.0), std::max(axial, 0.0));
+        }
+
+        std::vector<Eigen::Vector3d> boxCorners(const Eigen::Vector3d &size)
+        {
+            std::vector<Eigen::Vector3d> corners;
+            for (const double x : {-0.5, 0.5})
+                for (const double y : {-0.5, 0.5})
+                    for (const double z : {-0.5, 0.5})
+                        if (size.z() > 0.0 || z > 0.0)
+                            corners.emplace_back(x * size.x(), y * size.y(), z * size.z());
+            return corners;
+        }
+
+        /** FCL's convex polytope for a hull; a polygon becomes a prism of the given height about the plane z = 0. */
+        std::shared_ptr<fcl::CollisionGeometryd> makeConvex(const ConvexHull &hull, double prismHeight)
+        {
+            auto vertices = std::make_shared<std::vector<fcl::Vector3d>>(hull.vertices);
+            auto faces = std::make_shared<std::vector<int>>();
+            int faceCount = 0;
+            const auto addFace = [&](const std::vector<std::size_t> &corners)
             {
-                (*vertices)[i] = hull.vertices[i] - up;
-                vertices->push_back(hull.vertices[i] + up);
-                bottom.push_back(n - 1 - i);
-                top.push_back(n + i);
+                faces->push_back(static_cast<int>(corners.size()));
+                for (const std::size_t corner : corners)
+                    faces->push_back(static_cast<int>(corner));
+                ++faceCount;
+            };
+            if (prismHeight > 0.0)
+            {
+                const std::size_t n = hull.vertices.size();
+                const Eigen::Vector3d up(0.0, 0.0, 0.5 * prismHeight);
+                std::vector<std::size_t> top, bottom;
+                for (std::size_t i = 0; i < n; ++i)
+                {
+                    (*vertices)[i] = hull.vertices[i] - up;
+                    vertices->push_back(hull.vertices[i] + up);
+                    bottom.push_back(n - 1 - i);
+                    top.push_back(n + i);
+                }
+                addFace(bottom);
+                addFace(top);
+                for (std::size_t i = 0; i < n; ++i)
+                    addFace({i, (i + 1) % n, n + (i + 1) % n, n + i});
             }
-            addFace(bottom);
-            addFace(top);
-            for (std::size_t i = 0; i < n; ++i)
-                addFace({i, (i + 1) % n, n + (i + 1) % n, n + i});
+            else
+                for (const auto &face : hull.faces)
+                    addFace(face.vertices);
+            for (auto &vertex : *vertices)
+                vertex *= Shape::FCL_SCALE;
+            return std::make_shared<fcl::Convexd>(vertices, faceCount, faces);
         }
-        else
-            for (const auto &face : hull.faces)
-                addFace(face.vertices);
-        for (auto &vertex : *vertices)
-            vertex *= Shape::FCL_SCALE;
-        return std::make_shared<fcl::Convexd>(vertices, faceCount, faces);
     }
-}
 
-Shape::Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size)
-  : kind_(kind), dimension_(dimension), radius_(radius), size_(size)
-{
-    if (dimension != 2 && dimension != 3)
-        throw ompl::Exception("A shape is for a workspace of 2 or 3 dimensions, not " + std::to_string(dimension));
-}
-
-Shape Shape::ball(unsigned int dimension, double radius)
-{
-    if (!(radius >= 0.0) || !std::isfinite(radius))
-        throw ompl::Exception("The radius must be finite and not negative, not " + std::to_string(radius));
-    Shape shape(Kind::BALL, dimension, radius, Eigen::Vector3d::Zero());
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-Shape Shape::box(const Eigen::Vector2d &size)
-{
-    Shape shape(Kind::BOX, 2, 0.0, {checkedSize("size", size.x()), checkedSize("size", size.y()), 0.0});
-    shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(shape.size_), 2));
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-Shape Shape::box(const Eigen::Vector3d &size)
-{
-    for (const double extent : size)
-        checkedSize("size", extent);
-    Shape shape(Kind::BOX, 3, 0.0, size);
-    shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(size), 3));
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-Shape Shape::capsule(unsigned int dimension, double radius, double length)
-{
-    checkedSize("length", length);
-    Shape shape(Kind::CAPSULE, dimension, checkedSize("radius", radius), {0.0, 0.0, length});
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-Shape Shape::cylinder(double radius, double length)
-{
-    Shape shape(Kind::CYLINDER, 3, checkedSize("radius", radius), {0.0, 0.0, checkedSize("length", length)});
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-Shape Shape::polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
-{
-    Shape shape(Kind::POLYTOPE, dimension, 0.0, Eigen::Vector3d::Zero());
-    shape.hull_ = std::make_shared<ConvexHull>(convexHull(points, dimension));
-    shape.makeCollisionGeometry();
-    return shape;
-}
-
-void Shape::makeCollisionGeometry()
-{
-    // Any height will do for a prism; one like its other extents keeps FCL's solver well conditioned.
-    const double prismHeight = dimension_ == 2 ? getBounds().sizes().maxCoeff() : 0.0;
-    const double radius = FCL_SCALE * radius_;
-    const Eigen::Vector3d size = FCL_SCALE * size_;
-    switch (kind_)
+    Shape::Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size)
+      : kind_(kind), dimension_(dimension), radius_(radius), size_(size)
     {
-        case Kind::BALL:
-            geometry_ = std::make_shared<fcl::Sphered>(radius);
-            break;
-        case Kind::BOX:
-            geometry_ =
-                std::make_shared<fcl::Boxd>(size.x(), size.y(), dimension_ == 2 ? FCL_SCALE * prismHeight : size.z());
-            break;
-        case Kind::CAPSULE:
-            geometry_ = std::make_shared<fcl::Capsuled>(radius, size.z());
-            break;
-        case Kind::CYLINDER:
-            geometry_ = std::make_shared<fcl::Cylinderd>(radius, size.z());
-            break;
-        case Kind::POLYTOPE:
-            geometry_ = makeConvex(*hull_, prismHeight);
-            break;
+        if (dimension != 2 && dimension != 3)
+            throw ompl::Exception("A shape is for a workspace of 2 or 3 dimensions, not " + std::to_string(dimension));
     }
-    geometry_->computeLocalAABB();
-}
 
-double Shape::signedDistance(const Eigen::Vector3d &point) const
-{
-    switch (kind_)
+    Shape Shape::ball(unsigned int dimension, double radius)
     {
-        case Kind::BALL:
-            return point.norm() - radius_;
-        case Kind::BOX:
-            return signedBoxDistance(0.5 * size_, point, dimension_);
-        case Kind::CAPSULE:
+        if (!(radius >= 0.0) || !std::isfinite(radius))
+            throw ompl::Exception("The radius must be finite and not negative, not " + std::to_string(radius));
+        Shape shape(Kind::BALL, dimension, radius, Eigen::Vector3d::Zero());
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    Shape Shape::box(const Eigen::Vector2d &size)
+    {
+        Shape shape(Kind::BOX, 2, 0.0, {checkedSize("size", size.x()), checkedSize("size", size.y()), 0.0});
+        shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(shape.size_), 2));
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    Shape Shape::box(const Eigen::Vector3d &size)
+    {
+        for (const double extent : size)
+            checkedSize("size", extent);
+        Shape shape(Kind::BOX, 3, 0.0, size);
+        shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(size), 3));
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    Shape Shape::capsule(unsigned int dimension, double radius, double length)
+    {
+        checkedSize("length", length);
+        Shape shape(Kind::CAPSULE, dimension, checkedSize("radius", radius), {0.0, 0.0, length});
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    Shape Shape::cylinder(double radius, double length)
+    {
+        Shape shape(Kind::CYLINDER, 3, checkedSize("radius", radius), {0.0, 0.0, checkedSize("length", length)});
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    Shape Shape::polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
+    {
+        Shape shape(Kind::POLYTOPE, dimension, 0.0, Eigen::Vector3d::Zero());
+        shape.hull_ = std::make_shared<ConvexHull>(convexHull(points, dimension));
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
+    void Shape::makeCollisionGeometry()
+    {
+        // Any height will do for a prism; one like its other extents keeps FCL's solver well conditioned.
+        const double prismHeight = dimension_ == 2 ? getBounds().sizes().maxCoeff() : 0.0;
+        const double radius = FCL_SCALE * radius_;
+        const Eigen::Vector3d size = FCL_SCALE * size_;
+        switch (kind_)
         {
-            const Eigen::Vector3d nearest = point.cwiseMax(-0.5 * size_).cwiseMin(0.5 * size_);
-            return (point - nearest).norm() - radius_;
+            case Kind::BALL:
+                geometry_ = std::make_shared<fcl::Sphered>(radius);
+                break;
+            case Kind::BOX:
+                geometry_ = std::make_shared<fcl::Boxd>(size.x(), size.y(),
+                                                        dimension_ == 2 ? FCL_SCALE * prismHeight : size.z());
+                break;
+            case Kind::CAPSULE:
+                geometry_ = std::make_shared<fcl::Capsuled>(radius, size.z());
+                break;
+            case Kind::CYLINDER:
+                geometry_ = std::make_shared<fcl::Cylinderd>(radius, size.z());
+                break;
+            case Kind::POLYTOPE:
+                geometry_ = makeConvex(*hull_, prismHeight);
+                break;
         }
-        case Kind::CYLINDER:
-            return signedCylinderDistance(radius_, 0.5 * size_.z(), point);
-        case Kind::POLYTOPE:
-            return hull_->signedDistance(point);
+        geometry_->computeLocalAABB();
     }
-    throw ompl::Exception("Unknown kind of shape");
-}
 
-Eigen::AlignedBox3d Shape::getBounds() const
-{
-    if (kind_ == Kind::POLYTOPE)
+    double Shape::signedDistance(const Eigen::Vector3d &point) const
     {
-        Eigen::AlignedBox3d box;
-        for (const auto &vertex : hull_->vertices)
-            box.extend(vertex);
-        return box;
+        switch (kind_)
+        {
+            case Kind::BALL:
+                return point.norm() - radius_;
+            case Kind::BOX:
+                return signedBoxDistance(0.5 * size_, point, dimension_);
+            case Kind::CAPSULE:
+            {
+                const Eigen::Vector3d nearest = point.cwiseMax(-0.5 * size_).cwiseMin(0.5 * size_);
+                return (point - nearest).norm() - radius_;
+            }
+            case Kind::CYLINDER:
+                return signedCylinderDistance(radius_, 0.5 * size_.z(), point);
+            case Kind::POLYTOPE:
+                return hull_->signedDistance(point);
+        }
+        throw ompl::Exception("Unknown kind of shape");
     }
-    Eigen::Vector3d extent = 0.5 * size_;
-    if (kind_ == Kind::CAPSULE)
-        extent.array() += radius_;
-    else if (kind_ == Kind::BALL)
-        extent += Eigen::Vector3d(radius_, radius_, dimension_ == 2 ? 0.0 : radius_);
-    else if (kind_ == Kind::CYLINDER)
-        extent += Eigen::Vector3d(radius_, radius_, 0.0);
-    return {-extent, extent};
-}
 
-bool Shape::operator==(const Shape &other) const
-{
-    if (kind_ != other.kind_ || dimension_ != other.dimension_ || radius_ != other.radius_ || size_ != other.size_)
-        return false;
-    return kind_ != Kind::POLYTOPE || hull_->vertices == other.hull_->vertices;
-}
+    Eigen::AlignedBox3d Shape::getBounds() const
+    {
+        if (kind_ == Kind::POLYTOPE)
+        {
+            Eigen::AlignedBox3d box;
+            for (const auto &vertex : hull_->vertices)
+                box.extend(vertex);
+            return box;
+        }
+        Eigen::Vector3d extent = 0.5 * size_;
+        if (kind_ == Kind::CAPSULE)
+            extent.array() += radius_;
+        else if (kind_ == Kind::BALL)
+            extent += Eigen::Vector3d(radius_, radius_, dimension_ == 2 ? 0.0 : radius_);
+        else if (kind_ == Kind::CYLINDER)
+            extent += Eigen::Vector3d(radius_, radius_, 0.0);
+        return {-extent, extent};
+    }
+
+    bool Shape::operator==(const Shape &other) const
+    {
+        if (kind_ != other.kind_ || dimension_ != other.dimension_ || radius_ != other.radius_ || size_ != other.size_)
+            return false;
+        return kind_ != Kind::POLYTOPE || hull_->vertices == other.hull_->vertices;
+    }
 }

@@ -8,22 +8,22 @@
 
 namespace ompl_certificates
 {
-/** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has dimensions,
+    /** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has dimensions,
         with orthonormal rows, so that no robot's motion is invisible to a planner that looks at projections. */
-class TeamProjection : public ompl::base::ProjectionEvaluator
-{
-public:
-    explicit TeamProjection(const TeamStateSpace *team);
+    class TeamProjection : public ompl::base::ProjectionEvaluator
+    {
+    public:
+        explicit TeamProjection(const TeamStateSpace *team);
 
-    unsigned int getDimension() const override;
+        unsigned int getDimension() const override;
 
-    void project(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override;
+        void project(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override;
 
-private:
-    const TeamStateSpace *team_;
-    Eigen::MatrixXd map_;
-    std::size_t mostBodies_{0};
-};
+    private:
+        const TeamStateSpace *team_;
+        Eigen::MatrixXd map_;
+        std::size_t mostBodies_{0};
+    };
 }
 
 #endif

@@ -6,104 +6,105 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    /** How often a body's cover is refined by the body's one certificate */
-    constexpr unsigned int LEVELS = 2;
-}
-
-Basic::Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-  : CertificateChecker(si, obstacles), environment_(obstacles, false)
-{
-}
-
-void Basic::clear()
-{
-    CertificateChecker::clear();
-    certificates_.clear();
-    teamCertificates_ = 0;
-}
-
-std::size_t Basic::getCertificateCount() const
-{
-    return teamCertificates_.load(std::memory_order_acquire) * getBodyCount();
-}
-
-std::vector<Certificate> Basic::getCertificates() const
-{
-    std::vector<Certificate> all;
-    for (std::size_t i = 0; i < getCertificateCount(); ++i)
-        all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
-    return all;
-}
-
-bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,
-                          PoseVerdict &verdict) const
-{
-    if (team >= teamCertificates_.load(std::memory_order_acquire))
-        return false;
-    verdict.free = true;
-    verdict.reach = std::numeric_limits<double>::infinity();
-    verdict.reference = team;
-    for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
-        for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
-        {
-            const PoseQuery query = queryOf(robot, body, poses, travel);
-            const Certificate &certificate =
-                certificates_[static_cast<CertificateIndex>(team * getBodyCount() + getFirstBody(robot) + body)];
-            const auto lookup = [&](const BallQuery &ball) { return CertificateTree::cover(certificate, team, ball); };
-            PoseVerdict one;
-            if (!proveFree(query, environment_.getMargin(query.body), LEVELS, lookup, one))
-                return false;
-            verdict.reach = std::min(verdict.reach, one.reach);
-        }
-    return true;
-}
-
-PoseVerdict Basic::settleGroup(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
-                               double minimumReach, CertificateIndex *references, CheckCounts &counts) const
-{
-    const unsigned int robots = team_.getRobotCount();
-    PoseVerdict whole;
-    if (proveTeamFree(references[0], poses, travel, whole) && whole.reach >= minimumReach)
+    namespace
     {
-        counts.robotPoses += robots;
-        counts.certifiedFree += robots;
+        /** How often a body's cover is refined by the body's one certificate */
+        constexpr unsigned int LEVELS = 2;
+    }
+
+    Basic::Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
+      : CertificateChecker(si, obstacles), environment_(obstacles)
+    {
+    }
+
+    void Basic::clear()
+    {
+        CertificateChecker::clear();
+        certificates_.clear();
+        teamCertificates_ = 0;
+    }
+
+    std::size_t Basic::getCertificateCount() const
+    {
+        return teamCertificates_.load(std::memory_order_acquire) * getBodyCount();
+    }
+
+    std::vector<Certificate> Basic::getCertificates() const
+    {
+        std::vector<Certificate> all;
+        for (std::size_t i = 0; i < getCertificateCount(); ++i)
+            all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
+        return all;
+    }
+
+    bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,
+                              PoseVerdict &verdict) const
+    {
+        if (team >= teamCertificates_.load(std::memory_order_acquire))
+            return false;
+        verdict.free = true;
+        verdict.reach = std::numeric_limits<double>::infinity();
+        verdict.reference = team;
+        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+            for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
+            {
+                const PoseQuery query = queryOf(robot, body, poses, travel);
+                const Certificate &certificate =
+                    certificates_[static_cast<CertificateIndex>(team * getBodyCount() + getFirstBody(robot) + body)];
+                const auto lookup = [&](const BallQuery &ball)
+                { return CertificateTree::cover(certificate, team, ball); };
+                PoseVerdict one;
+                if (!proveFree(query, environment_.getMargin(query.body), LEVELS, lookup, one))
+                    return false;
+                verdict.reach = std::min(verdict.reach, one.reach);
+            }
+        return true;
+    }
+
+    PoseVerdict Basic::settleGroup(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
+                                   double minimumReach, CertificateIndex *references, CheckCounts &counts) const
+    {
+        const unsigned int robots = team_.getRobotCount();
+        PoseVerdict whole;
+        if (proveTeamFree(references[0], poses, travel, whole) && whole.reach >= minimumReach)
+        {
+            counts.robotPoses += robots;
+            counts.certifiedFree += robots;
+            return whole;
+        }
+        whole = {true, std::numeric_limits<double>::infinity(), NO_CERTIFICATE, true};
+        thread_local std::vector<Certificate> fresh;
+        fresh.clear();
+        for (unsigned int robot = 0; whole.free && robot < robots; ++robot)
+        {
+            ++counts.robotPoses;
+            ++counts.exact;
+            for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
+            {
+                const PoseQuery query = queryOf(robot, body, poses, travel);
+                const PoseVerdict one = environment_.ask(query, counts);
+                whole.free = one.free;
+                whole.reach = std::min(whole.reach, one.reach);
+                fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});
+            }
+        }
+        if (!whole.free)
+        {
+            ++counts.exactColliding;
+            return whole;
+        }
+        const std::lock_guard<std::mutex> lock(insertMutex_);
+        for (const Certificate &certificate : fresh)
+            certificates_[certificates_.append()] = certificate;
+        whole.reference = teamCertificates_.fetch_add(1, std::memory_order_release);
+        std::fill_n(references, robots, whole.reference);
         return whole;
     }
-    whole = {true, std::numeric_limits<double>::infinity(), NO_CERTIFICATE, true};
-    thread_local std::vector<Certificate> fresh;
-    fresh.clear();
-    for (unsigned int robot = 0; whole.free && robot < robots; ++robot)
-    {
-        ++counts.robotPoses;
-        ++counts.exact;
-        for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
-        {
-            const PoseQuery query = queryOf(robot, body, poses, travel);
-            const PoseVerdict one = environment_.ask(query, counts);
-            whole.free = one.free;
-            whole.reach = std::min(whole.reach, one.reach);
-            fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});
-        }
-    }
-    if (!whole.free)
-    {
-        ++counts.exactColliding;
-        return whole;
-    }
-    const std::lock_guard<std::mutex> lock(insertMutex_);
-    for (const Certificate &certificate : fresh)
-        certificates_[certificates_.append()] = certificate;
-    whole.reference = teamCertificates_.fetch_add(1, std::memory_order_release);
-    std::fill_n(references, robots, whole.reference);
-    return whole;
-}
 
-double Basic::reachOfReferences(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
-                                const CertificateIndex *references) const
-{
-    PoseVerdict verdict;
-    return proveTeamFree(references[0], poses, travel, verdict) ? verdict.reach : 0.0;
-}
+    double Basic::reachOfReferences(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
+                                    const CertificateIndex *references) const
+    {
+        PoseVerdict verdict;
+        return proveTeamFree(references[0], poses, travel, verdict) ? verdict.reach : 0.0;
+    }
 }

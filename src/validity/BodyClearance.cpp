@@ -4,27 +4,27 @@
 
 namespace ompl_certificates
 {
-double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose)
-{
-    // Best first: the smallest bound is refined until it is a leaf's.
-    using Bound = std::pair<double, std::uint32_t>;
-    std::priority_queue<Bound, std::vector<Bound>, std::greater<>> open;
-    const auto &nodes = body.getCover().getNodes();
-    const auto push = [&](std::uint32_t index)
+    double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose)
     {
-        const Ball &ball = nodes[index].ball;
-        open.emplace(obstacles.clearance(pose * ball.center) - ball.radius, index);
-    };
-    push(0);
-    for (;;)
-    {
-        const auto [bound, index] = open.top();
-        const Cover::Node &node = nodes[index];
-        if (node.childCount == 0)
-            return bound;
-        open.pop();
-        for (std::uint32_t child = 0; child < node.childCount; ++child)
-            push(node.firstChild + child);
+        // Best first: the smallest bound is refined until it is a leaf's.
+        using Bound = std::pair<double, std::uint32_t>;
+        std::priority_queue<Bound, std::vector<Bound>, std::greater<>> open;
+        const auto &nodes = body.getCover().getNodes();
+        const auto push = [&](std::uint32_t index)
+        {
+            const Ball &ball = nodes[index].ball;
+            open.emplace(obstacles.clearance(pose * ball.center) - ball.radius, index);
+        };
+        push(0);
+        for (;;)
+        {
+            const auto [bound, index] = open.top();
+            const Cover::Node &node = nodes[index];
+            if (node.childCount == 0)
+                return bound;
+            open.pop();
+            for (std::uint32_t child = 0; child < node.childCount; ++child)
+                push(node.firstChild + child);
+        }
     }
-}
 }

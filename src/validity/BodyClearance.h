@@ -5,9 +5,9 @@
 
 namespace ompl_certificates
 {
-/** \brief A lower bound of the distance from \e body at \e pose to the obstacles: that of its finest covering balls.
+    /** \brief A lower bound of the distance from \e body at \e pose to the obstacles: that of its finest covering balls.
         Exact for a disc and a sphere. */
-double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose);
+    double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose);
 }
 
 #endif

@@ -2,41 +2,41 @@
 
 namespace ompl_certificates
 {
-bool CertificateChecker::isValid(const ompl::base::State *state) const
-{
-    const Statistics::Timer timer(getStatistics());
-    const auto *teamState = state->as<TeamStateSpace::StateType>();
-    thread_local std::vector<CertificateIndex> references;
-    references.resize(team_.getRobotCount());
-    Pose *poses = poseBuffer();
-    CheckCounts counts;
-    bool valid = true;
-    for (unsigned int group = 0; valid && group < getGroupCount(); ++group)
+    bool CertificateChecker::isValid(const ompl::base::State *state) const
     {
-        const auto [first, last] = getGroup(group);
-        for (unsigned int robot = first; robot < last; ++robot)
+        const Statistics::Timer timer(getStatistics());
+        const auto *teamState = state->as<TeamStateSpace::StateType>();
+        thread_local std::vector<CertificateIndex> references;
+        references.resize(team_.getRobotCount());
+        Pose *poses = poseBuffer();
+        CheckCounts counts;
+        bool valid = true;
+        for (unsigned int group = 0; valid && group < getGroupCount(); ++group)
         {
-            team_.getRobot(robot).computePoses(teamState->components[robot], poses + getFirstBody(robot));
-            references[robot] = teamState->getReference(robot);
+            const auto [first, last] = getGroup(group);
+            for (unsigned int robot = first; robot < last; ++robot)
+            {
+                team_.getRobot(robot).computePoses(teamState->components[robot], poses + getFirstBody(robot));
+                references[robot] = teamState->getReference(robot);
+            }
+            valid = settleGroup(group, poses, nullptr, 0.0, references.data(), counts).free;
+            for (unsigned int robot = first; robot < last; ++robot)
+                teamState->setReference(robot, references[robot]);
         }
-        valid = settleGroup(group, poses, nullptr, 0.0, references.data(), counts).free;
-        for (unsigned int robot = first; robot < last; ++robot)
-            teamState->setReference(robot, references[robot]);
+        for (unsigned int pair = 0; valid && pair < pairs_.getPairCount(); ++pair)
+        {
+            ++counts.pairPoses;
+            valid = pairs_
+                        .settle(pair, poses + getFirstBody(pairs_.getFirst(pair)),
+                                poses + getFirstBody(pairs_.getSecond(pair)), nullptr, nullptr, counts)
+                        .free;
+        }
+        getStatistics().add(counts);
+        return valid;
     }
-    for (unsigned int pair = 0; valid && pair < pairs_.getPairCount(); ++pair)
-    {
-        ++counts.pairPoses;
-        valid = pairs_
-                    .settle(pair, poses + getFirstBody(pairs_.getFirst(pair)),
-                            poses + getFirstBody(pairs_.getSecond(pair)), nullptr, nullptr, counts)
-                    .free;
-    }
-    getStatistics().add(counts);
-    return valid;
-}
 
-void CertificateChecker::clear()
-{
-    pairs_.clear();
-}
+    void CertificateChecker::clear()
+    {
+        pairs_.clear();
+    }
 }

@@ -7,72 +7,77 @@
 
 namespace ompl_certificates
 {
-/** \brief The check of one motion. Its subjects, the groups of robots and the pairs of robots, are proved free one by one:
+    /** \brief The check of one motion. Its subjects, the groups of robots and the pairs of robots, are proved free one by one:
         at some time a subject is settled, and the verdict's reach proves it free for a while around. */
-class MotionCheck
-{
-public:
-    MotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
-                const ompl::base::State *s2);
-
-    /** \brief Whether all samples of the motion, at the resolution of the space, are valid */
-    bool areSamplesFree();
-
-    /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
-    bool areSamplesFree(double &free);
-
-    /** \brief Whether proofs cover all of the motion */
-    bool isWholeFree();
-
-    /** \brief The same; if not, \e free is set to a time up to which they do */
-    bool isWholeFree(double &free);
-
-    /** \brief What the check counted */
-    const CheckCounts &getCounts();
-
-private:
-    /** \brief The number of subjects: groups first, then pairs */
-    unsigned int subjectCount() const
+    class MotionCheck
     {
-        return groups_ + checker_.getPairs().getPairCount();
-    }
+    public:
+        MotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+                    const ompl::base::State *s2);
 
-    /** \brief How many robots' samples a sample of the subject stands for; a pair's are not counted */
-    unsigned int robotsOf(unsigned int subject) const;
+        /** \brief Whether all samples of the motion, at the resolution of the space, are valid */
+        bool areSamplesFree();
 
-    /** \brief Have the poses of a robot's bodies at time \e t in the scratch */
-    void pose(unsigned int robot, double t);
+        /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
+        bool areSamplesFree(double &free);
 
-    /** \brief Settle a subject at time \e t */
-    PoseVerdict settle(unsigned int subject, double t);
+        /** \brief Whether proofs cover all of the motion */
+        bool isWholeFree();
 
-    /** \brief Settle all subjects at the end of the motion; fills endReach. False if one is not free. */
-    bool settleEnd();
+        /** \brief The same; if not, \e free is set to a time up to which they do */
+        bool isWholeFree(double &free);
 
-    /** \brief Fill startReach with how long the references of the first state prove the subjects free */
-    void proveFromStart();
+        /** \brief What the check counted */
+        const CheckCounts &getCounts();
 
-    /** \brief The first and the last sample that neither end of the motion proves free */
-    std::pair<int, int> openSamples(unsigned int subject) const;
+    private:
+        /** \brief The number of subjects: groups first, then pairs */
+        unsigned int subjectCount() const
+        {
+            return groups_ + checker_.getPairs().getPairCount();
+        }
 
-    /** \brief How many samples to either side of one are closer in time than \e reach */
-    int samplesWithin(double reach) const;
+        /** \brief How many robots' samples a sample of the subject stands for; a pair's are not counted */
+        unsigned int robotsOf(unsigned int subject) const;
 
-    double timeOf(int sample) const
-    {
-        return static_cast<double>(sample) / static_cast<double>(segments_);
-    }
+        /** \brief Have the poses of a robot's bodies at time \e t in the scratch */
+        void pose(unsigned int robot, double t);
 
-    void skip(unsigned int subject, int samples);
+        /** \brief Settle a subject at time \e t */
+        PoseVerdict settle(unsigned int subject, double t);
 
-    const CertificateChecker &checker_;
-    MotionScratch &scratch_;
-    const TeamStateSpace::StateType *s1_, *s2_;
-    const unsigned int groups_;
-    const int segments_;
-    double minimumReach_{0.0};
-    CheckCounts counts_;
-};
+        /** \brief Find how fast all bodies move */
+        void computeTravel();
+
+        /** \brief Settle all subjects at the end of the motion; fills endReach. False if one is not free. */
+        bool settleEnd();
+
+        /** \brief Fill startReach with how long the references of the first state prove the subjects free */
+        void proveFromStart();
+
+        /** \brief The first and the last sample that neither end of the motion proves free */
+        std::pair<int, int> openSamples(unsigned int subject) const;
+
+        /** \brief How many samples to either side of one are closer in time than \e reach */
+        int samplesWithin(double reach) const;
+
+        double timeOf(int sample) const
+        {
+            return static_cast<double>(sample) / static_cast<double>(segments_);
+        }
+
+        void skip(unsigned int subject, int samples);
+
+        const CertificateChecker &checker_;
+        MotionScratch &scratch_;
+        const TeamStateSpace::StateType *s1_, *s2_;
+        const unsigned int groups_;
+        const int segments_;
+        double minimumReach_{0.0};
+        /** How fast all bodies move; null while no stretch of the motion is of interest */
+        const TravelBound *travel_{nullptr};
+        CheckCounts counts_;
+    };
 }
 
 #endif

@@ -10,116 +10,117 @@
 
 namespace ompl_certificates
 {
-/** \brief A stretch of a motion in which one subject, a group of robots or a pair, is yet to be proved free. \e Time is
+    /** \brief A stretch of a motion in which one subject, a group of robots or a pair, is yet to be proved free. \e Time is
         the index of a sample in discrete mode, and the motion's time in continuous mode. */
-template <typename Time>
-struct Stretch
-{
-    unsigned int subject;
-    Time first, last;
-};
-
-/** \brief The memory that the check of one motion needs, kept from motion to motion */
-struct MotionScratch
-{
-    explicit MotionScratch(const TeamStateSpace &space)
-      : team(space), sample(space.allocState()->as<TeamStateSpace::StateType>())
+    template <typename Time>
+    struct Stretch
     {
-        std::size_t bodies = 0;
-        for (const auto &robot : space.getRobots())
-        {
-            firstBody.push_back(bodies);
-            bodies += robot->getBodies().size();
-        }
-        poses.resize(bodies);
-        travel.resize(bodies);
-        sampledAt.resize(space.getRobotCount());
-        references.resize(space.getRobotCount());
-    }
-
-    ~MotionScratch()
-    {
-        team.freeState(sample);
-    }
-
-    MotionScratch(const MotionScratch &) = delete;
-    MotionScratch &operator=(const MotionScratch &) = delete;
-
-    const TeamStateSpace &team;
-    TeamStateSpace::StateType *sample;
-
-    /** \brief Where the bodies of each robot begin among those of the team */
-    std::vector<std::size_t> firstBody;
-
-    /** \brief The poses of all bodies, each robot's at time sampledAt */
-    std::vector<Pose> poses;
-    std::vector<double> sampledAt;
-
-    std::vector<TravelBound> travel;
-    std::vector<CertificateIndex> references;
-
-    /** \brief The time before which, and after which, each subject is proved free from the ends of the motion */
-    std::vector<double> startReach, endReach;
-
-    std::vector<Stretch<int>> samples;
-    std::vector<Stretch<double>> times;
-};
-
-/** \brief Scratches for as many threads as there are, taken and given back without a lock or an allocation */
-class MotionScratchPool
-{
-public:
-    explicit MotionScratchPool(const TeamStateSpace &team) : team_(team)
-    {
-    }
-
-    ~MotionScratchPool()
-    {
-        for (auto &slot : slots_)
-            delete slot.load();
-    }
-
-    /** \brief A scratch for the time of the lease's life */
-    class Lease
-    {
-    public:
-        explicit Lease(MotionScratchPool &pool) : pool_(pool)
-        {
-            for (auto &slot : pool.slots_)
-                if (slot.load(std::memory_order_relaxed))
-                    if ((scratch_ = slot.exchange(nullptr, std::memory_order_acquire)))
-                        return;
-            scratch_ = new MotionScratch(pool.team_);
-        }
-
-        ~Lease()
-        {
-            for (auto &slot : pool_.slots_)
-            {
-                MotionScratch *empty = nullptr;
-                if (slot.compare_exchange_strong(empty, scratch_, std::memory_order_release, std::memory_order_relaxed))
-                    return;
-            }
-            delete scratch_;
-        }
-
-        Lease(const Lease &) = delete;
-        Lease &operator=(const Lease &) = delete;
-
-        MotionScratch &operator*() const
-        {
-            return *scratch_;
-        }
-
-    private:
-        MotionScratchPool &pool_;
-        MotionScratch *scratch_{nullptr};
+        unsigned int subject;
+        Time first, last;
     };
 
-private:
-    const TeamStateSpace &team_;
-    std::array<std::atomic<MotionScratch *>, 32> slots_{};
-};
+    /** \brief The memory that the check of one motion needs, kept from motion to motion */
+    struct MotionScratch
+    {
+        explicit MotionScratch(const TeamStateSpace &space)
+          : team(space), sample(space.allocState()->as<TeamStateSpace::StateType>())
+        {
+            std::size_t bodies = 0;
+            for (const auto &robot : space.getRobots())
+            {
+                firstBody.push_back(bodies);
+                bodies += robot->getBodies().size();
+            }
+            poses.resize(bodies);
+            travel.resize(bodies);
+            sampledAt.resize(space.getRobotCount());
+            references.resize(space.getRobotCount());
+        }
+
+        ~MotionScratch()
+        {
+            team.freeState(sample);
+        }
+
+        MotionScratch(const MotionScratch &) = delete;
+        MotionScratch &operator=(const MotionScratch &) = delete;
+
+        const TeamStateSpace &team;
+        TeamStateSpace::StateType *sample;
+
+        /** \brief Where the bodies of each robot begin among those of the team */
+        std::vector<std::size_t> firstBody;
+
+        /** \brief The poses of all bodies, each robot's at time sampledAt */
+        std::vector<Pose> poses;
+        std::vector<double> sampledAt;
+
+        std::vector<TravelBound> travel;
+        std::vector<CertificateIndex> references;
+
+        /** \brief The time before which, and after which, each subject is proved free from the ends of the motion */
+        std::vector<double> startReach, endReach;
+
+        std::vector<Stretch<int>> samples;
+        std::vector<Stretch<double>> times;
+    };
+
+    /** \brief Scratches for as many threads as there are, taken and given back without a lock or an allocation */
+    class MotionScratchPool
+    {
+    public:
+        explicit MotionScratchPool(const TeamStateSpace &team) : team_(team)
+        {
+        }
+
+        ~MotionScratchPool()
+        {
+            for (auto &slot : slots_)
+                delete slot.load();
+        }
+
+        /** \brief A scratch for the time of the lease's life */
+        class Lease
+        {
+        public:
+            explicit Lease(MotionScratchPool &pool) : pool_(pool)
+            {
+                for (auto &slot : pool.slots_)
+                    if (slot.load(std::memory_order_relaxed))
+                        if ((scratch_ = slot.exchange(nullptr, std::memory_order_acquire)))
+                            return;
+                scratch_ = new MotionScratch(pool.team_);
+            }
+
+            ~Lease()
+            {
+                for (auto &slot : pool_.slots_)
+                {
+                    MotionScratch *empty = nullptr;
+                    if (slot.compare_exchange_strong(empty, scratch_, std::memory_order_release,
+                                                     std::memory_order_relaxed))
+                        return;
+                }
+                delete scratch_;
+            }
+
+            Lease(const Lease &) = delete;
+            Lease &operator=(const Lease &) = delete;
+
+            MotionScratch &operator*() const
+            {
+                return *scratch_;
+            }
+
+        private:
+            MotionScratchPool &pool_;
+            MotionScratch *scratch_{nullptr};
+        };
+
+    private:
+        const TeamStateSpace &team_;
+        std::array<std::atomic<MotionScratch *>, 32> slots_{};
+    };
 }
 
 #endif

@@ -2,8 +2,8 @@
 
 namespace ompl_certificates
 {
-Partial::Partial(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-  : ProjectedChecker(si, obstacles, false)
-{
-}
+    Partial::Partial(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
+      : ProjectedChecker(si, obstacles, false)
+    {
+    }
 }

@@ -4,81 +4,85 @@
 
 namespace ompl_certificates
 {
-ProjectedChecker::ProjectedChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, bool share)
-  : CertificateChecker(si, obstacles)
-{
-    const unsigned int trees = share ? 1 : team_.getRobotCount();
-    for (unsigned int i = 0; i < trees; ++i)
-        environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles));
-}
-
-void ProjectedChecker::clear()
-{
-    CertificateChecker::clear();
-    for (const auto &environment : environments_)
-        environment->clear();
-}
-
-std::size_t ProjectedChecker::getCertificateCount() const
-{
-    std::size_t count = 0;
-    for (const auto &environment : environments_)
-        count += environment->getCertificates().size();
-    return count;
-}
-
-std::vector<Certificate> ProjectedChecker::getCertificates() const
-{
-    std::vector<Certificate> all, some;
-    for (const auto &environment : environments_)
+    ProjectedChecker::ProjectedChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
+                                       bool share)
+      : CertificateChecker(si, obstacles), policies_(getBodyCount())
     {
-        environment->getCertificates().list(some);
-        all.insert(all.end(), some.begin(), some.end());
+        const unsigned int trees = share ? 1 : team_.getRobotCount();
+        for (unsigned int i = 0; i < trees; ++i)
+            environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles));
     }
-    return all;
-}
 
-PoseVerdict ProjectedChecker::settleGroup(unsigned int robot, const Pose *poses, const TravelBound *travel,
-                                          double minimumReach, CertificateIndex *references, CheckCounts &counts) const
-{
-    const CertifiedEnvironment &environment = environmentOf(robot);
-    PoseVerdict whole;
-    whole.free = true;
-    whole.reach = std::numeric_limits<double>::infinity();
-    whole.reference = references[robot];
-    for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
+    void ProjectedChecker::clear()
     {
-        const PoseVerdict one =
-            environment.settle(queryOf(robot, body, poses, travel, minimumReach), whole.reference, counts);
-        whole.free = one.free;
-        whole.reach = std::min(whole.reach, one.reach);
-        whole.asked = whole.asked || one.asked;
-        if (one.reference != NO_CERTIFICATE)
-            whole.reference = one.reference;
+        CertificateChecker::clear();
+        for (const auto &environment : environments_)
+            environment->clear();
+        for (auto &policy : policies_)
+            policy.reset();
     }
-    references[robot] = whole.reference;
-    ++counts.robotPoses;
-    if (whole.asked)
-    {
-        ++counts.exact;
-        counts.exactColliding += whole.free ? 0 : 1;
-    }
-    else
-        ++(whole.free ? counts.certifiedFree : counts.certifiedColliding);
-    return whole;
-}
 
-double ProjectedChecker::reachOfReferences(unsigned int robot, const Pose *poses, const TravelBound *travel,
-                                           const CertificateIndex *references) const
-{
-    double reach = std::numeric_limits<double>::infinity();
-    for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
+    std::size_t ProjectedChecker::getCertificateCount() const
     {
-        PoseVerdict verdict;
-        if (!environmentOf(robot).settleByHint(queryOf(robot, body, poses, travel), references[robot], verdict))
-            return 0.0;
-        reach = std::min(reach, verdict.reach);
+        std::size_t count = 0;
+        for (const auto &environment : environments_)
+            count += environment->getCertificates().size();
+        return count;
     }
-    return reach;
-}
+
+    std::vector<Certificate> ProjectedChecker::getCertificates() const
+    {
+        std::vector<Certificate> all, some;
+        for (const auto &environment : environments_)
+        {
+            environment->getCertificates().list(some);
+            all.insert(all.end(), some.begin(), some.end());
+        }
+        return all;
+    }
+
+    PoseVerdict ProjectedChecker::settleGroup(unsigned int robot, const Pose *poses, const TravelBound *travel,
+                                              double minimumReach, CertificateIndex *references,
+                                              CheckCounts &counts) const
+    {
+        const CertifiedEnvironment &environment = environmentOf(robot);
+        PoseVerdict whole;
+        whole.free = true;
+        whole.reach = std::numeric_limits<double>::infinity();
+        whole.reference = references[robot];
+        for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
+        {
+            const PoseVerdict one = environment.settle(queryOf(robot, body, poses, travel, minimumReach),
+                                                       whole.reference, policies_[getFirstBody(robot) + body], counts);
+            whole.free = one.free;
+            whole.reach = std::min(whole.reach, one.reach);
+            whole.asked = whole.asked || one.asked;
+            if (one.reference != NO_CERTIFICATE)
+                whole.reference = one.reference;
+        }
+        references[robot] = whole.reference;
+        ++counts.robotPoses;
+        if (whole.asked)
+        {
+            ++counts.exact;
+            counts.exactColliding += whole.free ? 0 : 1;
+        }
+        else
+            ++(whole.free ? counts.certifiedFree : counts.certifiedColliding);
+        return whole;
+    }
+
+    double ProjectedChecker::reachOfReferences(unsigned int robot, const Pose *poses, const TravelBound *travel,
+                                               const CertificateIndex *references) const
+    {
+        double reach = std::numeric_limits<double>::infinity();
+        for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
+        {
+            PoseVerdict verdict;
+            if (!environmentOf(robot).settleByHint(queryOf(robot, body, poses, travel), references[robot], verdict))
+                return 0.0;
+            reach = std::min(reach, verdict.reach);
+        }
+        return reach;
+    }
 }

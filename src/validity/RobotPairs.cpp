@@ -9,172 +9,174 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    constexpr double INF = std::numeric_limits<double>::infinity();
-
-    /** The clearance from this few shapes costs less (10 to 40 ns) than looking a certificate up (50 ns and more). */
-    constexpr std::size_t FEW_SHAPES = 4;
-
-    /** Two balls touch if this is not positive: the arithmetic of FCL's own test of two spheres. */
-    double gapOf(const Ball &a, const Pose &poseA, const Ball &b, const Pose &poseB)
+    namespace
     {
-        return (poseA * a.center - poseB * b.center).norm() - (a.radius + b.radius);
-    }
-}
+        constexpr double INF = std::numeric_limits<double>::infinity();
 
-RobotPairs::RobotPairs(const TeamStateSpace &team) : team_(team)
-{
-    for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-        for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
+        /** Two balls touch if this is not positive: the arithmetic of FCL's own test of two spheres. */
+        double gapOf(const Ball &a, const Pose &poseA, const Ball &b, const Pose &poseB)
         {
-            pairs_.push_back({i, j, {}});
-            const auto &first = team.getRobot(i).getBodies(), &second = team.getRobot(j).getBodies();
-            for (std::size_t a = 0; a < first.size(); ++a)
-                for (std::size_t b = 0; b < second.size(); ++b)
-                {
-                    // The body with the coarser cover is looked up in the frame of the other.
-                    const bool swapped = second[b].getCover().getNodes().size() < first[a].getCover().getNodes().size();
-                    const bool balls = first[a].isBall() && second[b].isBall();
-                    pairs_.back().bodies.push_back(
-                        {a, b, swapped, balls ? nullptr : environmentOf(swapped ? first[a] : second[b]),
-                         2.0 * EXACT_CHECK_TOLERANCE * (first[a].getReach() + second[b].getReach())});
-                }
-        }
-}
-
-std::shared_ptr<CertifiedEnvironment> RobotPairs::environmentOf(const Body &body)
-{
-    for (const auto &[known, environment] : environments_)
-        if (known == body)
-            return environment;
-    auto obstacles = std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}});
-    const bool remember = body.getParts().size() > FEW_SHAPES;
-    environments_.emplace_back(body, std::make_shared<CertifiedEnvironment>(obstacles, remember));
-    return environments_.back().second;
-}
-
-const Body &RobotPairs::firstBody(const Pair &pair, const BodyPair &bodies) const
-{
-    return team_.getRobot(pair.first).getBodies()[bodies.firstBody];
-}
-
-const Body &RobotPairs::secondBody(const Pair &pair, const BodyPair &bodies) const
-{
-    return team_.getRobot(pair.second).getBodies()[bodies.secondBody];
-}
-
-bool RobotPairs::collide(unsigned int index, const Pose *first, const Pose *second, CheckCounts &counts) const
-{
-    const Pair &pair = pairs_[index];
-    for (const BodyPair &bodies : pair.bodies)
-    {
-        const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-        const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-        const double gap = gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB);
-        if (!bodies.environment)
-        {
-            if (gap <= 0.0)
-                return true;
-        }
-        else if (gap <= bodies.margin)
-        {
-            ++counts.pairExact;
-            const Obstacles &obstacles = bodies.environment->getObstacles();
-            if (bodies.swapped ? obstacles.collides(b, poseA.inverse() * poseB)
-                               : obstacles.collides(a, poseB.inverse() * poseA))
-                return true;
+            return (poseA * a.center - poseB * b.center).norm() - (a.radius + b.radius);
         }
     }
-    return false;
-}
 
-PoseVerdict RobotPairs::settle(unsigned int index, const Pose *first, const Pose *second,
-                               const TravelBound *firstTravel, const TravelBound *secondTravel,
-                               CheckCounts &counts) const
-{
-    const Pair &pair = pairs_[index];
-    PoseVerdict verdict;
-    verdict.reach = INF;
-    for (const BodyPair &bodies : pair.bodies)
+    RobotPairs::RobotPairs(const TeamStateSpace &team) : team_(team)
     {
-        const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-        const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-        const Ball &ballA = a.getCover().getRoot(), &ballB = b.getCover().getRoot();
-        const TravelBound travelA = firstTravel ? firstTravel[bodies.firstBody] : TravelBound{};
-        const TravelBound travelB = secondTravel ? secondTravel[bodies.secondBody] : TravelBound{};
-        const double gap = gapOf(ballA, poseA, ballB, poseB);
-        if (gap > bodies.margin)
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
+            {
+                pairs_.push_back({i, j, {}});
+                const auto &first = team.getRobot(i).getBodies(), &second = team.getRobot(j).getBodies();
+                for (std::size_t a = 0; a < first.size(); ++a)
+                    for (std::size_t b = 0; b < second.size(); ++b)
+                    {
+                        // The body with the coarser cover is looked up in the frame of the other.
+                        const bool swapped =
+                            second[b].getCover().getNodes().size() < first[a].getCover().getNodes().size();
+                        const bool balls = first[a].isBall() && second[b].isBall();
+                        pairs_.back().bodies.push_back(
+                            {a, b, swapped, balls ? nullptr : frameOf(swapped ? first[a] : second[b]),
+                             2.0 * EXACT_CHECK_TOLERANCE * (first[a].getReach() + second[b].getReach())});
+                    }
+            }
+    }
+
+    std::shared_ptr<RobotPairs::BodyFrame> RobotPairs::frameOf(const Body &body)
+    {
+        for (const auto &frame : frames_)
+            if (frame->body == body)
+                return frame;
+        auto obstacles = std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}});
+        frames_.push_back(std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles), {}}));
+        return frames_.back();
+    }
+
+    const Body &RobotPairs::firstBody(const Pair &pair, const BodyPair &bodies) const
+    {
+        return team_.getRobot(pair.first).getBodies()[bodies.firstBody];
+    }
+
+    const Body &RobotPairs::secondBody(const Pair &pair, const BodyPair &bodies) const
+    {
+        return team_.getRobot(pair.second).getBodies()[bodies.secondBody];
+    }
+
+    bool RobotPairs::collide(unsigned int index, const Pose *first, const Pose *second, CheckCounts &counts) const
+    {
+        const Pair &pair = pairs_[index];
+        for (const BodyPair &bodies : pair.bodies)
         {
-            const double speed = travelA.at(ballA.center.norm()) + travelB.at(ballB.center.norm());
-            verdict.reach = std::min(verdict.reach, (gap - bodies.margin) / speed);
-            continue;
+            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
+            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
+            const double gap = gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB);
+            if (!bodies.frame)
+            {
+                if (gap <= 0.0)
+                    return true;
+            }
+            else if (gap <= bodies.margin)
+            {
+                ++counts.pairExact;
+                const Obstacles &obstacles = bodies.frame->environment.getObstacles();
+                if (bodies.swapped ? obstacles.collides(b, poseA.inverse() * poseB)
+                                   : obstacles.collides(a, poseB.inverse() * poseA))
+                    return true;
+            }
         }
-        if (!bodies.environment)
+        return false;
+    }
+
+    PoseVerdict RobotPairs::settle(unsigned int index, const Pose *first, const Pose *second,
+                                   const TravelBound *firstTravel, const TravelBound *secondTravel,
+                                   CheckCounts &counts) const
+    {
+        const Pair &pair = pairs_[index];
+        PoseVerdict verdict;
+        verdict.reach = INF;
+        for (const BodyPair &bodies : pair.bodies)
         {
-            verdict.reach = 0.0;
-            if (gap <= 0.0)
+            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
+            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
+            const Ball &ballA = a.getCover().getRoot(), &ballB = b.getCover().getRoot();
+            const TravelBound travelA = firstTravel ? firstTravel[bodies.firstBody] : TravelBound{};
+            const TravelBound travelB = secondTravel ? secondTravel[bodies.secondBody] : TravelBound{};
+            const double gap = gapOf(ballA, poseA, ballB, poseB);
+            if (gap > bodies.margin)
+            {
+                const double speed = travelA.at(ballA.center.norm()) + travelB.at(ballB.center.norm());
+                verdict.reach = std::min(verdict.reach, (gap - bodies.margin) / speed);
+                continue;
+            }
+            if (!bodies.frame)
+            {
+                verdict.reach = 0.0;
+                if (gap <= 0.0)
+                    return verdict;
+                continue;
+            }
+            // Seen from the environment's frame, the other body moves as fast as both do together.
+            const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
+            const TravelBound &own = bodies.swapped ? travelB : travelA, &frame = bodies.swapped ? travelA : travelB;
+            const double frameReach = (bodies.swapped ? a : b).getReach();
+            const TravelBound travel{own.linear + frame.at(frameReach), own.angular};
+            CheckCounts asked;
+            const PoseVerdict one = bodies.frame->environment.settle({bodies.swapped ? b : a, relative, &travel},
+                                                                     NO_CERTIFICATE, bodies.frame->policy, asked);
+            counts.clearanceQueries += asked.clearanceQueries;
+            counts.pairExact += asked.exactCalls;
+            verdict.reach = std::min(verdict.reach, one.reach);
+            if (!one.free)
                 return verdict;
-            continue;
         }
-        // Seen from the environment's frame, the other body moves as fast as both do together.
-        const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
-        const TravelBound &own = bodies.swapped ? travelB : travelA, &frame = bodies.swapped ? travelA : travelB;
-        const double frameReach = (bodies.swapped ? a : b).getReach();
-        const TravelBound travel{own.linear + frame.at(frameReach), own.angular};
-        CheckCounts asked;
-        const PoseVerdict one =
-            bodies.environment->settle({bodies.swapped ? b : a, relative, &travel}, NO_CERTIFICATE, asked);
-        counts.clearanceQueries += asked.clearanceQueries;
-        counts.pairExact += asked.exactCalls;
-        verdict.reach = std::min(verdict.reach, one.reach);
-        if (!one.free)
-            return verdict;
+        verdict.free = true;
+        return verdict;
     }
-    verdict.free = true;
-    return verdict;
-}
 
-double RobotPairs::reachOfEnclosingBalls(unsigned int index, const Pose *first, const Pose *second,
-                                         const TravelBound *firstTravel, const TravelBound *secondTravel) const
-{
-    const Pair &pair = pairs_[index];
-    double reach = INF;
-    for (const BodyPair &bodies : pair.bodies)
+    double RobotPairs::reachOfEnclosingBalls(unsigned int index, const Pose *first, const Pose *second,
+                                             const TravelBound *firstTravel, const TravelBound *secondTravel) const
     {
-        const Ball &a = firstBody(pair, bodies).getCover().getRoot(),
-                   &b = secondBody(pair, bodies).getCover().getRoot();
-        const double gap = gapOf(a, first[bodies.firstBody], b, second[bodies.secondBody]);
-        if (gap <= bodies.margin)
-            return 0.0;
-        const double speed =
-            firstTravel[bodies.firstBody].at(a.center.norm()) + secondTravel[bodies.secondBody].at(b.center.norm());
-        reach = std::min(reach, (gap - bodies.margin) / speed);
+        const Pair &pair = pairs_[index];
+        double reach = INF;
+        for (const BodyPair &bodies : pair.bodies)
+        {
+            const Ball &a = firstBody(pair, bodies).getCover().getRoot(),
+                       &b = secondBody(pair, bodies).getCover().getRoot();
+            const double gap = gapOf(a, first[bodies.firstBody], b, second[bodies.secondBody]);
+            if (gap <= bodies.margin)
+                return 0.0;
+            const double speed =
+                firstTravel[bodies.firstBody].at(a.center.norm()) + secondTravel[bodies.secondBody].at(b.center.norm());
+            reach = std::min(reach, (gap - bodies.margin) / speed);
+        }
+        return reach;
     }
-    return reach;
-}
 
-double RobotPairs::distance(unsigned int index, const Pose *first, const Pose *second) const
-{
-    const Pair &pair = pairs_[index];
-    double nearest = INF;
-    for (const BodyPair &bodies : pair.bodies)
+    double RobotPairs::distance(unsigned int index, const Pose *first, const Pose *second) const
     {
-        const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-        const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-        if (!bodies.environment)
-            nearest = std::min(nearest, gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB));
-        else if (bodies.swapped)
-            nearest = std::min(nearest, bodyClearance(bodies.environment->getObstacles(), b, poseA.inverse() * poseB));
-        else
-            nearest = std::min(nearest, bodyClearance(bodies.environment->getObstacles(), a, poseB.inverse() * poseA));
+        const Pair &pair = pairs_[index];
+        double nearest = INF;
+        for (const BodyPair &bodies : pair.bodies)
+        {
+            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
+            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
+            if (!bodies.frame)
+                nearest = std::min(nearest, gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB));
+            else if (bodies.swapped)
+                nearest = std::min(nearest,
+                                   bodyClearance(bodies.frame->environment.getObstacles(), b, poseA.inverse() * poseB));
+            else
+                nearest = std::min(nearest,
+                                   bodyClearance(bodies.frame->environment.getObstacles(), a, poseB.inverse() * poseA));
+        }
+        return nearest;
     }
-    return nearest;
-}
 
-void RobotPairs::clear()
-{
-    for (auto &[body, environment] : environments_)
-        environment->clear();
-}
+    void RobotPairs::clear()
+    {
+        for (const auto &frame : frames_)
+        {
+            frame->environment.clear();
+            frame->policy.reset();
+        }
+    }
 }

@@ -2,8 +2,8 @@
 
 namespace ompl_certificates
 {
-SharedProjection::SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-  : ProjectedChecker(si, obstacles, true)
-{
-}
+    SharedProjection::SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
+      : ProjectedChecker(si, obstacles, true)
+    {
+    }
 }

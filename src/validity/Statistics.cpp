@@ -4,72 +4,72 @@
 
 namespace ompl_certificates
 {
-namespace
-{
-    thread_local unsigned int runningTimers = 0;
-}
-
-Statistics::Slot &Statistics::slotOfThisThread()
-{
-    static std::atomic<std::size_t> threads{0};
-    thread_local const std::size_t thread = threads.fetch_add(1, std::memory_order_relaxed);
-    return slots_[thread % SLOTS];
-}
-
-CheckCounts Statistics::getCounts() const
-{
-    static_assert(sizeof(CheckCounts) == FIELDS * sizeof(std::uint64_t), "CheckCounts holds counters only");
-    std::array<std::uint64_t, FIELDS> sums{};
-    for (const Slot &slot : slots_)
-        for (std::size_t i = 0; i < FIELDS; ++i)
-            sums[i] += slot.counts[i].load(std::memory_order_relaxed);
-    CheckCounts counts;
-    std::memcpy(static_cast<void *>(&counts), sums.data(), sizeof(counts));
-    return counts;
-}
-
-double Statistics::getCheckingSeconds() const
-{
-    std::uint64_t nanoseconds = 0;
-    for (const Slot &slot : slots_)
-        nanoseconds += slot.nanoseconds.load(std::memory_order_relaxed);
-    return 1e-9 * static_cast<double>(nanoseconds);
-}
-
-void Statistics::add(const CheckCounts &counts)
-{
-    std::array<std::uint64_t, FIELDS> values;
-    std::memcpy(values.data(), &counts, sizeof(counts));
-    Slot &slot = slotOfThisThread();
-    for (std::size_t i = 0; i < FIELDS; ++i)
-        if (values[i] != 0)
-            slot.counts[i].fetch_add(values[i], std::memory_order_relaxed);
-}
-
-void Statistics::reset()
-{
-    for (Slot &slot : slots_)
+    namespace
     {
-        for (auto &count : slot.counts)
-            count.store(0, std::memory_order_relaxed);
-        slot.nanoseconds.store(0, std::memory_order_relaxed);
+        thread_local unsigned int runningTimers = 0;
     }
-}
 
-Statistics::Timer::Timer(Statistics &statistics) : statistics_(runningTimers++ == 0 ? &statistics : nullptr)
-{
-    if (statistics_)
-        start_ = std::chrono::steady_clock::now();
-}
+    Statistics::Slot &Statistics::slotOfThisThread()
+    {
+        static std::atomic<std::size_t> threads{0};
+        thread_local const std::size_t thread = threads.fetch_add(1, std::memory_order_relaxed);
+        return slots_[thread % SLOTS];
+    }
 
-Statistics::Timer::~Timer()
-{
-    --runningTimers;
-    if (!statistics_)
-        return;
-    const auto elapsed = std::chrono::steady_clock::now() - start_;
-    statistics_->slotOfThisThread().nanoseconds.fetch_add(
-        static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count()),
-        std::memory_order_relaxed);
-}
+    CheckCounts Statistics::getCounts() const
+    {
+        static_assert(sizeof(CheckCounts) == FIELDS * sizeof(std::uint64_t), "CheckCounts holds counters only");
+        std::array<std::uint64_t, FIELDS> sums{};
+        for (const Slot &slot : slots_)
+            for (std::size_t i = 0; i < FIELDS; ++i)
+                sums[i] += slot.counts[i].load(std::memory_order_relaxed);
+        CheckCounts counts;
+        std::memcpy(static_cast<void *>(&counts), sums.data(), sizeof(counts));
+        return counts;
+    }
+
+    double Statistics::getCheckingSeconds() const
+    {
+        std::uint64_t nanoseconds = 0;
+        for (const Slot &slot : slots_)
+            nanoseconds += slot.nanoseconds.load(std::memory_order_relaxed);
+        return 1e-9 * static_cast<double>(nanoseconds);
+    }
+
+    void Statistics::add(const CheckCounts &counts)
+    {
+        std::array<std::uint64_t, FIELDS> values;
+        std::memcpy(values.data(), &counts, sizeof(counts));
+        Slot &slot = slotOfThisThread();
+        for (std::size_t i = 0; i < FIELDS; ++i)
+            if (values[i] != 0)
+                slot.counts[i].fetch_add(values[i], std::memory_order_relaxed);
+    }
+
+    void Statistics::reset()
+    {
+        for (Slot &slot : slots_)
+        {
+            for (auto &count : slot.counts)
+                count.store(0, std::memory_order_relaxed);
+            slot.nanoseconds.store(0, std::memory_order_relaxed);
+        }
+    }
+
+    Statistics::Timer::Timer(Statistics &statistics) : statistics_(runningTimers++ == 0 ? &statistics : nullptr)
+    {
+        if (statistics_)
+            start_ = std::chrono::steady_clock::now();
+    }
+
+    Statistics::Timer::~Timer()
+    {
+        --runningTimers;
+        if (!statistics_)
+            return;
+        const auto elapsed = std::chrono::steady_clock::now() - start_;
+        statistics_->slotOfThisThread().nanoseconds.fetch_add(
+            static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count()),
+            std::memory_order_relaxed);
+    }
 }

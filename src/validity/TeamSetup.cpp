@@ -9,69 +9,69 @@
 
 namespace ompl_certificates
 {
-const std::vector<Method> &allMethods()
-{
-    static const std::vector<Method> methods{Method::STANDARD, Method::BASIC, Method::PARTIAL,
-                                             Method::SHARED_PROJECTION};
-    return methods;
-}
-
-std::string nameOf(Method method)
-{
-    switch (method)
+    const std::vector<Method> &allMethods()
     {
-        case Method::STANDARD:
-            return "standard";
-        case Method::BASIC:
-            return "basic";
-        case Method::PARTIAL:
-            return "partial";
-        case Method::SHARED_PROJECTION:
-            return "shared";
+        static const std::vector<Method> methods{Method::STANDARD, Method::BASIC, Method::PARTIAL,
+                                                 Method::SHARED_PROJECTION};
+        return methods;
     }
-    throw ompl::Exception("Unknown method");
-}
 
-Method methodOf(const std::string &name)
-{
-    std::string known;
-    for (const Method method : allMethods())
+    std::string nameOf(Method method)
     {
-        if (nameOf(method) == name)
-            return method;
-        known += (known.empty() ? "" : ", ") + nameOf(method);
+        switch (method)
+        {
+            case Method::STANDARD:
+                return "standard";
+            case Method::BASIC:
+                return "basic";
+            case Method::PARTIAL:
+                return "partial";
+            case Method::SHARED_PROJECTION:
+                return "shared";
+        }
+        throw ompl::Exception("Unknown method");
     }
-    throw ompl::Exception("There is no method '" + name + "'; the methods are " + known);
-}
 
-TeamSetup::TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
-                     CertificateMotionValidator::Mode mode)
-  : SimpleSetup(team)
-{
-    const auto use = [this, mode](const auto &checker)
+    Method methodOf(const std::string &name)
     {
-        checker_ = checker;
-        si_->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker, mode));
-    };
-    switch (method)
-    {
-        case Method::STANDARD:
-            if (mode == CertificateMotionValidator::CONTINUOUS)
-                throw ompl::Exception(
-                    "The standard method makes no certificates and so cannot check motions continuously");
-            checker_ = std::make_shared<TeamValidityChecker>(si_, obstacles);
-            si_->setMotionValidator(std::make_shared<TimedMotionValidator>(si_, checker_));
-            break;
-        case Method::BASIC:
-            use(std::make_shared<Basic>(si_, obstacles));
-            break;
-        case Method::PARTIAL:
-            use(std::make_shared<Partial>(si_, obstacles));
-            break;
-        case Method::SHARED_PROJECTION:
-            use(std::make_shared<SharedProjection>(si_, obstacles));
-            break;
+        std::string known;
+        for (const Method method : allMethods())
+        {
+            if (nameOf(method) == name)
+                return method;
+            known += (known.empty() ? "" : ", ") + nameOf(method);
+        }
+        throw ompl::Exception("There is no method '" + name + "'; the methods are " + known);
     }
-    setStateValidityChecker(checker_);
-}
+
+    TeamSetup::TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
+                         CertificateMotionValidator::Mode mode)
+      : SimpleSetup(team)
+    {
+        const auto use = [this, mode](const auto &checker)
+        {
+            checker_ = checker;
+            si_->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker, mode));
+        };
+        switch (method)
+        {
+            case Method::STANDARD:
+                if (mode == CertificateMotionValidator::CONTINUOUS)
+                    throw ompl::Exception(
+                        "The standard method makes no certificates and so cannot check motions continuously");
+                checker_ = std::make_shared<TeamValidityChecker>(si_, obstacles);
+                si_->setMotionValidator(std::make_shared<TimedMotionValidator>(si_, checker_));
+                break;
+            case Method::BASIC:
+                use(std::make_shared<Basic>(si_, obstacles));
+                break;
+            case Method::PARTIAL:
+                use(std::make_shared<Partial>(si_, obstacles));
+                break;
+            case Method::SHARED_PROJECTION:
+                use(std::make_shared<SharedProjection>(si_, obstacles));
+                break;
+        }
+        setStateValidityChecker(checker_);
+    }
 }

@@ -9,117 +9,118 @@
 
 namespace ompl_certificates
 {
-namespace ob = ompl::base;
+    namespace ob = ompl::base;
 
-namespace
-{
-    const TeamStateSpace &teamOf(const ob::SpaceInformationPtr &si)
+    namespace
     {
-        const auto *team = si ? dynamic_cast<const TeamStateSpace *>(si->getStateSpace().get()) : nullptr;
-        if (!team)
-            throw ompl::Exception("A team validity checker needs space information with a TeamStateSpace");
-        if (team->getRobotCount() == 0)
-            throw ompl::Exception("Add the robots to the team before its validity checker is made");
-        return *team;
-    }
-}
-
-TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles)
-  : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_)
-{
-    if (!obstacles_)
-        throw ompl::Exception("A team validity checker needs obstacles; for none, give an empty FclObstacles");
-    if (obstacles_->getDimension() != team_.getWorkspaceDimension())
-        throw ompl::Exception("The obstacles have " + std::to_string(obstacles_->getDimension()) +
-                              " dimensions, the team's workspace " + std::to_string(team_.getWorkspaceDimension()));
-    specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
-    firstBody_.push_back(0);
-    for (const auto &robot : team_.getRobots())
-        firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
-}
-
-Pose *TeamValidityChecker::poseBuffer() const
-{
-    thread_local std::vector<Pose> poses;
-    if (poses.size() < getBodyCount())
-        poses.resize(getBodyCount());
-    return poses.data();
-}
-
-bool TeamValidityChecker::findContact(const ob::State *state, CheckCounts &counts, unsigned int &first,
-                                      unsigned int &second) const
-{
-    const auto *teamState = state->as<TeamStateSpace::StateType>();
-    Pose *poses = poseBuffer();
-    for (unsigned int i = 0; i < team_.getRobotCount(); ++i)
-    {
-        const Robot &robot = team_.getRobot(i);
-        Pose *own = poses + getFirstBody(i);
-        robot.computePoses(teamState->components[i], own);
-        ++counts.robotPoses;
-        ++counts.exact;
-        for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
+        const TeamStateSpace &teamOf(const ob::SpaceInformationPtr &si)
         {
-            ++counts.exactCalls;
-            if (obstacles_->collides(robot.getBodies()[k], own[k]))
-            {
-                ++counts.exactColliding;
-                first = second = i;
-                return true;
-            }
+            auto *team = si ? dynamic_cast<TeamStateSpace *>(si->getStateSpace().get()) : nullptr;
+            if (!team)
+                throw ompl::Exception("A team validity checker needs space information with a TeamStateSpace");
+            if (team->getRobotCount() == 0)
+                throw ompl::Exception("Add the robots to the team before its validity checker is made");
+            team->lock();
+            return *team;
         }
     }
-    for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+
+    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles)
+      : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_)
     {
-        first = pairs_.getFirst(pair);
-        second = pairs_.getSecond(pair);
-        ++counts.pairPoses;
-        if (pairs_.collide(pair, poses + getFirstBody(first), poses + getFirstBody(second), counts))
-            return true;
+        if (!obstacles_)
+            throw ompl::Exception("A team validity checker needs obstacles; for none, give an empty FclObstacles");
+        if (obstacles_->getDimension() != team_.getWorkspaceDimension())
+            throw ompl::Exception("The obstacles have " + std::to_string(obstacles_->getDimension()) +
+                                  " dimensions, the team's workspace " + std::to_string(team_.getWorkspaceDimension()));
+        specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
+        firstBody_.push_back(0);
+        for (const auto &robot : team_.getRobots())
+            firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
     }
-    return false;
-}
 
-bool TeamValidityChecker::isValid(const ob::State *state) const
-{
-    const Statistics::Timer timer(statistics_);
-    CheckCounts counts;
-    unsigned int first, second;
-    const bool valid = !findContact(state, counts, first, second);
-    if (timer.isEnclosed())
-        counts.motionSamples = counts.robotPoses;
-    statistics_.add(counts);
-    return valid;
-}
-
-std::string TeamValidityChecker::describeCollision(const ob::State *state) const
-{
-    CheckCounts counts;
-    unsigned int first, second;
-    if (!findContact(state, counts, first, second))
-        return "";
-    if (first == second)
-        return "robot '" + team_.getRobot(first).getName() + "' touches an obstacle";
-    return "robots '" + team_.getRobot(first).getName() + "' and '" + team_.getRobot(second).getName() +
-           "' touch each other";
-}
-
-double TeamValidityChecker::clearance(const ob::State *state) const
-{
-    const auto *teamState = state->as<TeamStateSpace::StateType>();
-    Pose *poses = poseBuffer();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < team_.getRobotCount(); ++i)
+    Pose *TeamValidityChecker::poseBuffer() const
     {
-        const Robot &robot = team_.getRobot(i);
-        Pose *own = poses + getFirstBody(i);
-        robot.computePoses(teamState->components[i], own);
-        for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
-            nearest = std::min(nearest, bodyClearance(*obstacles_, robot.getBodies()[k], own[k]));
+        thread_local std::vector<Pose> poses;
+        if (poses.size() < getBodyCount())
+            poses.resize(getBodyCount());
+        return poses.data();
     }
-    for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
-        nearest = std::min(nearest, pairs_.distance(pair, poses + getFirstBody(pairs_.getFirst(pair)),
-                                                    poses + getFirstBody(pairs_.getSecond(pair))));
-    return nearest;
-}
+
+    bool TeamValidityChecker::findContact(const ob::State *state, CheckCounts &counts, unsigned int &first,
+                                          unsigned int &second) const
+    {
+        const auto *teamState = state->as<TeamStateSpace::StateType>();
+        Pose *poses = poseBuffer();
+        for (unsigned int i = 0; i < team_.getRobotCount(); ++i)
+        {
+            const Robot &robot = team_.getRobot(i);
+            Pose *own = poses + getFirstBody(i);
+            robot.computePoses(teamState->components[i], own);
+            ++counts.robotPoses;
+            ++counts.exact;
+            for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
+            {
+                ++counts.exactCalls;
+                if (obstacles_->collides(robot.getBodies()[k], own[k]))
+                {
+                    ++counts.exactColliding;
+                    first = second = i;
+                    return true;
+                }
+            }
+        }
+        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+        {
+            first = pairs_.getFirst(pair);
+            second = pairs_.getSecond(pair);
+            ++counts.pairPoses;
+            if (pairs_.collide(pair, poses + getFirstBody(first), poses + getFirstBody(second), counts))
+                return true;
+        }
+        return false;
+    }
+
+    bool TeamValidityChecker::isValid(const ob::State *state) const
+    {
+        const Statistics::Timer timer(statistics_);
+        CheckCounts counts;
+        unsigned int first, second;
+        const bool valid = !findContact(state, counts, first, second);
+        if (timer.isEnclosed())
+            counts.motionSamples = counts.robotPoses;
+        statistics_.add(counts);
+        return valid;
+    }
+
+    std::string TeamValidityChecker::describeCollision(const ob::State *state) const
+    {
+        CheckCounts counts;
+        unsigned int first, second;
+        if (!findContact(state, counts, first, second))
+            return "";
+        if (first == second)
+            return "robot '" + team_.getRobot(first).getName() + "' touches an obstacle";
+        return "robots '" + team_.getRobot(first).getName() + "' and '" + team_.getRobot(second).getName() +
+               "' touch each other";
+    }
+
+    double TeamValidityChecker::clearance(const ob::State *state) const
+    {
+        const auto *teamState = state->as<TeamStateSpace::StateType>();
+        Pose *poses = poseBuffer();
+        double nearest = std::numeric_limits<double>::infinity();
+        for (unsigned int i = 0; i < team_.getRobotCount(); ++i)
+        {
+            const Robot &robot = team_.getRobot(i);
+            Pose *own = poses + getFirstBody(i);
+            robot.computePoses(teamState->components[i], own);
+            for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
+                nearest = std::min(nearest, bodyClearance(*obstacles_, robot.getBodies()[k], own[k]));
+        }
+        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+            nearest = std::min(nearest, pairs_.distance(pair, poses + getFirstBody(pairs_.getFirst(pair)),
+                                                        poses + getFirstBody(pairs_.getSecond(pair))));
+        return nearest;
+    }
 }

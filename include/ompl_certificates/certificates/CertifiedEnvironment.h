@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 #include "ompl_certificates/certificates/CheckCounts.h"
+#include "ompl_certificates/certificates/LookupPolicy.h"
 #include "ompl_certificates/geometry/Obstacles.h"
 #include "ompl_certificates/geometry/Robot.h"
 
@@ -63,14 +64,15 @@ namespace ompl_certificates
     class CertifiedEnvironment
     {
     public:
-        /** \brief Nothing is known of \e obstacles yet.
-            \param remember whether certificates are kept; not worth it where a clearance costs less than looking one up */
-        explicit CertifiedEnvironment(ObstaclesPtr obstacles, bool remember = true);
+        /** \brief Nothing is known of \e obstacles yet. */
+        explicit CertifiedEnvironment(ObstaclesPtr obstacles);
 
         /** \brief Settle \e query: by certificates, else by asking the obstacles, and remember the answer.
             \param hint a certificate that may well be near, or NO_CERTIFICATE
+            \param policy whether certificates other than the hint are worth looking up
             \param counts where to count clearances and exact calls */
-        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, CheckCounts &counts) const;
+        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, BodyLookupPolicy &policy,
+                           CheckCounts &counts) const;
 
         /** \brief Settle \e query by asking the obstacles, with no use of certificates */
         PoseVerdict ask(const PoseQuery &query, CheckCounts &counts) const;
@@ -107,14 +109,14 @@ namespace ompl_certificates
         /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const;
 
-        /** \brief Any certificate that settles \e ball, a free one only with \e leastSlack to spare */
-        Covering lookUp(BallQuery ball, CertificateIndex hint, double leastSlack) const;
+        /** \brief settle() for a disc or a sphere: one search settles it either way, and mostly finds something, so no policy
+            is needed */
+        PoseVerdict settleBall(const PoseQuery &query, CertificateIndex hint, CheckCounts &counts) const;
 
-        /** \brief Whether a certificate proves that a core ball of a body, not a ball itself, collides */
+        /** \brief Whether a certificate proves that the largest core ball of a body collides */
         bool provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const;
 
         ObstaclesPtr obstacles_;
-        bool remember_;
         mutable CertificateTree certificates_;
     };
 

@@ -5,6 +5,7 @@
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Shape.h"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -111,16 +112,17 @@ namespace ompl_certificates
             std::vector<Part> parts;
             bool isBall{false};
             double reach{0.0};
-            mutable std::once_flag once;
+            mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;
+            mutable std::atomic<const Balls *> made{nullptr};
 
             const Balls &getBalls() const
             {
-                std::call_once(once, [this] { makeBalls(); });
-                return *balls;
+                const Balls *known = made.load(std::memory_order_acquire);
+                return known ? *known : makeBalls();
             }
 
-            void makeBalls() const;
+            const Balls &makeBalls() const;
         };
 
         std::shared_ptr<Data> data_;

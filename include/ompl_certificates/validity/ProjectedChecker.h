@@ -35,6 +35,8 @@ namespace ompl_certificates
         }
 
         std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
+        /** For each body of the team */
+        mutable std::vector<BodyLookupPolicy> policies_;
     };
 }
 

@@ -61,14 +61,23 @@ namespace ompl_certificates
         void clear();
 
     private:
+        /** \brief A body as the environment of others, seen from its own frame */
+        struct BodyFrame
+        {
+            Body body;
+            CertifiedEnvironment environment;
+            BodyLookupPolicy policy;
+        };
+
         /** \brief A body of one robot and a body of the other */
         struct BodyPair
         {
             std::size_t firstBody, secondBody;
 
-            /** One body is the environment of the other: the second, or the first if \e swapped is set */
+            /** One body is the environment of the other: the second, or the first if \e swapped is set. Null for two
+                balls. */
             bool swapped;
-            std::shared_ptr<CertifiedEnvironment> environment;
+            std::shared_ptr<BodyFrame> frame;
 
             /** What rounding and FCL may be wrong by when the enclosing balls are compared */
             double margin;
@@ -82,11 +91,11 @@ namespace ompl_certificates
 
         const Body &firstBody(const Pair &pair, const BodyPair &bodies) const;
         const Body &secondBody(const Pair &pair, const BodyPair &bodies) const;
-        std::shared_ptr<CertifiedEnvironment> environmentOf(const Body &body);
+        std::shared_ptr<BodyFrame> frameOf(const Body &body);
 
         const TeamStateSpace &team_;
         std::vector<Pair> pairs_;
-        std::vector<std::pair<Body, std::shared_ptr<CertifiedEnvironment>>> environments_;
+        std::vector<std::shared_ptr<BodyFrame>> frames_;
     };
 }
 

@@ -19,7 +19,8 @@ namespace ompl_certificates
     class TeamValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
-        /** \brief A checker for the team of \e si, whose state space must be a TeamStateSpace with all its robots
+        /** \brief A checker for the team of \e si, whose state space must be a TeamStateSpace with all its robots; it is
+            locked, so that no robot can be added later.
             \throws ompl::Exception if it is not, if the team is empty, if \e obstacles is null, or if the obstacles'
             workspace is not the team's */
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles);

@@ -1,0 +1,145 @@
+#include "common/PlanRun.h"
+
+#include "ompl_certificates/scene/PlanReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <map>
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/geometric/planners/est/EST.h>
+#include <ompl/geometric/planners/kpiece/KPIECE1.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+namespace benchmarks
+{
+    namespace ob = ompl::base;
+    namespace og = ompl::geometric;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        /** A goal that no state is in, and that nothing is known of */
+        class NeverSatisfied : public ob::Goal
+        {
+        public:
+            using ob::Goal::Goal;
+
+            bool isSatisfied(const ob::State * /*state*/) const override
+            {
+                return false;
+            }
+
+            bool isSatisfied(const ob::State * /*state*/, double *distance) const override
+            {
+                if (distance)
+                    *distance = std::numeric_limits<double>::infinity();
+                return false;
+            }
+        };
+
+        template <typename PlannerType>
+        ob::PlannerPtr make(const ob::SpaceInformationPtr &si)
+        {
+            return std::make_shared<PlannerType>(si);
+        }
+
+        using Allocator = ob::PlannerPtr (*)(const ob::SpaceInformationPtr &);
+
+        const std::map<std::string, Allocator> &allocators()
+        {
+            static const std::map<std::string, Allocator> table{{"EST", make<og::EST>},
+                                                                {"KPIECE1", make<og::KPIECE1>},
+                                                                {"RRT", make<og::RRT>},
+                                                                {"RRTConnect", make<og::RRTConnect>},
+                                                                {"RRTstar", make<og::RRTstar>}};
+            return table;
+        }
+
+        void setSeed(std::uint_fast32_t seed)
+        {
+            // OMPL complains about every seed but the first, though those that are given before new samplers are made hold.
+            ompl::msg::noOutputHandler();
+            ompl::RNG::setSeed(seed);
+            ompl::msg::restorePreviousOutputHandler();
+        }
+    }
+
+    const std::vector<std::string> &plannerNames()
+    {
+        static const std::vector<std::string> names = []
+        {
+            std::vector<std::string> all;
+            for (const auto &entry : allocators())
+                all.push_back(entry.first);
+            return all;
+        }();
+        return names;
+    }
+
+    PlanResult run(const PlanTask &task)
+    {
+        const auto allocator = allocators().find(task.planner);
+        if (allocator == allocators().end())
+            throw ompl::Exception("There is no planner '" + task.planner + "' here");
+        setSeed(task.seed);
+        const TeamSetupPtr setup = task.scene.makeSetup(task.method);
+        if (task.resolution > 0.0)
+            setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
+        const ob::PlannerPtr planner = allocator->second(setup->getSpaceInformation());
+        if (task.range > 0.0)
+            planner->params().setParam("range", std::to_string(task.range));
+        setup->setPlanner(planner);
+        const bool sampleable = planner->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION;
+        if (task.keepGoing && !sampleable)
+            setup->setGoal(std::make_shared<NeverSatisfied>(setup->getSpaceInformation()));
+        setup->setup();
+        setup->getStatistics().reset();
+
+        PlanResult result;
+        ob::IterationTerminationCondition iterations(task.iterations);
+        while (iterations.getTimesCalled() < task.iterations)
+        {
+            const std::clock_t start = std::clock();
+            const ob::PlannerStatus status = planner->solve(iterations);
+            result.totalSeconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+            if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL)
+                throw ompl::Exception(task.scene.getName() + ": the start or the goal is not valid");
+            ob::PlannerData tree(setup->getSpaceInformation());
+            planner->getPlannerData(tree);
+            result.states += tree.numVertices();
+            result.digests.push_back(treeDigest(tree));
+            if (!task.keepGoing)
+                break;
+            planner->clear();
+            setup->getProblemDefinition()->clearSolutionPaths();
+        }
+        result.counts = setup->getStatistics().getCounts();
+        result.checkingSeconds = setup->getStatistics().getCheckingSeconds();
+        if (const auto checker = setup->getCertificateChecker())
+            result.certificates = checker->getCertificateCount();
+        return result;
+    }
+
+    double median(std::vector<double> values)
+    {
+        std::sort(values.begin(), values.end());
+        const std::size_t half = values.size() / 2;
+        return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+    }
+
+    double geometricMean(const std::vector<double> &values)
+    {
+        double sum = 0.0;
+        for (const double value : values)
+            sum += std::log(value);
+        return std::exp(sum / static_cast<double>(values.size()));
+    }
+}

@@ -1,0 +1,70 @@
+#ifndef OMPL_CERTIFICATES_BENCHMARKS_COMMON_PLAN_RUN_
+#define OMPL_CERTIFICATES_BENCHMARKS_COMMON_PLAN_RUN_
+
+#include "ompl_certificates/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace benchmarks
+{
+    /** \brief A planner at work on a scene, with one of the methods */
+    struct PlanTask
+    {
+        const ompl_certificates::Scene &scene;
+
+        /** \brief The name of a planner; see plannerNames() */
+        std::string planner{"RRT"};
+
+        ompl_certificates::Method method{ompl_certificates::Method::SHARED_PROJECTION};
+
+        /** \brief How often the planner's termination condition is evaluated: mostly once per iteration */
+        unsigned int iterations{10000};
+
+        /** \brief The length of the planner's steps; 0 for the planner's own */
+        double range{0.0};
+
+        /** \brief The longest valid segment as a fraction of a component's extent; 0 for the scene's */
+        double resolution{0.0};
+
+        std::uint_fast32_t seed{1};
+
+        /** \brief Whether to use up the iterations: trees grow towards a goal that is never reached, and planners that need
+            one that they can sample solve the same problem again and again */
+        bool keepGoing{true};
+    };
+
+    /** \brief What came of a PlanTask */
+    struct PlanResult
+    {
+        /** \brief The digest of each tree that was grown; mostly one */
+        std::vector<std::string> digests;
+
+        /** \brief The states of all trees */
+        std::size_t states{0};
+
+        ompl_certificates::CheckCounts counts;
+        std::size_t certificates{0};
+
+        /** \brief The time spent in checks, in seconds by the clock */
+        double checkingSeconds{0.0};
+
+        /** \brief The time that planning took, in seconds of the processor */
+        double totalSeconds{0.0};
+    };
+
+    /** \brief The planners that run() knows */
+    const std::vector<std::string> &plannerNames();
+
+    /** \brief Plan. Runs of equal tasks that differ in the method grow equal trees.
+        \throws ompl::Exception if there is no such planner, or if the start is not valid */
+    PlanResult run(const PlanTask &task);
+
+    /** \brief The middle one of \e values, which must not be empty, or the mean of the middle two */
+    double median(std::vector<double> values);
+
+    /** \brief The geometric mean of positive \e values */
+    double geometricMean(const std::vector<double> &values);
+}
+
+#endif

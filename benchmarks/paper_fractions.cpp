@@ -1,0 +1,145 @@
+// The paper's own experiment: discs among random convex polygons, RRT without a goal; which part of the robots' checks each
+// method leaves to the obstacles, and what it costs.
+//
+//     paper_fractions --robots 1,2,3 --iterations 100000
+
+#include "common/PlanRun.h"
+#include "ompl_certificates/scene/RandomPolygonScene.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+
+namespace
+{
+    struct Options
+    {
+        std::vector<unsigned int> robots{1, 2, 3, 4, 5};
+        std::vector<std::string> methods{"basic", "partial", "shared"};
+        unsigned int iterations{100000};
+        double step{5.0};
+        double resolution{0.0};
+        std::uint32_t seed{1};
+        RandomPolygonScene::Settings scene;
+    };
+
+    void declare(CLI::App &app, Options &options)
+    {
+        std::vector<std::string> methods;
+        for (const Method method : allMethods())
+            if (method != Method::STANDARD)
+                methods.push_back(nameOf(method));
+        app.add_option("--robots", options.robots, "Numbers of robots, separated by commas")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::Range(1, 100))
+            ->capture_default_str();
+        app.add_option("--methods", options.methods, "Methods, separated by commas")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::IsMember(methods))
+            ->capture_default_str();
+        app.add_option("--iterations", options.iterations, "Iterations of RRT")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.add_option("--step", options.step, "The length of RRT's steps")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.add_option(
+               "--resolution", options.resolution,
+               "The longest segment between two samples of a motion, as a fraction of a robot's space; 1 checks only "
+               "the ends, as the paper does. By default OMPL's, 0.01")
+            ->check(CLI::Range(0.0, 1.0));
+        app.add_option("--radius", options.scene.radius, "The radius of the discs, in a square of side 100")
+            ->capture_default_str();
+        app.add_option("--obstacles", options.scene.obstacles, "The number of polygons")->capture_default_str();
+        app.add_option("--scene-seed", options.scene.seed, "Which random scene")->capture_default_str();
+        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.footer("Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
+    }
+
+    double percent(std::uint64_t part, std::uint64_t whole)
+    {
+        return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+    }
+
+    /** Plan for \e robots robots with all methods, and return how many grew another tree than the standard one. */
+    unsigned int compare(const Options &options, unsigned int robots)
+    {
+        RandomPolygonScene::Settings settings = options.scene;
+        settings.robots = robots;
+        const YamlScene scene = RandomPolygonScene(settings).make();
+        benchmarks::PlanTask task{scene, "RRT", Method::STANDARD};
+        task.iterations = options.iterations;
+        task.range = options.step;
+        task.resolution = options.resolution;
+        task.seed = options.seed;
+        const benchmarks::PlanResult standard = benchmarks::run(task);
+        unsigned int different = 0;
+        for (const std::string &method : options.methods)
+        {
+            task.method = methodOf(method);
+            const benchmarks::PlanResult result = benchmarks::run(task);
+            const CheckCounts &counts = result.counts;
+            const bool equal = result.digests == standard.digests;
+            different += equal ? 0 : 1;
+            std::printf(
+                "| %u | %s | %zu | %llu | %.2f %% | %.2f %% | %.2f %% | %.2f %% | %.2f %% | %zu | %.3f | %.3f | %.1f %% "
+                "| %s |\n",
+                robots, method.c_str(), result.states, static_cast<unsigned long long>(counts.robotPoses),
+                percent(counts.exact, counts.robotPoses), percent(counts.exactColliding, counts.robotPoses),
+                percent(counts.exactCalls, counts.robotPoses), percent(counts.exact, counts.motionSamples),
+                percent(counts.exact, standard.counts.exact), result.certificates,
+                result.checkingSeconds / standard.checkingSeconds, result.totalSeconds / standard.totalSeconds,
+                percent(static_cast<std::uint64_t>(1e9 * result.checkingSeconds),
+                        static_cast<std::uint64_t>(1e9 * result.totalSeconds)),
+                equal ? "yes" : "NO");
+            std::fflush(stdout);
+        }
+        return different;
+    }
+
+    int run(const Options &options)
+    {
+        std::printf("RRT, step %g, %u iterations, discs of radius %g among %u polygons, scene %llu, seed %u\n\n",
+                    options.step, options.iterations, options.scene.radius, options.scene.obstacles,
+                    static_cast<unsigned long long>(options.scene.seed), options.seed);
+        std::puts(
+            "| R | method | states | robot poses looked at | left to the obstacles | … and colliding | … to FCL | left to the "
+            "obstacles, of all samples | … of the standard method's | certificates | checking, ratio | total, ratio "
+            "| checking, of total | trees equal |");
+        std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        unsigned int different = 0;
+        for (const unsigned int robots : options.robots)
+            different += compare(options, robots);
+        return different == 0 ? 0 : 1;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    CLI::App app("Repeat the experiment of the paper", "paper_fractions");
+    Options options;
+    declare(app, options);
+    try
+    {
+        app.parse(argc, argv);
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+        return run(options);
+    }
+    catch (const CLI::ParseError &e)
+    {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    catch (const std::exception &e)
+    {
+        std::cerr << "paper_fractions: " << e.what() << std::endl;
+        return 2;
+    }
+}

@@ -1,0 +1,177 @@
+// Plans in whole, with and without certificates, in turns, and prints a table of what that saves.
+//
+//     whole_plans ../demos/scenes/*.yaml --planners RRT,RRTstar --iterations 20000 --repeats 5
+
+#include "common/PlanRun.h"
+#include "ompl_certificates/scene/YamlScene.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+
+namespace
+{
+    struct Options
+    {
+        std::vector<std::string> scenes;
+        std::vector<std::string> planners{"RRT", "RRTConnect", "RRTstar", "EST", "KPIECE1"};
+        std::vector<std::string> methods{"shared"};
+        unsigned int iterations{10000};
+        unsigned int repeats{3};
+        std::uint32_t seed{1};
+        double range{0.0};
+        bool stopAtGoal{false};
+        bool fastest{false};
+    };
+
+    void declare(CLI::App &app, Options &options)
+    {
+        std::vector<std::string> methods;
+        for (const Method method : allMethods())
+            if (method != Method::STANDARD)
+                methods.push_back(nameOf(method));
+        app.add_option("SCENES", options.scenes, "Scene files (YAML)")->required()->check(CLI::ExistingFile);
+        app.add_option("--planners", options.planners, "Planners, separated by commas")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::IsMember(benchmarks::plannerNames()))
+            ->capture_default_str();
+        app.add_option("--methods", options.methods, "Methods to compare with the standard one")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::IsMember(methods))
+            ->capture_default_str();
+        app.add_option("--iterations", options.iterations, "Iterations of each plan")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.add_option("--repeats", options.repeats, "How often each plan is made; medians are printed")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers, the same for all plans")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        app.add_option("--range", options.range, "The length of the planners' steps; by default the planner's own")
+            ->check(CLI::PositiveNumber);
+        app.add_flag("--stop-at-goal,!--keep-going", options.stopAtGoal,
+                     "Plan only until the goal is reached; by default all iterations are made");
+        app.add_flag("--fastest", options.fastest,
+                     "Compare the fastest repeats and not medians: for a machine with other things to do");
+        app.footer("Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
+    }
+
+    /** The ratio of two times that were measured in turns */
+    class Ratio
+    {
+    public:
+        void add(double certified, double standard)
+        {
+            certified_.push_back(certified);
+            standard_.push_back(standard);
+            ratios_.push_back(certified / standard);
+        }
+
+        double get(bool fastest) const
+        {
+            if (!fastest)
+                return benchmarks::median(ratios_);
+            return *std::min_element(certified_.begin(), certified_.end()) /
+                   *std::min_element(standard_.begin(), standard_.end());
+        }
+
+    private:
+        std::vector<double> certified_, standard_, ratios_;
+    };
+
+    /** The ratios of one row to the standard method */
+    struct Row
+    {
+        double checking, total;
+        bool equal;
+    };
+
+    Row compare(const Options &options, const Scene &scene, const std::string &planner, const std::string &method)
+    {
+        benchmarks::PlanTask task{scene, planner};
+        task.iterations = options.iterations;
+        task.range = options.range;
+        task.seed = options.seed;
+        task.keepGoing = !options.stopAtGoal;
+        Ratio checking, total;
+        benchmarks::PlanResult standard, certified;
+        bool equal = true;
+        for (unsigned int repeat = 0; repeat < options.repeats; ++repeat)
+        {
+            task.method = Method::STANDARD;
+            standard = benchmarks::run(task);
+            task.method = methodOf(method);
+            certified = benchmarks::run(task);
+            equal = equal && standard.digests == certified.digests;
+            checking.add(certified.checkingSeconds, standard.checkingSeconds);
+            total.add(certified.totalSeconds, standard.totalSeconds);
+        }
+        const Row row{checking.get(options.fastest), total.get(options.fastest), equal};
+        std::printf("| %s | %s | %s | %u | %zu | %llu | %llu | %.3f | %.2f | %.2f | %s |\n", scene.getName().c_str(),
+                    planner.c_str(), method.c_str(), options.iterations, scene.getMembers().size(),
+                    static_cast<unsigned long long>(standard.counts.exact),
+                    static_cast<unsigned long long>(certified.counts.exact), standard.checkingSeconds, row.checking,
+                    row.total, equal ? "yes" : "NO");
+        std::fflush(stdout);
+        return row;
+    }
+
+    int run(const Options &options)
+    {
+        std::puts(
+            "| scene | planner | method | iterations | R | exact checks, standard | exact checks | checking, "
+            "standard (s) | checking, ratio | total, ratio | trees equal |");
+        std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
+        std::vector<double> checking, total;
+        unsigned int different = 0;
+        for (const std::string &file : options.scenes)
+        {
+            const YamlScene scene(file);
+            scene.validate();
+            for (const std::string &planner : options.planners)
+                for (const std::string &method : options.methods)
+                {
+                    const Row row = compare(options, scene, planner, method);
+                    checking.push_back(row.checking);
+                    total.push_back(row.total);
+                    different += row.equal ? 0 : 1;
+                }
+        }
+        std::printf(
+            "\nGeometric means of %zu rows: checking %.3f, total %.3f; the largest: checking %.2f, total %.2f. "
+            "Trees that differ: %u.\n",
+            checking.size(), benchmarks::geometricMean(checking), benchmarks::geometricMean(total),
+            *std::max_element(checking.begin(), checking.end()), *std::max_element(total.begin(), total.end()),
+            different);
+        return different == 0 ? 0 : 1;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    CLI::App app("Compare whole plans with and without certificates", "whole_plans");
+    Options options;
+    declare(app, options);
+    try
+    {
+        app.parse(argc, argv);
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+        return run(options);
+    }
+    catch (const CLI::ParseError &e)
+    {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    catch (const std::exception &e)
+    {
+        std::cerr << "whole_plans: " << e.what() << std::endl;
+        return 2;
+    }
+}

@@ -1,0 +1,26 @@
+# Headers, libraries and the CMake package; find_package(ompl_certificates [COMPONENTS scene]) finds them again.
+include(CMakePackageConfigHelpers)
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
+
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE)
+install(TARGETS ompl_certificates EXPORT ompl_certificatesTargets)
+install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
+
+if(TARGET ompl_certificates_scene)
+  install(DIRECTORY include/ompl_certificates/scene DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates")
+  install(TARGETS ompl_certificates_scene EXPORT ompl_certificates_sceneTargets)
+  install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
+endif()
+
+configure_package_config_file(cmake/ompl_certificatesConfig.cmake.in ompl_certificatesConfig.cmake
+  INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(ompl_certificatesConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_CURRENT_BINARY_DIR}/ompl_certificatesConfig.cmake"
+  "${CMAKE_CURRENT_BINARY_DIR}/ompl_certificatesConfigVersion.cmake"
+  cmake/OmplTarget.cmake
+  DESTINATION "${package_dir}")
+
+install(FILES package.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/ompl_certificates")
+install(FILES LICENSE CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,195 @@
+// Benchmarks planners for the teams of scenes, once with each method, with OMPL's own Benchmark.
+//
+//     benchmark_team scene.yaml --planners RRT,RRTConnect --runs 10 --time 5 --log scene.log
+//     ompl_benchmark_statistics scene.log -d scene.db
+
+#include "common/CommandLine.h"
+#include "common/TeamBenchmark.h"
+
+#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/scene/YamlScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+#include <unistd.h>
+
+using namespace ompl_certificates;
+
+namespace
+{
+    struct Options
+    {
+        std::vector<std::string> scenes;
+        std::string planners{"RRTConnect"};
+        std::string methods;
+        unsigned int runs{10};
+        double seconds{5.0};
+        std::uint32_t seed{1};
+        std::string log;
+    };
+
+    void declare(CLI::App &app, Options &options)
+    {
+        for (const Method method : allMethods())
+            options.methods += (options.methods.empty() ? "" : ",") + nameOf(method);
+        app.add_option("SCENE", options.scenes, "Scene files (YAML)")->required();
+        app.add_option("--planners", options.planners, "Planners: names of OMPL's classes, separated by commas")
+            ->capture_default_str();
+        app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
+        app.add_option("--runs", options.runs, "Runs of each planner with each method")
+            ->check(demos::countUpTo(1000000ull))
+            ->capture_default_str();
+        app.add_option("--time", options.seconds, "Time for each run, in seconds")
+            ->check(demos::positiveNumber())
+            ->capture_default_str();
+        app.add_option("--seed", options.seed, "Seed of the first run; each further one adds 1")
+            ->check(demos::countUpTo(4000000000ull))
+            ->capture_default_str();
+        app.add_option("--log", options.log,
+                       "Write a log for ompl_benchmark_statistics; of several scenes one each, named F_SCENE.log");
+        app.footer("Returns 0 when the benchmark is complete, 2 for bad input.");
+    }
+
+    /** The words of a list; there must be one, and none may be repeated */
+    std::vector<std::string> listOf(const std::string &option, const std::string &text)
+    {
+        std::vector<std::string> words = demos::splitAtCommas(text);
+        if (words.empty())
+            throw ompl::Exception(option, "names nothing");
+        for (auto word = words.begin(); word != words.end(); ++word)
+            if (std::find(words.begin(), word, *word) != word)
+                throw ompl::Exception(option, "names " + *word + " twice");
+        return words;
+    }
+
+    /** Where the log of a scene goes */
+    std::string logOf(const Options &options, const std::string &scene)
+    {
+        if (options.log.empty() || options.scenes.size() == 1)
+            return options.log;
+        const std::filesystem::path log(options.log);
+        const std::string name = log.stem().string() + "_" + std::filesystem::path(scene).stem().string();
+        return (log.parent_path() / (name + log.extension().string())).string();
+    }
+
+    using Run = demos::TeamBenchmark::Run;
+
+    /** The median of a field of some runs, of which those that are not numbers are left out */
+    double median(const std::vector<Run> &runs, const std::string &planner, Method method, double Run::*field)
+    {
+        std::vector<double> values;
+        for (const Run &run : runs)
+            if (run.planner == planner && run.method == method && !std::isnan(run.*field))
+                values.push_back(run.*field);
+        if (values.empty())
+            return std::numeric_limits<double>::quiet_NaN();
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        if (values.size() % 2 == 1)
+            return *middle;
+        return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+    }
+
+    double solvedPercent(const std::vector<Run> &runs, const std::string &planner, Method method)
+    {
+        double count = 0.0, solved = 0.0;
+        for (const Run &run : runs)
+            if (run.planner == planner && run.method == method)
+            {
+                count += 1.0;
+                solved += run.solved ? 1.0 : 0.0;
+            }
+        return 100.0 * solved / count;
+    }
+
+    void printRatio(double value, double reference)
+    {
+        if (std::isnan(value) || std::isnan(reference) || reference <= 0.0)
+            std::printf(" %11s", "-");
+        else
+            std::printf(" %10.2fx", value / reference);
+    }
+
+    /** Medians over the runs: of the first method as they are, of the others as multiples of those */
+    void printTable(const std::string &scene, const std::vector<Run> &runs, const std::vector<std::string> &planners,
+                    const std::vector<Method> &methods)
+    {
+        const auto fields = {&Run::checkingSeconds, &Run::seconds, &Run::states, &Run::cost};
+        std::printf("\n%s: medians, and multiples of those of %s\n%-24s%-10s %11s %11s %11s %11s %11s\n", scene.c_str(),
+                    nameOf(methods.front()).c_str(), "planner", "method", "checking s", "total s", "states", "cost",
+                    "solved %");
+        for (const std::string &planner : planners)
+            for (const Method method : methods)
+            {
+                std::printf("%-24s%-10s", planner.c_str(), nameOf(method).c_str());
+                for (const auto field : fields)
+                {
+                    const double value = median(runs, planner, method, field);
+                    if (method != methods.front())
+                        printRatio(value, median(runs, planner, methods.front(), field));
+                    else if (std::isnan(value))
+                        std::printf(" %11s", "-");
+                    else
+                        std::printf(" %11.4g", value);
+                }
+                std::printf(" %11.0f\n", solvedPercent(runs, planner, method));
+            }
+    }
+
+    int run(const Options &options)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        ompl::RNG::setSeed(options.seed);
+        const std::vector<std::string> planners = listOf("--planners", options.planners);
+        std::vector<Method> methods;
+        for (const std::string &name : listOf("--methods", options.methods))
+            methods.push_back(methodOf(name));
+        // The standard method is the one to compare with.
+        std::stable_sort(methods.begin(), methods.end(),
+                         [](Method a, Method b) { return a == Method::STANDARD && b != Method::STANDARD; });
+
+        std::vector<std::pair<std::string, std::string>> logs;
+        for (const std::string &file : options.scenes)
+            logs.emplace_back("--log", logOf(options, file));
+        demos::checkOutputs(logs, options.scenes);
+        std::vector<YamlScene> scenes;
+        for (const std::string &file : options.scenes)
+        {
+            scenes.emplace_back(file);
+            scenes.back().validate();
+            // What cannot be planned for shows here, before hours have passed.
+            demos::TeamBenchmark(scenes.back(), planners, methods, options.seed);
+        }
+
+        for (std::size_t i = 0; i < scenes.size(); ++i)
+        {
+            demos::TeamBenchmark benchmark(scenes[i], planners, methods, options.seed);
+            ompl::tools::Benchmark::Request request(options.seconds, 4096.0, options.runs);
+            request.displayProgress = isatty(STDOUT_FILENO) != 0;
+            request.saveConsoleOutput = false;
+            request.simplify = false;
+            benchmark.benchmark(request);
+            if (!logs[i].second.empty())
+            {
+                std::ostringstream log;
+                benchmark.saveResultsToStream(log);
+                writeTextFile(logs[i].second, log.str());
+            }
+            printTable(scenes[i].getName(), benchmark.getRuns(), planners, methods);
+            std::fflush(stdout);
+        }
+        return demos::SOLVED;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    CLI::App app("Benchmark planners for the teams of scenes, with each method", "benchmark_team");
+    Options options;
+    declare(app, options);
+    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+}

@@ -1,0 +1,141 @@
+#include "common/TeamBenchmark.h"
+
+#include "common/PlannerFactory.h"
+
+#include <limits>
+#include <ompl/util/RandomNumbers.h>
+#include <ompl/util/String.h>
+
+using namespace ompl_certificates;
+
+namespace demos
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        TeamSetupPtr makeHost(const Scene &scene)
+        {
+            const TeamStateSpacePtr team = scene.makeTeam();
+            auto host = std::make_shared<TeamSetup>(team, scene.makeObstacles());
+            host->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+            return host;
+        }
+
+        std::size_t certificatesOf(const TeamSetup &setup)
+        {
+            const auto checker = setup.getCertificateChecker();
+            return checker ? checker->getCertificateCount() : 0;
+        }
+    }
+
+    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners,
+                                 const std::vector<Method> &methods, std::uint32_t seed)
+      : TeamBenchmark(scene, planners, makeHost(scene), methods, seed)
+    {
+    }
+
+    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners, const TeamSetupPtr &host,
+                                 const std::vector<Method> &methods, std::uint32_t seed)
+      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), seed_(seed)
+    {
+        const ObstaclesPtr obstacles = scene.makeObstacles();
+        for (const Method method : methods_)
+            lenders_.push_back(std::make_shared<TeamSetup>(
+                std::static_pointer_cast<TeamStateSpace>(host_->getStateSpace()), obstacles, method));
+        addExperimentParameter("robots", "INTEGER", std::to_string(scene.getMembers().size()));
+        addExperimentParameter("obstacles", "INTEGER", std::to_string(scene.getObstacles().size()));
+        for (const std::string &planner : planners)
+            for (std::size_t method = 0; method < methods_.size(); ++method)
+            {
+                entries_.push_back({planner, method});
+                addPlanner(makePlanner(entries_.back()));
+            }
+        setPreRunEvent([this](const ob::PlannerPtr &planner) { prepareRun(planner); });
+        setPostRunEvent([this](const ob::PlannerPtr & /*planner*/, RunProperties &run) { recordRun(run); });
+    }
+
+    ob::PlannerPtr TeamBenchmark::makePlanner(const Entry &entry)
+    {
+        const ob::SpaceInformationPtr &si = host_->getSpaceInformation();
+        const TeamSetup &setup = *lenders_[entry.method];
+        si->setStateValidityChecker(setup.getTeamChecker());
+        si->setMotionValidator(setup.getSpaceInformation()->getMotionValidator());
+
+        const ob::PlannerPtr planner = demos::makePlanner(entry.planner, si,
+                                                          [this, &setup]
+                                                          {
+                                                              counts_ = setup.getStatistics().getCounts();
+                                                              checkingSeconds_ =
+                                                                  setup.getStatistics().getCheckingSeconds();
+                                                              certificates_ = certificatesOf(setup);
+                                                          });
+        planner->setName(entry.planner + "[" + nameOf(methods_[entry.method]) + "]");
+        const auto add = [&planner](const std::string &name, const std::function<std::uint64_t()> &count)
+        { addProgressProperty(*planner, name + " INTEGER", [count] { return std::to_string(count()); }); };
+        const Statistics &statistics = setup.getStatistics();
+        add("robot_poses", [&statistics] { return statistics.getCounts().robotPoses; });
+        add("exact", [&statistics] { return statistics.getCounts().exact; });
+        add("certificates", [&setup] { return certificatesOf(setup); });
+        addProgressProperty(*planner, "time_in_checking REAL",
+                            [&statistics] { return ompl::toString(statistics.getCheckingSeconds()); });
+
+        // The objective differs between planners, so it is set whenever the planner does.
+        const ob::ProblemDefinitionPtr &problem = host_->getProblemDefinition();
+        problem->setOptimizationObjective(makeObjective(entry.planner, si));
+        problem->clearSolutionPaths();
+        planner->setProblemDefinition(problem);
+        planner->setup();
+        return planner;
+    }
+
+    void TeamBenchmark::prepareRun(const ob::PlannerPtr &planner)
+    {
+        for (active_ = 0; planners_[active_] != planner;)
+            ++active_;
+        const Entry &entry = entries_[active_];
+        ompl::RNG::setSeed(seed_ + status_.activeRun);
+        planners_[active_] = makePlanner(entry);
+
+        const TeamSetup &setup = *lenders_[entry.method];
+        if (const auto checker = setup.getCertificateChecker())
+            checker->clear();
+        setup.getSpaceInformation()->getMotionValidator()->resetMotionCounter();
+        setup.getStatistics().reset();
+        counts_ = CheckCounts();
+        checkingSeconds_ = 0.0;
+        certificates_ = 0;
+    }
+
+    void TeamBenchmark::recordRun(RunProperties &run)
+    {
+        const std::vector<std::pair<const char *, std::uint64_t>> counts{
+            {"robot_poses", counts_.robotPoses},
+            {"certified_free", counts_.certifiedFree},
+            {"certified_colliding", counts_.certifiedColliding},
+            {"exact", counts_.exact},
+            {"exact_colliding", counts_.exactColliding},
+            {"clearance_queries", counts_.clearanceQueries},
+            {"exact_calls", counts_.exactCalls},
+            {"pair_poses", counts_.pairPoses},
+            {"pair_exact", counts_.pairExact},
+            {"motions", counts_.motions},
+            {"motion_samples", counts_.motionSamples},
+            {"motion_samples_skipped", counts_.motionSamplesSkipped},
+            {"certificates", certificates_}};
+        for (const auto &[name, count] : counts)
+            run[std::string(name) + " INTEGER"] = std::to_string(count);
+        run["time_in_checking REAL"] = ompl::toString(checkingSeconds_);
+
+        const auto number = [&run](const std::string &name)
+        {
+            const auto entry = run.find(name);
+            return entry == run.end() ? std::numeric_limits<double>::quiet_NaN() : std::stod(entry->second);
+        };
+        const bool solved = number("solved BOOLEAN") == 1.0;
+        runs_.push_back({entries_[active_].planner, methods_[entries_[active_].method], solved, checkingSeconds_,
+                         number("time REAL"),
+                         solved ? number("solution length REAL") : std::numeric_limits<double>::quiet_NaN(),
+                         number("graph states INTEGER")});
+    }
+}

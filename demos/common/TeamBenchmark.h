@@ -1,0 +1,73 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_TEAM_BENCHMARK_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_TEAM_BENCHMARK_
+
+#include "ompl_certificates/scene/Scene.h"
+
+#include <ompl/tools/benchmark/Benchmark.h>
+#include <string>
+#include <vector>
+
+namespace demos
+{
+    /** \brief OMPL's benchmark of planners for the team of a scene, once with each method.
+
+        The method sits in the space information, which all entries share, so validity checker and motion validator are
+        exchanged before each run. The planner is made anew as well: only then are all of its random numbers seeded, and
+        the i-th run of a planner draws the same ones under every method. */
+    class TeamBenchmark : public ompl::tools::Benchmark
+    {
+    public:
+        /** \brief What the table at the end needs of one run */
+        struct Run
+        {
+            std::string planner;
+            ompl_certificates::Method method;
+            bool solved;
+            double checkingSeconds, seconds, cost, states;
+        };
+
+        /** \brief A benchmark of all \e planners with all \e methods; run i is seeded with \e seed + i.
+            \throws ompl::Exception if there is no such planner, or it cannot plan for the scene */
+        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
+                      const std::vector<ompl_certificates::Method> &methods, std::uint32_t seed);
+
+        /** \brief All runs so far */
+        const std::vector<Run> &getRuns() const
+        {
+            return runs_;
+        }
+
+    private:
+        /** \brief A planner and the number of a method. Entries stand in the order of planners_. */
+        struct Entry
+        {
+            std::string planner;
+            std::size_t method;
+        };
+
+        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
+                      const ompl_certificates::TeamSetupPtr &host,
+                      const std::vector<ompl_certificates::Method> &methods, std::uint32_t seed);
+
+        ompl::base::PlannerPtr makePlanner(const Entry &entry);
+        void prepareRun(const ompl::base::PlannerPtr &planner);
+        void recordRun(RunProperties &run);
+
+        /** The setup that is benchmarked, and for each method one of the same team that lends its checker and motion validator
+            to it */
+        ompl_certificates::TeamSetupPtr host_;
+        std::vector<ompl_certificates::TeamSetupPtr> lenders_;
+        std::vector<ompl_certificates::Method> methods_;
+        std::uint32_t seed_;
+        std::vector<Entry> entries_;
+        std::size_t active_{0};
+
+        /** What was measured when solve() returned: OMPL goes on to check the solution */
+        ompl_certificates::CheckCounts counts_;
+        double checkingSeconds_{0.0};
+        std::size_t certificates_{0};
+        std::vector<Run> runs_;
+    };
+}
+
+#endif

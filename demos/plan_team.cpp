@@ -1,0 +1,252 @@
+// Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a report.
+//
+//     plan_team scene.yaml --planner RRTstar --iterations 20000 --seed 1 --picture plan.svg --report plan.json
+
+#include "common/CommandLine.h"
+#include "common/Interrupt.h"
+#include "common/Limit.h"
+#include "common/PlannerFactory.h"
+#include "common/ProgressBar.h"
+
+#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/scene/ScenePicture.h"
+#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/scene/YamlScene.h"
+
+#include <cstdio>
+#include <iostream>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+namespace ob = ompl::base;
+
+namespace
+{
+    struct Options
+    {
+        std::string scene;
+        std::string planner{"RRTConnect"};
+        std::string method{"shared"};
+        std::string motion{"discrete"};
+        double seconds{10.0};
+        std::uint64_t iterations{0};
+        std::uint32_t seed{1};
+        std::string range;
+        std::vector<std::string> parameters;
+        std::string picture, path, report;
+        bool pictureTree{false}, pictureCertificates{false}, quiet{false};
+    };
+
+    void declare(CLI::App &app, Options &options)
+    {
+        std::vector<std::string> methods;
+        for (const Method method : allMethods())
+            methods.push_back(nameOf(method));
+
+        app.add_option("SCENE", options.scene, "Scene file (YAML)")->required();
+        app.add_option("--planner", options.planner, "Planner: the name of OMPL's class")->capture_default_str();
+        app.add_option("--method", options.method, "How checks are saved")
+            ->check(CLI::IsMember(methods))
+            ->capture_default_str();
+        app.add_option("--motion", options.motion, "How motions are checked")
+            ->check(CLI::IsMember({"discrete", "continuous"}))
+            ->capture_default_str();
+        auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
+                         ->check(demos::positiveNumber())
+                         ->capture_default_str();
+        app.add_option(
+               "--iterations", options.iterations,
+               "Plan for that many evaluations of the termination condition instead: one per iteration for most "
+               "of OMPL's planners, more for some")
+            ->check(demos::countUpTo(1000000000000ull))
+            ->excludes(time);
+        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers; the same seed grows the same tree")
+            ->check(demos::countUpTo(4294967295ull))
+            ->capture_default_str();
+        app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")
+            ->check(demos::positiveNumber());
+        app.add_option("--planner-param", options.parameters, "Parameters of the planner: NAME=VALUE ...");
+        auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
+        app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
+        app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
+            ->needs(picture);
+        app.add_option("--path", options.path, "Write the states of the solution, one a line");
+        app.add_option("--report", options.report, "Write a report (JSON)");
+        app.add_flag("--quiet", options.quiet, "Print errors only");
+        app.footer("Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input.");
+    }
+
+    ob::PlannerPtr makePlanner(const Options &options, const ob::SpaceInformationPtr &si)
+    {
+        const ob::PlannerPtr planner = demos::makePlanner(options.planner, si);
+        const auto set = [&planner](const std::string &option, const std::string &key, const std::string &value)
+        {
+            try
+            {
+                demos::setParameter(*planner, key, value);
+            }
+            catch (const std::exception &e)
+            {
+                throw ompl::Exception(option, e.what());
+            }
+        };
+        if (!options.range.empty())
+            set("--range", "range", options.range);
+        for (const std::string &parameter : options.parameters)
+        {
+            const std::size_t sign = parameter.find('=');
+            if (sign == 0 || sign == std::string::npos)
+                throw ompl::Exception("--planner-param", "'" + parameter + "' is not of the form NAME=VALUE");
+            set("--planner-param", parameter.substr(0, sign), parameter.substr(sign + 1));
+        }
+        return planner;
+    }
+
+    /** Plan, and fill in what of the report is known by then */
+    void plan(TeamSetup &setup, const Options &options, PlanReport &report)
+    {
+        const ob::Planner &planner = *setup.getPlanner();
+        demos::Limit limit(options.seconds, options.iterations);
+        {
+            const demos::ProgressBar bar(
+                [&limit, &planner]
+                {
+                    char text[64];
+                    std::snprintf(text, sizeof(text), "%.1f s", limit.getSeconds());
+                    const std::string cost = demos::progressOf(planner, "best cost");
+                    return demos::ProgressBar::Progress{limit.getFraction(),
+                                                        cost.empty() ? text : text + ("  cost " + cost)};
+                },
+                options.quiet);
+            const ob::PlannerStatus status = setup.solve(limit.condition());
+            report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
+            report.approximate = !report.solved && setup.haveSolutionPath();
+        }
+        report.totalSeconds = setup.getLastPlanComputationTime();
+        report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
+        report.checks = setup.getStatistics().getCounts();
+        if (report.solved)
+            report.cost = setup.getSolutionPath().length();
+        const std::string iterations = demos::progressOf(planner, "iterations");
+        report.iterations = iterations.empty() ? limit.getEvaluations() : std::stoull(iterations);
+        if (const auto checker = setup.getCertificateChecker())
+            report.certificates = checker->getCertificateCount();
+    }
+
+    void printShare(const char *label, std::uint64_t part, std::uint64_t whole)
+    {
+        std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
+                    whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0);
+    }
+
+    void print(const PlanReport &report, const TeamSetup &setup)
+    {
+        const CheckCounts &checks = report.checks;
+        const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+        std::printf("%s: %s, method %s, seed %llu\n", report.scene.c_str(), report.planner.c_str(),
+                    report.method.c_str(), number(report.seed));
+        if (report.solved)
+            std::printf("  solved        cost %.6g, %zu states\n", report.cost,
+                        setup.getSolutionPath().getStateCount());
+        else if (report.approximate)
+            std::printf("  not solved    an approximate solution ends %.6g from the goal\n",
+                        setup.getProblemDefinition()->getSolutionDifference());
+        else
+            std::printf("  not solved\n");
+        std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
+                    number(report.treeEdges), number(report.iterations));
+        std::printf("  robot poses   %llu:", number(checks.robotPoses));
+        printShare(" certified free ", checks.certifiedFree, checks.robotPoses);
+        printShare(", certified colliding ", checks.certifiedColliding, checks.robotPoses);
+        printShare(", exact ", checks.exact, checks.robotPoses);
+        std::printf("\n  motions       %llu:", number(checks.motions));
+        printShare(" samples skipped ", checks.motionSamplesSkipped, checks.motionSamples);
+        std::printf("\n  robot pairs   %llu:", number(checks.pairPoses));
+        printShare(" exact ", checks.pairExact, checks.pairPoses);
+        std::printf("\n  certificates  %llu\n", number(report.certificates));
+        std::printf("  time          %.3f s, in checking %.3f s", report.totalSeconds, report.checkingSeconds);
+        // Threads add up, and then there is no share of the whole.
+        if (setup.getPlanner()->getSpecs().multithreaded)
+            std::printf(" over all threads\n");
+        else
+            std::printf(" (%.1f %%)\n",
+                        report.totalSeconds > 0.0 ? 100.0 * report.checkingSeconds / report.totalSeconds : 0.0);
+    }
+
+    void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
+               const ob::PlannerData &tree)
+    {
+        if (!options.report.empty())
+            report.write(options.report);
+        // An approximate path looks like any other in a file, and would be taken for a solution.
+        if (!options.path.empty() && report.solved)
+            writePath(options.path, setup.getSolutionPath());
+        if (options.picture.empty())
+            return;
+        ScenePicture picture(scene);
+        if (setup.haveSolutionPath())
+            picture.setPath(setup.getSolutionPath());
+        if (options.pictureTree)
+            picture.setTree(tree);
+        if (const auto checker = setup.getCertificateChecker(); checker && options.pictureCertificates)
+            picture.setCertificates(checker->getCertificates());
+        picture.write(options.picture);
+    }
+
+    int run(const Options &options)
+    {
+        // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        ompl::RNG::setSeed(options.seed);
+        const YamlScene scene(options.scene);
+        scene.validate();
+        const Method method = methodOf(options.method);
+        const TeamSetupPtr setup =
+            scene.makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
+                                                                   : CertificateMotionValidator::DISCRETE);
+        setup->setPlanner(makePlanner(options, setup->getSpaceInformation()));
+        if (const auto objective = demos::makeObjective(options.planner, setup->getSpaceInformation()))
+            setup->setOptimizationObjective(objective);
+        demos::checkOutputs({{"--picture", options.picture}, {"--path", options.path}, {"--report", options.report}},
+                            {options.scene});
+        setup->setup();
+        setup->getStatistics().reset();
+        ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
+        if (!options.quiet)
+            for (const std::string &note : scene.getNotes())
+                std::cout << "note: " << note << std::endl;
+
+        PlanReport report;
+        report.scene = scene.getName();
+        report.planner = options.planner;
+        report.method = options.method;
+        report.motion = options.motion;
+        report.seed = options.seed;
+        demos::catchInterrupts();
+        plan(*setup, options, report);
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+        ob::PlannerData tree(setup->getSpaceInformation());
+        setup->getPlanner()->getPlannerData(tree);
+        report.setTree(tree);
+
+        if (!options.quiet)
+        {
+            if (demos::interrupted())
+                std::puts("interrupted: this is what was found so far");
+            print(report, *setup);
+        }
+        write(options, scene, *setup, report, tree);
+        if (!options.quiet && !options.path.empty() && !report.solved)
+            std::printf("no path was written to %s\n", options.path.c_str());
+        return report.solved ? demos::SOLVED : demos::NOT_SOLVED;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    CLI::App app("Plan for the team of a scene", "plan_team");
+    Options options;
+    declare(app, options);
+    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+}

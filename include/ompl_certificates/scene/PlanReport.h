@@ -1,0 +1,81 @@
+#ifndef OMPL_CERTIFICATES_SCENE_PLAN_REPORT_
+#define OMPL_CERTIFICATES_SCENE_PLAN_REPORT_
+
+#include "ompl_certificates/certificates/CheckCounts.h"
+
+#include <cstdint>
+#include <ompl/base/PlannerData.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    /** \brief What came of one run of a planner, to be written as JSON. */
+    struct PlanReport
+    {
+        /** \brief The name of the scene */
+        std::string scene;
+
+        /** \brief The name of the planner */
+        std::string planner;
+
+        /** \brief The name of the method; see nameOf() */
+        std::string method;
+
+        /** \brief How motions were checked: discrete or continuous */
+        std::string motion{"discrete"};
+
+        /** \brief The seed of OMPL's random numbers */
+        std::uint64_t seed{0};
+
+        /** \brief Whether an exact solution was found */
+        bool solved{false};
+
+        /** \brief Whether an approximate solution was found */
+        bool approximate{false};
+
+        /** \brief The cost of the solution; null in JSON if there is none or it is not finite */
+        double cost{0.0};
+
+        /** \brief How many iterations the planner made, as far as they were counted */
+        std::uint64_t iterations{0};
+
+        /** \brief The number of states of the planner's tree */
+        std::uint64_t treeStates{0};
+
+        /** \brief The number of its edges */
+        std::uint64_t treeEdges{0};
+
+        /** \brief Its treeDigest() */
+        std::string digest;
+
+        /** \brief How collision checks were settled */
+        CheckCounts checks;
+
+        /** \brief How many certificates were kept */
+        std::uint64_t certificates{0};
+
+        /** \brief The time of planning, in seconds */
+        double totalSeconds{0.0};
+
+        /** \brief The time spent in checks, in seconds */
+        double checkingSeconds{0.0};
+
+        /** \brief Set the numbers of the tree, and its digest, from \e data */
+        void setTree(const ompl::base::PlannerData &data);
+
+        /** \brief The report as a JSON object, indented, with keys in a fixed order */
+        std::string toJson() const;
+
+        /** \brief Write toJson() to \e file; see writeTextFile()
+            \throws ompl::Exception that names the file if it cannot be written */
+        void write(const std::string &file) const;
+    };
+
+    /** \brief A hash of the coordinates of the states of \e data and of its directed edges, as 16 hexadecimal digits.
+
+        It does not depend on the order of states and edges: equal trees have equal digests, and different ones have
+        different digests but for a chance of 2^-64. Cost: n log n in the number of states and edges. */
+    std::string treeDigest(const ompl::base::PlannerData &data);
+}
+
+#endif

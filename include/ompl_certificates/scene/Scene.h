@@ -1,0 +1,152 @@
+#ifndef OMPL_CERTIFICATES_SCENE_SCENE_
+#define OMPL_CERTIFICATES_SCENE_SCENE_
+
+#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
+#include "ompl_certificates/validity/TeamSetup.h"
+
+#include <memory>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A planning problem: a workspace with obstacles, and a team of robots with their starts and goals.
+
+        Lengths are in the scene's unit, angles in radians. See docs/scene-format.md for scenes in files. */
+    class Scene
+    {
+    public:
+        /** \brief A robot of the team, where it starts and where it shall go */
+        struct Member
+        {
+            /** \brief The robot */
+            RobotPtr robot;
+
+            /** \brief The coordinates of its start, in the order of ompl::base::StateSpace::copyFromReals() */
+            std::vector<double> start;
+
+            /** \brief The coordinates of its goal, in the same order */
+            std::vector<double> goal;
+
+            /** \brief How much its distances count in the team's */
+            double weight{1.0};
+        };
+
+        /** \brief A scene without obstacles and robots
+            \param name what the scene is called
+            \param source the file that it comes from, for error messages; may be the name
+            \param bounds of the workspace, of 2 or 3 dimensions
+            \throws ompl::Exception if \e bounds have another dimension or are empty */
+        Scene(const std::string &name, const std::string &source, const ompl::base::RealVectorBounds &bounds);
+
+        virtual ~Scene() = default;
+
+        /** \brief What the scene is called */
+        const std::string &getName() const
+        {
+            return name_;
+        }
+
+        /** \brief The file that the scene comes from */
+        const std::string &getSource() const
+        {
+            return source_;
+        }
+
+        /** \brief The dimension of the workspace: 2 or 3 */
+        unsigned int getDimension() const
+        {
+            return static_cast<unsigned int>(bounds_.low.size());
+        }
+
+        /** \brief The bounds of the workspace */
+        const ompl::base::RealVectorBounds &getBounds() const
+        {
+            return bounds_;
+        }
+
+        /** \brief The obstacles */
+        const std::vector<PlacedBody> &getObstacles() const
+        {
+            return obstacles_;
+        }
+
+        /** \brief The robots, in the order of the team's components */
+        const std::vector<Member> &getMembers() const
+        {
+            return members_;
+        }
+
+        /** \brief What a user should know about how the scene was understood, one line each */
+        const std::vector<std::string> &getNotes() const
+        {
+            return notes_;
+        }
+
+        /** \brief The longest valid segment as a fraction of each component's extent; 0 to leave OMPL's own */
+        double getResolution() const
+        {
+            return resolution_;
+        }
+
+        /** \brief Add an obstacle
+            \throws ompl::Exception if it has not the workspace's dimension */
+        void addObstacle(const PlacedBody &obstacle);
+
+        /** \brief Add a robot
+            \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
+            start or goal has not the number of coordinates that the robot's space has */
+        void addMember(const Member &member);
+
+        /** \brief Add a line to the notes */
+        void addNote(const std::string &note)
+        {
+            notes_.push_back(note);
+        }
+
+        /** \brief Set the longest valid segment fraction, above 0 and at most 1
+            \throws ompl::Exception if it is not */
+        void setResolution(double fraction);
+
+        /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots. */
+        TeamStateSpacePtr makeTeam() const;
+
+        /** \brief The obstacles, to be checked by FCL */
+        std::shared_ptr<FclObstacles> makeObstacles() const;
+
+        /** \brief The start of all robots, as a state of \e team, which makeTeam() made */
+        ompl::base::ScopedState<> makeStart(const TeamStateSpacePtr &team) const;
+
+        /** \brief The goal of all robots, as a state of \e team, which makeTeam() made */
+        ompl::base::ScopedState<> makeGoal(const TeamStateSpacePtr &team) const;
+
+        /** \brief A setup of the scene's team among its obstacles, with start and goal */
+        TeamSetupPtr makeSetup(Method method = Method::SHARED_PROJECTION,
+                               CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
+
+        /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone
+            \throws ompl::Exception that names the source, the key and the value if there is no robot, or if a start or
+            a goal is outside the bounds, touches an obstacle, or overlaps that of another robot */
+        void validate() const;
+
+    private:
+        ompl::base::ScopedState<> makeState(const TeamStateSpacePtr &team,
+                                            std::vector<double> Member::*coordinates) const;
+
+        /** \brief validate() for the starts or for the goals, which \e key tells */
+        void validate(const std::string &key, std::vector<double> Member::*coordinates) const;
+
+        std::string name_;
+        std::string source_;
+        ompl::base::RealVectorBounds bounds_;
+        std::vector<PlacedBody> obstacles_;
+        std::vector<Member> members_;
+        std::vector<std::string> notes_;
+        double resolution_{0.0};
+    };
+}
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef OMPL_CERTIFICATES_SCENE_TEXT_FILE_
+#define OMPL_CERTIFICATES_SCENE_TEXT_FILE_
+
+#include <ompl/geometric/PathGeometric.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    /** \brief The content of a file
+        \throws ompl::Exception that names the file if it cannot be read or is larger than 64 MB */
+    std::string readTextFile(const std::string &file);
+
+    /** \brief Write \e text to \e file: all of it or nothing. It is written next to the file first and then takes its
+        place, so that a reader never sees half of it, and a file that was there stays if anything fails. A device or a
+        pipe is written to directly.
+        \throws ompl::Exception that names the file if it cannot be written */
+    void writeTextFile(const std::string &file, const std::string &text);
+
+    /** \brief Write \e path to \e file with writeTextFile(): a line for each state with its coordinates, as
+        ompl::geometric::PathGeometric::printAsMatrix() has it, in full precision */
+    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path);
+}
+
+#endif

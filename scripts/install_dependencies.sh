@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs what the build, the tests and the demos need and this machine lacks, on Debian 12 and Ubuntu 22.04 or 24.04.
+# Further packages can be named as arguments. Does nothing, and needs no network, when everything is there.
+set -euo pipefail
+
+packages=(
+  ccache cmake g++ ninja-build python3
+  libompl-dev libfcl-dev libccd-dev libeigen3-dev
+  # The last two are named by the CMake package of libompl-dev, which does not depend on them.
+  libboost-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev
+  libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
+  libgtest-dev libbenchmark-dev libnanoflann-dev
+  "$@"
+)
+
+if ! command -v apt-get >/dev/null; then
+  echo "No apt-get here: install the equivalents of ${packages[*]}" >&2
+  exit 0
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  if [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+    missing+=("$package")
+  fi
+done
+if ((${#missing[@]} == 0)); then
+  echo "All dependencies are installed."
+  exit 0
+fi
+
+echo "Installing ${missing[*]}"
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,137 @@
+#include "ompl_certificates/scene/PlanReport.h"
+
+#include "ompl_certificates/scene/TextFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <ompl/base/SpaceInformation.h>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** FNV-1a over 64-bit words, lowest byte first: the same on every machine */
+        class Hash
+        {
+        public:
+            void add(std::uint64_t word)
+            {
+                for (int i = 0; i < 8; ++i, word >>= 8u)
+                    value_ = (value_ ^ (word & 0xffu)) * 0x100000001b3u;
+            }
+
+            std::string digits() const
+            {
+                std::string text(16, '0');
+                for (std::size_t i = 0; i < 16; ++i)
+                    text[i] = "0123456789abcdef"[(value_ >> (60 - 4 * i)) & 0xfu];
+                return text;
+            }
+
+        private:
+            std::uint64_t value_{0xcbf29ce484222325u};
+        };
+
+        std::uint64_t bitsOf(double value)
+        {
+            value += 0.0;  // -0.0 and 0.0 are the same coordinate
+            std::uint64_t bits;
+            std::memcpy(&bits, &value, sizeof(bits));
+            return bits;
+        }
+    }
+
+    void PlanReport::setTree(const ob::PlannerData &data)
+    {
+        treeStates = data.numVertices();
+        treeEdges = data.numEdges();
+        digest = treeDigest(data);
+    }
+
+    std::string PlanReport::toJson() const
+    {
+        nlohmann::ordered_json json;
+        json["scene"] = scene;
+        json["planner"] = planner;
+        json["method"] = method;
+        json["motion"] = motion;
+        json["seed"] = seed;
+        json["solved"] = solved;
+        json["approximate"] = approximate;
+        json["cost"] = solved && std::isfinite(cost) ? nlohmann::ordered_json(cost) : nlohmann::ordered_json(nullptr);
+        json["iterations"] = iterations;
+        json["tree"] = {{"states", treeStates}, {"edges", treeEdges}, {"digest", digest}};
+        json["checks"] = {{"robot_poses", checks.robotPoses},
+                          {"certified_free", checks.certifiedFree},
+                          {"certified_colliding", checks.certifiedColliding},
+                          {"exact", checks.exact},
+                          {"exact_colliding", checks.exactColliding},
+                          {"clearance_queries", checks.clearanceQueries},
+                          {"pair_poses", checks.pairPoses},
+                          {"pair_exact", checks.pairExact},
+                          {"motions", checks.motions},
+                          {"motion_samples", checks.motionSamples},
+                          {"motion_samples_skipped", checks.motionSamplesSkipped},
+                          {"certificates", certificates}};
+        json["seconds"] = {{"total", totalSeconds}, {"checking", checkingSeconds}};
+        // Names come from users: what is not UTF-8 is replaced, not an error at the end of a long run.
+        return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    }
+
+    void PlanReport::write(const std::string &file) const
+    {
+        writeTextFile(file, toJson());
+    }
+
+    std::string treeDigest(const ob::PlannerData &data)
+    {
+        const std::size_t count = data.numVertices();
+        const ob::StateSpacePtr &space = data.getSpaceInformation()->getStateSpace();
+        std::vector<std::vector<std::uint64_t>> states(count);
+        std::vector<double> reals;
+        for (unsigned int v = 0; v < count; ++v)
+        {
+            space->copyToReals(reals, data.getVertex(v).getState());
+            for (const double real : reals)
+                states[v].push_back(bitsOf(real));
+        }
+        std::vector<unsigned int> order(count);
+        std::iota(order.begin(), order.end(), 0u);
+        std::sort(order.begin(), order.end(),
+                  [&states](unsigned int a, unsigned int b) { return states[a] < states[b]; });
+
+        // A state's rank among the different states stands for its coordinates, which are hashed once.
+        Hash hash;
+        hash.add(count);
+        std::vector<std::uint64_t> rank(count);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            if (i > 0)
+                rank[order[i]] = rank[order[i - 1]] + (states[order[i]] == states[order[i - 1]] ? 0 : 1);
+            for (const std::uint64_t word : states[order[i]])
+                hash.add(word);
+        }
+        std::vector<std::pair<std::uint64_t, std::uint64_t>> edges;
+        std::vector<unsigned int> targets;
+        for (unsigned int v = 0; v < count; ++v)
+        {
+            data.getEdges(v, targets);
+            for (const unsigned int target : targets)
+                edges.emplace_back(rank[v], rank[target]);
+        }
+        std::sort(edges.begin(), edges.end());
+        hash.add(edges.size());
+        for (const auto &[from, to] : edges)
+        {
+            hash.add(from);
+            hash.add(to);
+        }
+        return hash.digits();
+    }
+}

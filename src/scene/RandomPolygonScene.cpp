@@ -1,0 +1,162 @@
+#include "ompl_certificates/scene/RandomPolygonScene.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <cstdio>
+#include <ompl/util/Exception.h>
+#include <random>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** How often a place is looked for before giving up */
+        constexpr int TRIES = 10000;
+
+        /** Random numbers that are the same with every standard library: its distributions are not. */
+        class Random
+        {
+        public:
+            explicit Random(std::uint64_t seed) : engine_(seed)
+            {
+            }
+
+            double uniform(double low, double high)
+            {
+                return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11u), -53);
+            }
+
+            unsigned int integer(unsigned int low, unsigned int high)
+            {
+                return low + static_cast<unsigned int>(engine_() % (high - low + 1));
+            }
+
+        private:
+            std::mt19937_64 engine_;
+        };
+
+        /** Coordinates are rounded as they are written, so that what is checked is what is read. */
+        class Grid
+        {
+        public:
+            explicit Grid(double size) : decimals_(std::clamp(5 - static_cast<int>(std::ceil(std::log10(size))), 0, 12))
+            {
+            }
+
+            Eigen::Vector2d round(const Eigen::Vector2d &point) const
+            {
+                const double unit = std::pow(10.0, decimals_);
+                return (point * unit).array().round() / unit;
+            }
+
+            std::string format(const Eigen::Vector2d &point) const
+            {
+                char text[100];
+                std::snprintf(text, sizeof(text), "[%.*f, %.*f]", decimals_, point.x(), decimals_, point.y());
+                return text;
+            }
+
+        private:
+            int decimals_;
+        };
+
+        /** Corners on a circle are convex in any number; gaps between them keep them so when rounded. */
+        std::vector<Eigen::Vector2d> randomPolygon(Random &random, const RandomPolygonScene::Settings &settings,
+                                                   const Grid &grid)
+        {
+            constexpr double turn = boost::math::constants::two_pi<double>();
+            const Eigen::Vector2d center(random.uniform(0.0, settings.size), random.uniform(0.0, settings.size));
+            const double radius = settings.size * random.uniform(settings.smallest, settings.largest);
+            const unsigned int corners = random.integer(3, 8);
+            const double first = random.uniform(0.0, turn), step = turn / corners;
+            std::vector<Eigen::Vector2d> polygon;
+            for (unsigned int i = 0; i < corners; ++i)
+            {
+                const double angle = first + step * (i + random.uniform(-0.35, 0.35));
+                polygon.push_back(grid.round(center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+            }
+            return polygon;
+        }
+    }
+
+    RandomPolygonScene::RandomPolygonScene(const Settings &settings) : settings_(settings)
+    {
+        const auto require = [](bool good, const std::string &complaint)
+        {
+            if (!good)
+                throw ompl::Exception(complaint);
+        };
+        require(settings.robots >= 1 && settings.robots <= 100,
+                "robots: must be from 1 to 100, not " + std::to_string(settings.robots));
+        require(settings.obstacles <= 10000,
+                "obstacles: must be at most 10000, not " + std::to_string(settings.obstacles));
+        require(settings.size >= 1e-3 && settings.size <= 1e6,
+                "size: must be from 0.001 to 1000000, not " + std::to_string(settings.size));
+        require(settings.radius >= 1e-3 * settings.size && settings.radius <= 0.1 * settings.size,
+                "radius: must be from a thousandth to a tenth of the size, not " + std::to_string(settings.radius));
+        require(settings.smallest >= 0.005 && settings.smallest <= settings.largest && settings.largest <= 0.5,
+                "smallest and largest: must be ordered fractions from 0.005 to 0.5, not " +
+                    std::to_string(settings.smallest) + " and " + std::to_string(settings.largest));
+    }
+
+    std::string RandomPolygonScene::toYaml() const
+    {
+        Random random(settings_.seed);
+        const Grid grid(settings_.size);
+        const std::string side = grid.format({settings_.size, settings_.size});
+        char radius[40];
+        std::snprintf(radius, sizeof(radius), "%.10g", settings_.radius);
+
+        std::string yaml = "# " + std::to_string(settings_.robots) + " disc" + (settings_.robots == 1 ? "" : "s") +
+                           " among " + std::to_string(settings_.obstacles) +
+                           " random convex polygons, the setting of the paper's experiments.\n" +
+                           "# Made by generate_scene, seed " + std::to_string(settings_.seed) + ".\n";
+        yaml +=
+            "environment:\n  min: [0, 0]\n  max: " + side + "\n  obstacles:" + (settings_.obstacles ? "\n" : " []\n");
+        std::vector<PlacedBody> polygons;
+        for (unsigned int i = 0; i < settings_.obstacles; ++i)
+        {
+            const auto corners = randomPolygon(random, settings_, grid);
+            yaml += "    - {type: polygon, vertices: [";
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                yaml += (k == 0 ? "" : ", ") + grid.format(corners[k]);
+            yaml += "]}\n";
+            polygons.push_back({Body::convexPolygon(corners)});
+        }
+
+        const FclObstacles obstacles(2, polygons);
+        const double margin = 0.5 * settings_.radius;
+        const auto place = [&](const std::vector<Eigen::Vector2d> &others, const Eigen::Vector2d *start)
+        {
+            const double low = settings_.radius, high = settings_.size - settings_.radius;
+            for (int i = 0; i < TRIES; ++i)
+            {
+                const Eigen::Vector2d point = grid.round({random.uniform(low, high), random.uniform(low, high)});
+                const bool apart = std::all_of(others.begin(), others.end(),
+                                               [&](const Eigen::Vector2d &other)
+                                               { return (point - other).norm() > 2.0 * settings_.radius + margin; });
+                if (apart && (!start || (point - *start).norm() > 0.5 * settings_.size) &&
+                    obstacles.clearance({point.x(), point.y(), 0.0}) > settings_.radius + margin)
+                    return point;
+            }
+            throw ompl::Exception("no place was found for a robot: make the square larger, or the obstacles fewer");
+        };
+        std::vector<Eigen::Vector2d> starts, goals;
+        yaml += "robots:\n";
+        for (unsigned int i = 0; i < settings_.robots; ++i)
+        {
+            starts.push_back(place(starts, nullptr));
+            goals.push_back(place(goals, &starts.back()));
+            yaml += "  - {name: disc_" + std::to_string(i + 1) +
+                    ", type: rigid, space: R2, shape: {type: disc, radius: " + radius +
+                    "}, start: " + grid.format(starts.back()) + ", goal: " + grid.format(goals.back()) + "}\n";
+        }
+        return yaml;
+    }
+
+    YamlScene RandomPolygonScene::make() const
+    {
+        return YamlScene::fromText(toYaml(), "random_polygons_" + std::to_string(settings_.seed));
+    }
+}

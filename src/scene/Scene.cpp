@@ -1,0 +1,165 @@
+#include "ompl_certificates/scene/Scene.h"
+
+#include <ompl/util/Exception.h>
+#include <sstream>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        std::string listOf(const std::vector<double> &values)
+        {
+            std::ostringstream text;
+            text.precision(10);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                text << (i == 0 ? "[" : ", ") << values[i];
+            text << "]";
+            return text.str();
+        }
+    }
+
+    Scene::Scene(const std::string &name, const std::string &source, const ob::RealVectorBounds &bounds)
+      : name_(name), source_(source), bounds_(bounds)
+    {
+        if ((bounds.low.size() != 2 && bounds.low.size() != 3) || bounds.high.size() != bounds.low.size())
+            throw ompl::Exception(source_, "a scene's bounds must have 2 or 3 dimensions, not " +
+                                               std::to_string(bounds.low.size()));
+        bounds_.check();
+    }
+
+    void Scene::addObstacle(const PlacedBody &obstacle)
+    {
+        if (obstacle.body.getDimension() != getDimension())
+            throw ompl::Exception(source_, "obstacles[" + std::to_string(obstacles_.size()) + "]: must have " +
+                                               std::to_string(getDimension()) + " dimensions, not " +
+                                               std::to_string(obstacle.body.getDimension()));
+        obstacles_.push_back(obstacle);
+    }
+
+    void Scene::addMember(const Member &member)
+    {
+        const std::string key = "robots[" + std::to_string(members_.size()) + "]";
+        if (!member.robot)
+            throw ompl::Exception(source_, key + ": must not be null");
+        if (member.robot->getWorkspaceDimension() != getDimension())
+            throw ompl::Exception(source_, key + ": must have " + std::to_string(getDimension()) + " dimensions, not " +
+                                               std::to_string(member.robot->getWorkspaceDimension()));
+        for (const Member &other : members_)
+            if (other.robot->getName() == member.robot->getName())
+                throw ompl::Exception(source_,
+                                      key + ".name: there is a robot called '" + member.robot->getName() + "' already");
+        const auto &space = member.robot->getStateSpace();
+        space->computeLocations();
+        const std::size_t expected = space->getValueLocations().size();
+        for (const auto *coordinates : {&member.start, &member.goal})
+            if (coordinates->size() != expected)
+                throw ompl::Exception(source_, key + (coordinates == &member.start ? ".start" : ".goal") +
+                                                   ": must have " + std::to_string(expected) + " coordinates, not " +
+                                                   std::to_string(coordinates->size()));
+        members_.push_back(member);
+    }
+
+    void Scene::setResolution(double fraction)
+    {
+        if (!(fraction > 0.0 && fraction <= 1.0))
+            throw ompl::Exception(source_,
+                                  "resolution: must be above 0 and at most 1, not " + std::to_string(fraction));
+        resolution_ = fraction;
+    }
+
+    TeamStateSpacePtr Scene::makeTeam() const
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        for (const Member &member : members_)
+            team->addRobot(member.robot, member.weight);
+        team->computeLocations();
+        if (resolution_ > 0.0)
+            team->setLongestValidSegmentFraction(resolution_);
+        return team;
+    }
+
+    std::shared_ptr<FclObstacles> Scene::makeObstacles() const
+    {
+        return std::make_shared<FclObstacles>(getDimension(), obstacles_);
+    }
+
+    ob::ScopedState<> Scene::makeState(const TeamStateSpacePtr &team, std::vector<double> Member::*coordinates) const
+    {
+        std::vector<double> reals;
+        for (const Member &member : members_)
+            reals.insert(reals.end(), (member.*coordinates).begin(), (member.*coordinates).end());
+        ob::ScopedState<> state(team);
+        team->copyFromReals(state.get(), reals);
+        return state;
+    }
+
+    ob::ScopedState<> Scene::makeStart(const TeamStateSpacePtr &team) const
+    {
+        return makeState(team, &Member::start);
+    }
+
+    ob::ScopedState<> Scene::makeGoal(const TeamStateSpacePtr &team) const
+    {
+        return makeState(team, &Member::goal);
+    }
+
+    TeamSetupPtr Scene::makeSetup(Method method, CertificateMotionValidator::Mode mode) const
+    {
+        const TeamStateSpacePtr team = makeTeam();
+        auto setup = std::make_shared<TeamSetup>(team, makeObstacles(), method, mode);
+        setup->setStartAndGoalStates(makeStart(team), makeGoal(team));
+        return setup;
+    }
+
+    void Scene::validate() const
+    {
+        if (members_.empty())
+            throw ompl::Exception(source_, "robots: a scene needs at least one robot");
+        validate("start", &Member::start);
+        validate("goal", &Member::goal);
+    }
+
+    void Scene::validate(const std::string &key, std::vector<double> Member::*coordinates) const
+    {
+        const auto describe = [&](unsigned int robot)
+        {
+            return "robots[" + std::to_string(robot) + "]." + key + " " + listOf(members_[robot].*coordinates) +
+                   " of '" + members_[robot].robot->getName() + "'";
+        };
+        // Which obstacle it is is looked for only once there is one.
+        const auto describeObstacle = [&](const Body &body, const Pose &pose) -> std::string
+        {
+            for (std::size_t i = 0; i < obstacles_.size(); ++i)
+                if (FclObstacles(getDimension(), {obstacles_[i]}).collides(body, pose))
+                    return "environment.obstacles[" + std::to_string(i) + "]";
+            return "an obstacle";
+        };
+        const TeamStateSpacePtr team = makeTeam();
+        const auto obstacles = makeObstacles();
+        const ob::ScopedState<> state = makeState(team, coordinates);
+        const auto *teamState = state.get()->as<TeamStateSpace::StateType>();
+        std::vector<std::vector<Pose>> poses;
+        for (unsigned int i = 0; i < team->getRobotCount(); ++i)
+        {
+            const Robot &robot = team->getRobot(i);
+            if (!robot.getStateSpace()->satisfiesBounds(teamState->components[i]))
+                throw ompl::Exception(source_, describe(i) + " is outside the bounds");
+            poses.emplace_back(robot.getBodies().size());
+            robot.computePoses(teamState->components[i], poses.back().data());
+            for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
+                if (obstacles->collides(robot.getBodies()[k], poses[i][k]))
+                    throw ompl::Exception(source_, describe(i) + " touches " +
+                                                       describeObstacle(robot.getBodies()[k], poses[i][k]));
+        }
+        const RobotPairs pairs(*team);
+        CheckCounts counts;
+        for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
+        {
+            const unsigned int first = pairs.getFirst(pair), second = pairs.getSecond(pair);
+            if (pairs.collide(pair, poses[first].data(), poses[second].data(), counts))
+                throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap");
+        }
+    }
+}

@@ -1,0 +1,78 @@
+#include "SceneView.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** How many points stand for a circle; a whole outline has two circles at most */
+        constexpr int CIRCLE_POINTS = 64;
+
+        /** Points of a circle about \e center in the plane of \e x and \e y, which have its radius */
+        void addCircle(const Eigen::Vector3d &center, const Eigen::Vector3d &x, const Eigen::Vector3d &y,
+                       std::vector<Eigen::Vector3d> &points)
+        {
+            for (int i = 0; i < CIRCLE_POINTS; ++i)
+            {
+                const double angle = i * boost::math::constants::two_pi<double>() / CIRCLE_POINTS;
+                points.emplace_back(center + std::cos(angle) * x + std::sin(angle) * y);
+            }
+        }
+    }
+
+    SceneView::SceneView(const ompl::base::RealVectorBounds &bounds, int up, const Eigen::Vector2d &corner,
+                         double scale)
+      : up_(up)
+      , left_(bounds.low[0])
+      , top_(bounds.high[static_cast<std::size_t>(up)])
+      , corner_(corner)
+      , scale_(scale)
+      , size_(scale * (bounds.high[0] - bounds.low[0]), scale * (top_ - bounds.low[static_cast<std::size_t>(up)]))
+    {
+    }
+
+    Eigen::Vector2d SceneView::project(const Eigen::Vector3d &point) const
+    {
+        return corner_ + scale_ * Eigen::Vector2d(point.x() - left_, top_ - point[up_]);
+    }
+
+    void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose) const
+    {
+        for (const Body::Part &part : body.getParts())
+        {
+            const Pose place = pose * part.pose;
+            const Shape &shape = part.shape;
+            if (shape.getKind() == Shape::Kind::BALL)
+            {
+                // A point would not be seen.
+                svg.circle(project(place.translation()), std::max(1.5, scale_ * shape.getRadius()));
+                continue;
+            }
+            std::vector<Eigen::Vector3d> points;
+            if (const ConvexHull *hull = shape.getHull())
+                for (const Eigen::Vector3d &vertex : hull->vertices)
+                    points.push_back(place * vertex);
+            else
+                for (const double end : {-0.5, 0.5})
+                {
+                    const Eigen::Vector3d center = place * Eigen::Vector3d(0.0, 0.0, end * shape.getSize().z());
+                    // The ends of a capsule are seen as circles, those of a cylinder as its rims.
+                    const bool round = shape.getKind() == Shape::Kind::CAPSULE;
+                    const Eigen::Matrix3d frame = round ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(place.linear());
+                    addCircle(center, shape.getRadius() * frame.col(0), shape.getRadius() * frame.col(round ? up_ : 1),
+                              points);
+                }
+            for (Eigen::Vector3d &point : points)
+            {
+                const Eigen::Vector2d seen = project(point);
+                point = {seen.x(), seen.y(), 0.0};
+            }
+            std::vector<Eigen::Vector2d> outline;
+            for (const Eigen::Vector3d &corner : convexHull(points, 2).vertices)
+                outline.emplace_back(corner.x(), corner.y());
+            svg.polygon(outline);
+        }
+    }
+}

@@ -1,0 +1,175 @@
+#include "YamlNode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+#include <set>
+#include <sstream>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** \e text on one line, cut if it is long */
+        std::string oneLine(std::string text)
+        {
+            for (char &c : text)
+                if (static_cast<unsigned char>(c) < ' ' || c == 127)
+                    c = ' ';
+            constexpr std::size_t longest = 60;
+            if (text.size() > longest)
+                text = text.substr(0, longest) + "...";
+            return text;
+        }
+
+        std::string format(double value)
+        {
+            std::ostringstream text;
+            text.precision(10);
+            text << value;
+            return text.str();
+        }
+
+        std::string countOf(std::size_t count, const std::string &thing)
+        {
+            return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+        }
+    }
+
+    YamlNode::YamlNode(YAML::Node node, std::string key, std::string file)
+      : node_(std::move(node)), key_(std::move(key)), file_(std::move(file))
+    {
+    }
+
+    void YamlNode::fail(const std::string &complaint) const
+    {
+        std::string place = file_;
+        if (const YAML::Mark mark = node_.Mark(); mark.line >= 0)
+            place += ":" + std::to_string(mark.line + 1);
+        throw ompl::Exception(place, key_.empty() ? complaint : key_ + ": " + complaint);
+    }
+
+    std::string YamlNode::describe() const
+    {
+        if (node_.IsMap())
+            return "a map";
+        if (node_.IsSequence())
+            return node_.size() == 0 ? "an empty list" : "a list";
+        if (node_.IsNull())
+            return "nothing";
+        const std::string value = oneLine(node_.Scalar());
+        return node_.Tag() == "!" || value.empty() ? "'" + value + "'" : value;
+    }
+
+    void YamlNode::requireMap() const
+    {
+        if (!node_.IsMap())
+            fail("must be a map, not " + describe());
+    }
+
+    void YamlNode::allow(const std::vector<std::string> &keys) const
+    {
+        requireMap();
+        std::set<std::string> seen;
+        for (const auto &entry : node_)
+        {
+            if (!entry.first.IsScalar())
+                fail("keys must be words");
+            const std::string &key = entry.first.Scalar();
+            const YamlNode place(entry.first, (key_.empty() ? "" : key_ + ".") + oneLine(key), file_);
+            if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            {
+                std::string known;
+                for (const std::string &name : keys)
+                    known += (known.empty() ? "" : ", ") + name;
+                place.fail("unknown key; known here: " + known);
+            }
+            if (!seen.insert(key).second)
+                place.fail("given twice");
+        }
+    }
+
+    bool YamlNode::has(const std::string &key) const
+    {
+        requireMap();
+        return node_[key].IsDefined();
+    }
+
+    YamlNode YamlNode::at(const std::string &key) const
+    {
+        const std::string path = (key_.empty() ? "" : key_ + ".") + key;
+        if (!has(key))
+            YamlNode(node_, path, file_).fail("missing");
+        return YamlNode(node_[key], path, file_);
+    }
+
+    std::vector<YamlNode> YamlNode::items(std::size_t least, std::size_t most) const
+    {
+        if (!node_.IsSequence())
+            fail("must be a list, not " + describe());
+        if (node_.size() < least || node_.size() > most)
+            fail("must have " +
+                 (least == most ? countOf(most, "item")
+                                : "from " + std::to_string(least) + " to " + countOf(most, "item")) +
+                 ", not " + std::to_string(node_.size()));
+        std::vector<YamlNode> items;
+        items.reserve(node_.size());
+        for (const auto &item : node_)
+            items.emplace_back(item, key_ + "[" + std::to_string(items.size()) + "]", file_);
+        return items;
+    }
+
+    std::string YamlNode::text() const
+    {
+        if (!node_.IsScalar())
+            fail("must be a text, not " + describe());
+        const std::string &value = node_.Scalar();
+        constexpr std::size_t longest = 100;
+        const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; };
+        if (value.empty() || value.size() > longest || std::any_of(value.begin(), value.end(), isControl))
+            fail("must be a text of one line and 1 to " + std::to_string(longest) + " bytes, not '" + oneLine(value) +
+                 "'");
+        return value;
+    }
+
+    double YamlNode::number() const
+    {
+        double value = 0.0;
+        // A quoted number has the tag "!" and is a text.
+        if (!node_.IsScalar() || node_.Tag() == "!" || !YAML::convert<double>::decode(node_, value))
+            fail("must be a number, not " + describe());
+        if (!std::isfinite(value) || std::abs(value) > MAX_NUMBER)
+            fail("must be a finite number of at most " + format(MAX_NUMBER) + ", not " + describe());
+        return value;
+    }
+
+    double YamlNode::positive() const
+    {
+        const double value = number();
+        if (!(value > 0.0))
+            fail("must be positive, not " + format(value));
+        if (value < MIN_SIZE)
+            fail("must be at least " + format(MIN_SIZE) + ", not " + format(value));
+        return value;
+    }
+
+    std::vector<double> YamlNode::numbers(std::size_t count) const
+    {
+        if (!node_.IsSequence() || node_.size() != count)
+            fail("must be a list of " + countOf(count, "number") + ", not " +
+                 (node_.IsSequence() ? "of " + std::to_string(node_.size()) : describe()));
+        std::vector<double> values;
+        for (const YamlNode &item : items(count, count))
+            values.push_back(item.number());
+        return values;
+    }
+
+    std::vector<double> YamlNode::positives(std::size_t count) const
+    {
+        numbers(count);
+        std::vector<double> values;
+        for (const YamlNode &item : items(count, count))
+            values.push_back(item.positive());
+        return values;
+    }
+}

@@ -1,0 +1,73 @@
+#ifndef OMPL_CERTIFICATES_SCENE_YAML_NODE_
+#define OMPL_CERTIFICATES_SCENE_YAML_NODE_
+
+#include <string>
+#include <vector>
+#include <yaml-cpp/yaml.h>
+
+namespace ompl_certificates
+{
+    /** \brief A node of a YAML file that knows its place: whatever is wrong with it is thrown as an ompl::Exception of
+        one line that names the file, the line, the key and the value. */
+    class YamlNode
+    {
+    public:
+        /** \brief No coordinate or size may be larger, so that squares and products stay meaningful */
+        static constexpr double MAX_NUMBER = 1e9;
+
+        /** \brief No size may be smaller, unless it is zero where that is allowed */
+        static constexpr double MIN_SIZE = 1e-9;
+
+        /** \brief Node \e node of \e file at the path \e key, such as robots[1].shape */
+        YamlNode(YAML::Node node, std::string key, std::string file);
+
+        /** \brief Complain about this node
+            \throws ompl::Exception always */
+        [[noreturn]] void fail(const std::string &complaint) const;
+
+        /** \brief The path of the node */
+        const std::string &getKey() const
+        {
+            return key_;
+        }
+
+        /** \brief The node as text for messages, on one line and not long */
+        std::string describe() const;
+
+        /** \brief Require a map with no other keys than \e keys, and none twice */
+        void allow(const std::vector<std::string> &keys) const;
+
+        /** \brief Whether this map has \e key */
+        bool has(const std::string &key) const;
+
+        /** \brief The value of \e key in this map, which must be there */
+        YamlNode at(const std::string &key) const;
+
+        /** \brief The items of this list, which must be from \e least to \e most */
+        std::vector<YamlNode> items(std::size_t least, std::size_t most) const;
+
+        /** \brief A text of one line that is not empty */
+        std::string text() const;
+
+        /** \brief A finite number, no larger than MAX_NUMBER */
+        double number() const;
+
+        /** \brief A number from MIN_SIZE to MAX_NUMBER */
+        double positive() const;
+
+        /** \brief A list of \e count numbers */
+        std::vector<double> numbers(std::size_t count) const;
+
+        /** \brief A list of \e count positive numbers */
+        std::vector<double> positives(std::size_t count) const;
+
+    private:
+        void requireMap() const;
+
+        YAML::Node node_;
+        std::string key_;
+        std::string file_;
+    };
+}
+
+#endif

@@ -1,0 +1,204 @@
+#include "YamlRobots.h"
+
+#include "YamlShapes.h"
+#include "ompl_certificates/geometry/CarWithTrailer.h"
+#include "ompl_certificates/geometry/RigidRobot.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** What the numbers of a start or a goal are */
+        enum class Layout
+        {
+            R2,
+            R3,
+            SE2,
+            SE3,
+            TRAILER
+        };
+
+        /** How many coordinates a layout has */
+        constexpr std::size_t COORDINATES[] = {2, 3, 3, 7, 4};
+
+        /** A kind of robot of db-CBS: its body, its states, and how many velocities its states list after the pose */
+        struct KnownType
+        {
+            const char *name;
+            Layout layout;
+            double size[2];  // a disc's radius and 0, or the sides of a box
+            std::size_t velocities;
+        };
+
+        constexpr double TRAILER_SIZE[] = {0.3, 0.25}, TRAILER_HITCH = 0.5;
+
+        constexpr KnownType KNOWN_TYPES[] = {
+            {"single_integrator", Layout::R2, {0.1, 0.0}, 0},
+            {"double_integrator", Layout::R2, {0.15, 0.0}, 2},
+            {"unicycle_first_order", Layout::SE2, {0.5, 0.25}, 0},
+            {"unicycle_first_order_sphere", Layout::SE2, {0.4, 0.0}, 0},
+            {"unicycle_second_order", Layout::SE2, {0.5, 0.25}, 2},
+            {"car_first_order", Layout::SE2, {0.5, 0.25}, 0},
+            {"car_first_order_with_1_trailers", Layout::TRAILER, {0.5, 0.25}, 0},
+        };
+
+        /** The type of that name; db-CBS writes the version "_0" into most of them, and not into some. */
+        const KnownType *findType(std::string name)
+        {
+            if (const std::size_t version = name.find("_0"); version != std::string::npos)
+                name.erase(version, 2);
+            for (const KnownType &type : KNOWN_TYPES)
+                if (name == type.name)
+                    return &type;
+            return nullptr;
+        }
+
+        double wrapped(double angle)
+        {
+            constexpr double pi = boost::math::constants::pi<double>();
+            if (angle >= -pi && angle < pi)
+                return angle;  // as it is: no rounding
+            angle = std::remainder(angle, 2.0 * pi);
+            return angle < pi ? angle : -pi;
+        }
+
+        /** The pose that \e node lists, with what follows it left out */
+        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, Scene &scene)
+        {
+            const std::size_t count = COORDINATES[static_cast<std::size_t>(layout)];
+            std::vector<double> state = node.numbers(count + velocities);
+            state.resize(count);
+            if (layout == Layout::SE2 || layout == Layout::TRAILER)
+                for (std::size_t i = 2; i < count; ++i)
+                    state[i] = wrapped(state[i]);
+            if (layout == Layout::SE3)
+            {
+                const double norm = Eigen::Map<const Eigen::Vector4d>(state.data() + 3).norm();
+                if (!(norm >= YamlNode::MIN_SIZE))
+                    node.fail("the quaternion (numbers 4 to 7) must not be zero");
+                for (std::size_t i = 3; i < count; ++i)
+                    state[i] /= norm;
+                if (std::abs(norm - 1.0) > 1e-3)
+                    scene.addNote(node.getKey() + ": the quaternion was normalised, its norm was " +
+                                  std::to_string(norm));
+            }
+            return state;
+        }
+
+        Layout readSpace(const YamlNode &node, unsigned int dimension)
+        {
+            const std::string name = node.text();
+            if (dimension == 2 && (name == "R2" || name == "SE2"))
+                return name == "R2" ? Layout::R2 : Layout::SE2;
+            if (dimension == 3 && (name == "R3" || name == "SE3"))
+                return name == "R3" ? Layout::R3 : Layout::SE3;
+            node.fail(std::string("must be ") + (dimension == 2 ? "R2 or SE2" : "R3 or SE3") + " in " +
+                      std::to_string(dimension) + " dimensions, not '" + name + "'");
+        }
+
+        RobotPtr makeRigid(const std::string &name, Layout layout, const Body &body, const ob::RealVectorBounds &bounds)
+        {
+            switch (layout)
+            {
+                case Layout::R2:
+                    return RigidRobot::inR2(name, body, bounds);
+                case Layout::R3:
+                    return RigidRobot::inR3(name, body, bounds);
+                case Layout::SE3:
+                    return RigidRobot::inSE3(name, body, bounds);
+                default:
+                    return RigidRobot::inSE2(name, body, bounds);
+            }
+        }
+
+        RobotPtr makeKnown(const std::string &name, const KnownType &type, const ob::RealVectorBounds &bounds)
+        {
+            const Body body = type.size[1] > 0.0 ? Body::box(type.size[0], type.size[1]) : Body::disc(type.size[0]);
+            if (type.layout == Layout::TRAILER)
+                return std::make_shared<CarWithTrailer>(name, body, Body::box(TRAILER_SIZE[0], TRAILER_SIZE[1]),
+                                                        TRAILER_HITCH, bounds);
+            return makeRigid(name, type.layout, body, bounds);
+        }
+
+        [[noreturn]] void failOnType(const YamlNode &node)
+        {
+            std::string known = "rigid, car_with_trailer";
+            for (const KnownType &type : KNOWN_TYPES)
+                known += std::string(", ") + type.name;
+            node.fail("unknown type '" + node.text() + "'; known are: " + known);
+        }
+    }
+
+    ob::RealVectorBounds readBounds(const YamlNode &node, unsigned int dimension)
+    {
+        ob::RealVectorBounds bounds(dimension);
+        bounds.low = node.at("min").numbers(dimension);
+        bounds.high = node.at("max").numbers(dimension);
+        const auto low = node.at("min").items(dimension, dimension), high = node.at("max").items(dimension, dimension);
+        for (unsigned int i = 0; i < dimension; ++i)
+            if (!(bounds.high[i] - bounds.low[i] >= YamlNode::MIN_SIZE))
+                high[i].fail("must be above min, which is " + low[i].describe() + ", not " + high[i].describe());
+        return bounds;
+    }
+
+    void readRobot(const YamlNode &node, Scene &scene)
+    {
+        const unsigned int dimension = scene.getDimension();
+        const YamlNode typeNode = node.at("type");
+        const std::string type = typeNode.text();
+        const KnownType *known = findType(type);
+        if (known)
+            node.allow({"type", "name", "start", "goal", "weight", "bounds"});
+        else if (type == "rigid")
+            node.allow({"type", "name", "space", "shape", "shapes", "start", "goal", "weight", "bounds"});
+        else if (type == "car_with_trailer")
+            node.allow({"type", "name", "car", "trailer", "hitch_length", "start", "goal", "weight", "bounds"});
+        else
+            failOnType(typeNode);
+        if (dimension != 2 && type != "rigid")
+            typeNode.fail("'" + type + "' moves in the plane; the scene has 3 dimensions");
+
+        const std::string name =
+            node.has("name") ? node.at("name").text() : "robot_" + std::to_string(scene.getMembers().size());
+        for (const Scene::Member &member : scene.getMembers())
+            if (member.robot->getName() == name)
+                (node.has("name") ? node.at("name") : node).fail("there is a robot called '" + name + "' already");
+
+        ob::RealVectorBounds bounds = scene.getBounds();
+        if (node.has("bounds"))
+        {
+            node.at("bounds").allow({"min", "max"});
+            bounds = readBounds(node.at("bounds"), dimension);
+        }
+
+        Scene::Member member;
+        Layout layout = Layout::TRAILER;
+        if (known)
+        {
+            layout = known->layout;
+            member.robot = makeKnown(name, *known, bounds);
+        }
+        else if (type == "rigid")
+        {
+            layout = readSpace(node.at("space"), dimension);
+            member.robot = makeRigid(name, layout, readBody(node, dimension), bounds);
+        }
+        else
+            member.robot =
+                std::make_shared<CarWithTrailer>(name, readShape(node.at("car"), 2), readShape(node.at("trailer"), 2),
+                                                 node.at("hitch_length").positive(), bounds);
+        if (node.has("weight"))
+            member.weight = node.at("weight").positive();
+        const std::size_t velocities = known ? known->velocities : 0;
+        member.start = readState(node.at("start"), layout, velocities, scene);
+        member.goal = readState(node.at("goal"), layout, velocities, scene);
+        if (velocities > 0)
+            scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
+        scene.addMember(member);
+    }
+}

@@ -1,0 +1,189 @@
+#include "YamlShapes.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr std::size_t MAX_SHAPES = 1000;
+
+        /** The hull's cost is of the fourth order in space. */
+        constexpr std::size_t MAX_CORNERS[] = {0, 0, MAX_HULL_POINTS, 64};
+
+        Eigen::Vector3d pointOf(const std::vector<double> &values)
+        {
+            return {values[0], values[1], values.size() > 2 ? values[2] : 0.0};
+        }
+
+        Eigen::Matrix3d readRotation(const YamlNode &node)
+        {
+            if (node.has("rotation") && node.has("quaternion"))
+                node.at("quaternion").fail("give either a rotation or a quaternion");
+            if (node.has("rotation"))
+            {
+                const YamlNode rotation = node.at("rotation");
+                rotation.allow({"axis", "angle"});
+                const Eigen::Vector3d axis = pointOf(rotation.at("axis").numbers(3));
+                if (!(axis.norm() >= YamlNode::MIN_SIZE))
+                    rotation.at("axis").fail("must not be zero");
+                return Eigen::AngleAxisd(rotation.at("angle").number(), axis.normalized()).toRotationMatrix();
+            }
+            if (node.has("quaternion"))
+            {
+                const auto q = node.at("quaternion").numbers(4);
+                const Eigen::Quaterniond quaternion(q[3], q[0], q[1], q[2]);
+                if (!(quaternion.norm() >= YamlNode::MIN_SIZE))
+                    node.at("quaternion").fail("must not be zero");
+                return quaternion.normalized().toRotationMatrix();
+            }
+            return Eigen::Matrix3d::Identity();
+        }
+
+        /** \param needsCenter whether the center must be given: for shapes that say nothing else of their place */
+        Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter)
+        {
+            Pose pose = Pose::Identity();
+            if (needsCenter || node.has("center"))
+                pose.translation() = pointOf(node.at("center").numbers(dimension));
+            if (dimension == 3)
+                pose.linear() = readRotation(node);
+            else if (node.has("angle"))
+                pose.linear() = planarPose(0.0, 0.0, node.at("angle").number()).linear();
+            return pose;
+        }
+
+        Shape makeHull(const YamlNode &node, unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
+        {
+            try
+            {
+                return Shape::polytope(dimension, points);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                node.fail(exception.what());
+            }
+        }
+
+        Body readHull(const YamlNode &node, unsigned int dimension)
+        {
+            const auto items = node.items(dimension + 1, MAX_CORNERS[dimension]);
+            std::vector<Eigen::Vector3d> points;
+            for (const YamlNode &item : items)
+            {
+                const Eigen::Vector3d point = pointOf(item.numbers(dimension));
+                if (std::find(points.begin(), points.end(), point) != points.end())
+                    item.fail("given twice");
+                points.push_back(point);
+            }
+            const Shape shape = makeHull(node, dimension, points);
+            const auto &corners = shape.getHull()->vertices;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (std::find(corners.begin(), corners.end(), points[i]) == corners.end())
+                    items[i].fail(
+                        "is not a corner of the convex hull; make a body that is not convex of several shapes");
+            return Body({{shape, Pose::Identity()}});
+        }
+
+        /** \param own the keys that are the type's own */
+        void allowKeys(const YamlNode &node, unsigned int dimension, std::vector<std::string> own)
+        {
+            own.insert(own.begin(), "type");
+            own.push_back("center");
+            if (dimension == 2)
+                own.push_back("angle");
+            else
+                own.insert(own.end(), {"rotation", "quaternion"});
+            node.allow(own);
+        }
+
+        /** A shape of any type, as a body at a pose; \e placed tells whether its center must be given. */
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, bool placed, bool inCompound);
+
+        std::vector<Body::Part> readParts(const YamlNode &list, unsigned int dimension)
+        {
+            std::vector<Body::Part> parts;
+            for (const YamlNode &item : list.items(1, MAX_SHAPES))
+            {
+                const PlacedBody placed = readPlaced(item, dimension, false, true);
+                for (const Body::Part &part : placed.body.getParts())
+                    parts.push_back({part.shape, placed.pose * part.pose});
+            }
+            return parts;
+        }
+
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, bool placed, bool inCompound)
+        {
+            const bool planar = dimension == 2;
+            const YamlNode typeNode = node.at("type");
+            const std::string type = typeNode.text();
+            const auto place = [&](const Body &body) { return PlacedBody{body, readPose(node, dimension, placed)}; };
+            if (type == "box")
+            {
+                allowKeys(node, dimension, {"size"});
+                const auto size = node.at("size").positives(dimension);
+                return place(planar ? Body::box(size[0], size[1]) : Body::box(size[0], size[1], size[2]));
+            }
+            if (type == (planar ? "disc" : "sphere"))
+            {
+                allowKeys(node, dimension, {"radius"});
+                const double radius = node.at("radius").positive();
+                return place(planar ? Body::disc(radius) : Body::sphere(radius));
+            }
+            if (type == "capsule" || (type == "cylinder" && !planar))
+            {
+                allowKeys(node, dimension, {"radius", "length"});
+                const double radius = node.at("radius").positive(), length = node.at("length").positive();
+                if (type == "cylinder")
+                    return place(Body::cylinder(radius, length));
+                return place(planar ? Body::planarCapsule(radius, length) : Body::capsule(radius, length));
+            }
+            if (type == (planar ? "polygon" : "polytope"))
+            {
+                allowKeys(node, dimension, {"vertices"});
+                return {readHull(node.at("vertices"), dimension), readPose(node, dimension, false)};
+            }
+            if (type == "compound" && !inCompound)
+            {
+                allowKeys(node, dimension, {"shapes"});
+                return {Body(readParts(node.at("shapes"), dimension)), readPose(node, dimension, false)};
+            }
+            const std::string known =
+                planar ? "box, disc, capsule, polygon" : "box, sphere, capsule, cylinder, polytope";
+            typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") + " in " +
+                          std::to_string(dimension) + " dimensions, not '" + type + "'");
+        }
+    }
+
+    PlacedBody readObstacle(const YamlNode &node, unsigned int dimension)
+    {
+        return readPlaced(node, dimension, true, false);
+    }
+
+    Body readShape(const YamlNode &node, unsigned int dimension)
+    {
+        // A point robot is the paper's simplest; as an obstacle a point would be missed by every discrete check.
+        if (node.at("type").text() == "point")
+        {
+            node.allow({"type"});
+            return dimension == 2 ? Body::disc(0.0) : Body::sphere(0.0);
+        }
+        const PlacedBody placed = readPlaced(node, dimension, false, false);
+        if (placed.pose.matrix() == Pose::Identity().matrix())
+            return placed.body;
+        std::vector<Body::Part> parts = placed.body.getParts();
+        for (Body::Part &part : parts)
+            part.pose = placed.pose * part.pose;
+        return Body(parts);
+    }
+
+    Body readBody(const YamlNode &node, unsigned int dimension)
+    {
+        if (node.has("shape") && node.has("shapes"))
+            node.at("shapes").fail("give either shape or shapes");
+        if (node.has("shapes"))
+            return Body(readParts(node.at("shapes"), dimension));
+        return readShape(node.at("shape"), dimension);
+    }
+}

@@ -1,0 +1,109 @@
+#include "support/RandomBodies.h"
+
+#include "ompl_certificates/certificates/CertifiedEnvironment.h"
+#include "ompl_certificates/geometry/FclObstacles.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    std::shared_ptr<FclObstacles> randomObstacles(Random &random, unsigned int dimension)
+    {
+        std::vector<PlacedBody> bodies;
+        for (unsigned int count = 1 + random.below(8); count > 0; --count)
+            bodies.push_back({randomBody(random, dimension, 1.0), random.pose(dimension, 3.0)});
+        return std::make_shared<FclObstacles>(dimension, bodies);
+    }
+}
+
+class Environment : public testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(Environment, GivesTheVerdictsOfItsObstacles)
+{
+    for (unsigned int seed = 0; seed < scaled(100); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto obstacles = randomObstacles(random, GetParam());
+        const CertifiedEnvironment environment(obstacles), forgetful(obstacles, false);
+        const Body bodies[] = {randomBody(random, GetParam(), 0.5), randomBody(random, GetParam(), 0.5)};
+        CheckCounts counts, plainCounts;
+        CertificateIndex hint = NO_CERTIFICATE;
+        for (int i = 0; i < 100; ++i)
+        {
+            const Body &body = bodies[random.below(2)];
+            const Pose pose = random.pose(GetParam(), 4.0);
+            const bool free = !obstacles->collides(body, pose);
+            const PoseVerdict verdict = environment.settle({body, pose}, hint, counts);
+            ASSERT_EQ(verdict.free, free);
+            ASSERT_EQ(environment.ask({body, pose}, plainCounts).free, free);
+            ASSERT_EQ(forgetful.settle({body, pose}, hint, plainCounts).free, free);
+            hint = verdict.reference;
+            PoseVerdict hinted;
+            ASSERT_TRUE(!environment.settleByHint({body, pose}, hint, hinted) || free);
+        }
+        EXPECT_GT(environment.getCertificates().size(), 0U);
+        EXPECT_LT(environment.getCertificates().size(), 101U);
+        EXPECT_EQ(forgetful.getCertificates().size(), 0U);
+        EXPECT_LT(counts.clearanceQueries + counts.exactCalls, plainCounts.clearanceQueries + plainCounts.exactCalls);
+    }
+}
+
+TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto obstacles = randomObstacles(random, GetParam());
+        const CertifiedEnvironment environment(obstacles);
+        const Body body = randomBody(random, GetParam(), 0.5);
+        CheckCounts counts;
+        for (int i = 0; i < 20; ++i)
+        {
+            const Eigen::Vector3d velocity = random.point(GetParam(), 4.0);
+            const double spin = random.uniform(0.0, 3.0);
+            const TravelBound travel{velocity.norm(), spin};
+            const Pose pose = random.pose(GetParam(), 4.0);
+            const PoseVerdict verdict = environment.settle({body, pose, &travel}, NO_CERTIFICATE, counts);
+            for (int k = 0; verdict.free && k < 20; ++k)
+            {
+                const double time = std::min(verdict.reach, 1.0) * random.uniform(-1.0, 1.0);
+                Pose later = pose;
+                later.translation() += time * velocity;
+                later.linear() =
+                    Eigen::AngleAxisd(time * spin, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.linear();
+                ASSERT_FALSE(obstacles->collides(body, later)) << "reach " << verdict.reach << ", time " << time;
+            }
+        }
+    }
+}
+
+TEST_P(Environment, LearnsNothingFromPosesThatItHasSeen)
+{
+    for (unsigned int seed = 0; seed < scaled(100); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const CertifiedEnvironment environment(randomObstacles(random, GetParam()));
+        const Body body = randomBody(random, GetParam(), 0.5);
+        CheckCounts counts;
+        std::vector<Pose> poses;
+        for (int i = 0; i < 50; ++i)
+            poses.push_back(random.pose(GetParam(), 4.0));
+        for (const Pose &pose : poses)
+            environment.settle({body, pose}, NO_CERTIFICATE, counts);
+        const std::size_t known = environment.getCertificates().size();
+        for (int round = 0; round < 20; ++round)
+            for (const Pose &pose : poses)
+                environment.settle({body, pose}, NO_CERTIFICATE, counts);
+        EXPECT_EQ(environment.getCertificates().size(), known);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, Environment, testing::Values(2U, 3U));

@@ -1,0 +1,182 @@
+#include "RandomCertificates.h"
+
+#include <gtest/gtest.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    /** Tree and list with the same certificates, and some of them removed from both */
+    class Neighbors : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        void fill(Random &random, CertificateTree &tree, ompl::NearestNeighborsLinear<Certificate> &list)
+        {
+            list.setDistanceFunction([](const Certificate &a, const Certificate &b)
+                                     { return (a.point - b.point).norm(); });
+            all_ = randomCertificates(random, GetParam(), 1 + random.below(200));
+            if (random.chance(0.5))
+                tree.add(all_);
+            else
+                for (const auto &certificate : all_)
+                    tree.add(certificate);
+            list.add(all_);
+            for (std::size_t i = random.below(all_.size()); i > 0; --i)
+            {
+                const Certificate &gone = all_[random.below(all_.size())];
+                ASSERT_EQ(tree.remove(gone), list.remove(gone));
+            }
+        }
+
+        Certificate query(Random &random)
+        {
+            return {randomQuery(random, GetParam(), all_).center, 0.0};
+        }
+
+        static void expectSameDistances(const Certificate &query, const std::vector<Certificate> &a,
+                                        const std::vector<Certificate> &b)
+        {
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t i = 0; i < a.size(); ++i)
+                ASSERT_DOUBLE_EQ((a[i].point - query.point).norm(), (b[i].point - query.point).norm()) << i;
+        }
+
+        std::vector<Certificate> all_;
+    };
+}
+
+TEST_P(Neighbors, AreThoseOfALinearSearch)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        CertificateTree tree(GetParam());
+        ompl::NearestNeighborsLinear<Certificate> list;
+        ASSERT_NO_FATAL_FAILURE(fill(random, tree, list));
+        ASSERT_EQ(tree.size(), list.size());
+        std::vector<Certificate> a, b;
+        tree.list(a);
+        list.list(b);
+        ASSERT_EQ(a.size(), b.size());
+        for (const auto &certificate : b)
+        {
+            const auto found = std::find(a.begin(), a.end(), certificate);
+            ASSERT_NE(found, a.end());
+            a.erase(found);
+        }
+        if (b.empty())
+            continue;
+        for (int k = 0; k < 20; ++k)
+        {
+            const Certificate at = query(random);
+            ASSERT_NO_FATAL_FAILURE(expectSameDistances(at, {tree.nearest(at)}, {list.nearest(at)}));
+            const std::size_t count = random.below(b.size() + 5);
+            tree.nearestK(at, count, a);
+            list.nearestK(at, count, b);
+            ASSERT_NO_FATAL_FAILURE(expectSameDistances(at, a, b));
+            const double radius =
+                random.chance(0.1) ? 0.0 : 1.5 * (at.point - all_[random.below(all_.size())].point).norm();
+            tree.nearestR(at, radius, a);
+            list.nearestR(at, radius, b);
+            ASSERT_NO_FATAL_FAILURE(expectSameDistances(at, a, b));
+            list.list(b);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, Neighbors, testing::Values(2U, 3U));
+
+TEST(CertificateTreeNeighbors, AreSorted)
+{
+    EXPECT_TRUE(CertificateTree(2).reportsSortedResults());
+}
+
+TEST(CertificateTreeNeighbors, OfAnEmptyTreeAreNone)
+{
+    CertificateTree tree(2);
+    std::vector<Certificate> found{{}, {}};
+    EXPECT_THROW(tree.nearest({}), ompl::Exception);
+    tree.nearestK({}, 3, found);
+    EXPECT_TRUE(found.empty());
+    found.resize(2);
+    tree.nearestR({}, 1e9, found);
+    EXPECT_TRUE(found.empty());
+    found.resize(2);
+    tree.list(found);
+    EXPECT_TRUE(found.empty());
+    EXPECT_FALSE(tree.remove({}));
+}
+
+TEST(CertificateTreeNeighbors, AreEuclideanOnly)
+{
+    CertificateTree tree(2);
+    EXPECT_THROW(tree.setDistanceFunction([](const Certificate &, const Certificate &) { return 0.0; }),
+                 ompl::Exception);
+    const auto distance = tree.getDistanceFunction();
+    EXPECT_DOUBLE_EQ(distance({{0, 0, 0}, 1.0}, {{3, 4, 0}, 2.0}), 5.0);
+}
+
+TEST(CertificateTreeNeighbors, RemoveTakesTheOneWithTheSameClearance)
+{
+    CertificateTree tree(2);
+    tree.add({{1, 0, 0}, 1.0});
+    tree.add({{1, 0, 0}, 2.0});
+    tree.add({{1, 0, 0}, 2.0});
+    EXPECT_FALSE(tree.remove({{1, 0, 0}, 3.0}));
+    EXPECT_TRUE(tree.remove({{1, 0, 0}, 2.0}));
+    EXPECT_EQ(tree.size(), 2U);
+    std::vector<Certificate> left;
+    tree.list(left);
+    ASSERT_EQ(left.size(), 2U);
+    EXPECT_EQ(left[0].clearance + left[1].clearance, 3.0);
+}
+
+TEST(CertificateTreeNeighbors, RemovedCertificatesProveNothing)
+{
+    CertificateTree tree(2);
+    for (int i = 0; i < 100; ++i)
+        tree.add({{1.0 * i, 0, 0}, 0.4});
+    const BallQuery query{{50.0, 0, 0}, 0.1, 0.1};
+    ASSERT_EQ(tree.covering(query).certificate, 50U);
+    ASSERT_TRUE(tree.remove({{50.0, 0, 0}, 0.4}));
+    EXPECT_EQ(tree.covering(query).verdict, Covering::UNKNOWN);
+    EXPECT_EQ(tree.covering(query, 50).verdict, Covering::UNKNOWN);
+    EXPECT_EQ(tree.coveringBy(50, query).verdict, Covering::UNKNOWN);
+}
+
+TEST(CertificateTreeNeighbors, ClearForgetsAllAndTheTreeGoesOn)
+{
+    CertificateTree tree(3);
+    for (int round = 0; round < 3; ++round)
+    {
+        for (int i = 0; i < 1000; ++i)
+            tree.add({{1.0 * i, -2.0 * i, 0.5 * i}, 1.0});
+        EXPECT_EQ(tree.size(), 1000U);
+        const std::size_t bytes = tree.bytes();
+        EXPECT_GT(bytes, 1000 * sizeof(Certificate));
+        EXPECT_LT(bytes, 1000 * 1000U);
+        tree.clear();
+        EXPECT_EQ(tree.size(), 0U);
+        EXPECT_LT(tree.bytes(), bytes);
+        EXPECT_EQ(tree.covering({{0, 0, 0}, 0.5, 0.5}, 7).verdict, Covering::UNKNOWN);
+    }
+}
+
+TEST(CertificateTreeNeighbors, TakeManyCopiesOfOneCertificate)
+{
+    CertificateTree tree(2);
+    for (int i = 0; i < 5000; ++i)
+        tree.add({{1.0, 2.0, 0.0}, 0.5});
+    tree.add({{4.0, 2.0, 0.0}, 0.5});
+    for (int i = 0; i < 5000; ++i)
+        tree.add({{1.0, 2.0, 0.0}, 0.5});
+    EXPECT_EQ(tree.size(), 10001U);
+    std::vector<Certificate> found;
+    tree.nearestR({{1.0, 2.0, 0.0}, 0.0}, 0.1, found);
+    EXPECT_EQ(found.size(), 10000U);
+    EXPECT_EQ(tree.covering({{4.0, 2.0, 0.0}, 0.1, 0.1}, 17).certificate, 5000U);
+}

@@ -1,0 +1,104 @@
+#include "demos/Program.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+    /** The runs of a planner in a log, each with its properties in the order of their names */
+    std::vector<std::vector<std::string>> runsOf(const std::string &log, const std::string &planner,
+                                                 std::vector<std::string> &names)
+    {
+        std::istringstream lines(log);
+        std::string line;
+        while (std::getline(lines, line) && line != planner)
+            ;
+        while (std::getline(lines, line) && line.find("properties for each run") == std::string::npos)
+            ;
+        names.clear();
+        for (int count = std::atoi(line.c_str()); count > 0 && std::getline(lines, line); --count)
+            names.push_back(line);
+        std::getline(lines, line);
+        std::vector<std::vector<std::string>> runs;
+        for (int count = std::atoi(line.c_str()); count > 0 && std::getline(lines, line); --count)
+        {
+            runs.emplace_back();
+            for (std::size_t at = 0, end; (end = line.find("; ", at)) != std::string::npos; at = end + 2)
+                runs.back().push_back(line.substr(at, end - at));
+        }
+        return runs;
+    }
+}
+
+TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "first.yaml", easyScene());
+    writeFile(folder / "second.yaml", easyScene());
+    Program program("benchmark_team", {folder / "first.yaml", folder / "second.yaml", "--planners", "RRT,BITstar",
+                                       "--runs", "3", "--time", "0.2", "--log", folder / "teams.log"});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_EQ(program.errors(), "");
+    EXPECT_NE(program.output().find("multiples of those of standard"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "teams.log"));
+
+    const std::string log = contentOf(folder / "teams_first.log");
+    ASSERT_NE(contentOf(folder / "teams_second.log"), "");
+    std::vector<std::string> states;
+    for (const std::string method : {"standard", "basic", "partial", "shared"})
+    {
+        SCOPED_TRACE(method);
+        std::vector<std::string> names;
+        const auto runs = runsOf(log, "geometric_RRT[" + method + "]", names);
+        ASSERT_EQ(runs.size(), 3u);
+        const auto value = [&names](const std::vector<std::string> &run, const std::string &name)
+        {
+            const auto place = std::find(names.begin(), names.end(), name);
+            return place == names.end() ? std::string() : run.at(static_cast<std::size_t>(place - names.begin()));
+        };
+        std::vector<std::string> counts;
+        for (const auto &run : runs)
+        {
+            counts.push_back(value(run, "graph states INTEGER"));
+            const auto count = [&](const std::string &name)
+            { return std::stoull("0" + value(run, name + " INTEGER")); };
+            EXPECT_GT(count("robot_poses"), 10u);
+            EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("exact"));
+            EXPECT_EQ(count("certificates") > 0, method != "standard");
+            EXPECT_GT(std::stod(value(run, "time_in_checking REAL")), 0.0);
+        }
+        if (states.empty())
+            states = counts;
+        EXPECT_EQ(counts, states);
+    }
+    // Another seed for each run
+    EXPECT_TRUE(states[0] != states[1] || states[1] != states[2]);
+}
+
+TEST(BenchmarkTeam, refusesBadInput)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    const std::string scene = folder / "scene.yaml", log = folder / "x.log";
+    const std::vector<std::vector<std::string>> inputs{{},
+                                                       {folder / "missing.yaml", "--log", log},
+                                                       {scene, "--planners", "RRT,Walk", "--log", log},
+                                                       {scene, "--planners", "RRT,RRT", "--log", log},
+                                                       {scene, "--planners", ",", "--log", log},
+                                                       {scene, "--methods", "shared,best", "--log", log},
+                                                       {scene, "--runs", "0", "--log", log},
+                                                       {scene, "--time", "-1", "--log", log},
+                                                       {scene, "--seed", "x", "--log", log},
+                                                       {scene, scene, "--log", log},
+                                                       {scene, "--log", folder / "none/x.log"},
+                                                       {scene, "--log", scene}};
+    for (const auto &input : inputs)
+    {
+        Program program("benchmark_team", input);
+        EXPECT_EQ(program.wait(), 2);
+        const std::string errors = program.errors();
+        EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+        EXPECT_EQ(folder.list().size(), 1u) << errors;
+        EXPECT_EQ(contentOf(scene), easyScene());
+    }
+}

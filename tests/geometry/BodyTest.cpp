@@ -1,0 +1,97 @@
+#include "support/RandomBodies.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <ompl/util/Exception.h>
+#include <thread>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+TEST(Body, RefusesSizesThatAreNotPositiveAndFinite)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(Body::disc(-0.1), ompl::Exception);
+    EXPECT_THROW(Body::sphere(nan), ompl::Exception);
+    EXPECT_THROW(Body::box(1.0, 0.0), ompl::Exception);
+    EXPECT_THROW(Body::box(1.0, 1.0, -1.0), ompl::Exception);
+    EXPECT_THROW(Body::planarCapsule(0.0, 1.0), ompl::Exception);
+    EXPECT_THROW(Body::capsule(1.0, nan), ompl::Exception);
+    EXPECT_THROW(Body::cylinder(-1.0, 1.0), ompl::Exception);
+    EXPECT_THROW(Body::convexPolygon({{0, 0}, {1, 1}}), ompl::Exception);
+    EXPECT_THROW(Body::convexPolytope({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), ompl::Exception);
+}
+
+TEST(Body, RefusesNoPartsMixedPartsAndPosesThatAreNotFinite)
+{
+    const Shape disc = Shape::ball(2, 1.0), sphere = Shape::ball(3, 1.0);
+    EXPECT_THROW(Body(std::vector<Body::Part>{}), ompl::Exception);
+    EXPECT_THROW(Body({{disc, Pose::Identity()}, {sphere, Pose::Identity()}}), ompl::Exception);
+    EXPECT_THROW(Body({{disc, planarPose(std::numeric_limits<double>::infinity(), 0.0)}}), ompl::Exception);
+}
+
+TEST(Body, KnowsItsDimensionAndWhetherItIsABall)
+{
+    EXPECT_EQ(Body::disc(1.0).getDimension(), 2U);
+    EXPECT_EQ(Body::box(1.0, 1.0, 1.0).getDimension(), 3U);
+    EXPECT_TRUE(Body::disc(0.0).isBall());
+    EXPECT_TRUE(Body::sphere(1.0).isBall());
+    EXPECT_FALSE(Body::planarCapsule(1.0, 1.0).isBall());
+    const Body::Part disc{Shape::ball(2, 1.0), Pose::Identity()};
+    EXPECT_FALSE(Body({disc, disc}).isBall());
+}
+
+TEST(Body, LaysAPlanarCapsuleAlongX)
+{
+    const Body body = Body::planarCapsule(0.5, 4.0);
+    EXPECT_NEAR(body.signedDistance({2.5, 0.0, 0.0}), 0.0, 1e-15);
+    EXPECT_NEAR(body.signedDistance({0.0, 2.5, 0.0}), 2.0, 1e-15);
+    EXPECT_NEAR(body.getReach(), 2.5, 1e-12);
+}
+
+TEST(Body, EqualsABodyOfTheSamePartsInTheSameOrder)
+{
+    const Body::Part disc{Shape::ball(2, 1.0), planarPose(1.0, 0.0)};
+    const Body::Part box{Shape::box(Eigen::Vector2d(1.0, 2.0)), planarPose(0.0, 0.0, 0.5)};
+    EXPECT_TRUE(Body({disc, box}) == Body({disc, box}));
+    EXPECT_FALSE(Body({disc, box}) == Body({box, disc}));
+    EXPECT_FALSE(Body({disc, box}) == Body({disc}));
+    EXPECT_FALSE(Body({disc}) == Body({disc, box}));
+    EXPECT_FALSE(Body({disc}) == Body({{disc.shape, planarPose(1.0, 1e-9)}}));
+    EXPECT_TRUE(Body::box(1.0, 2.0) == Body::box(1.0, 2.0));
+    EXPECT_FALSE(Body::box(1.0, 2.0) == Body::box(2.0, 1.0));
+    const Body body = Body::disc(1.0), copy = body;
+    EXPECT_TRUE(body == copy);
+}
+
+TEST(Body, ReachesAsFarAsItsFarthestPoint)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + random.below(2);
+        const Body body = randomBody(random, dimension, 1.0);
+        for (int i = 0; i < 200; ++i)
+            ASSERT_LE(pointOf(random, body).norm(), body.getReach() * (1.0 + 1e-12));
+    }
+    EXPECT_DOUBLE_EQ(Body::box(6.0, 8.0).getReach(), 5.0);
+    EXPECT_DOUBLE_EQ(Body::cylinder(3.0, 8.0).getReach(), 5.0);
+    EXPECT_DOUBLE_EQ(Body::disc(0.0).getReach(), 0.0);
+}
+
+TEST(Body, MakesItsBallsOnceForAllThreads)
+{
+    for (int round = 0; round < 20; ++round)
+    {
+        const Body body = Body::box(1.0, 2.0, 3.0);
+        const Cover *covers[4];
+        std::vector<std::thread> threads;
+        for (auto &cover : covers)
+            threads.emplace_back([&cover, copy = body] { cover = &copy.getCover(); });
+        for (auto &thread : threads)
+            thread.join();
+        for (const Cover *cover : covers)
+            EXPECT_EQ(cover, &body.getCover());
+    }
+}

@@ -1,0 +1,157 @@
+#include "support/RandomBodies.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
+    void cut(Random &random, const Cover &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    {
+        const Cover::Node &node = cover.getNodes()[index];
+        if (node.childCount == 0 || random.chance(wholeChance))
+            balls.push_back(node.ball);
+        else
+            for (std::uint32_t child = 0; child < node.childCount; ++child)
+                cut(random, cover, node.firstChild + child, wholeChance, balls);
+    }
+
+    bool contains(const std::vector<Ball> &balls, const Eigen::Vector3d &point)
+    {
+        for (const Ball &ball : balls)
+            if ((point - ball.center).norm() <= ball.radius * (1.0 + 1e-11))
+                return true;
+        return false;
+    }
+}
+
+class BodyBalls : public testing::TestWithParam<unsigned int>
+{
+protected:
+    template <typename Test>
+    void forMany(const Test &test)
+    {
+        for (unsigned int seed = 0; seed < scaled(600); ++seed)
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            Random random(seed);
+            const double size = random.logUniform(1e-3, 1e4);
+            const Body body = randomBody(random, GetParam(), size);
+            test(random, body, size);
+            if (HasFatalFailure())
+                return;
+        }
+    }
+};
+
+TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
+{
+    forMany(
+        [](Random &random, const Body &body, double)
+        {
+            for (const double wholeChance : {1.0, 0.0, 0.2, 0.5})
+            {
+                std::vector<Ball> balls;
+                cut(random, body.getCover(), 0, wholeChance, balls);
+                for (int i = 0; i < 60; ++i)
+                {
+                    const Eigen::Vector3d point = pointOf(random, body);
+                    ASSERT_TRUE(contains(balls, point)) << point.transpose() << ", " << balls.size() << " balls";
+                }
+            }
+        });
+}
+
+TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
+{
+    forMany(
+        [](Random &random, const Body &body, double size)
+        {
+            ASSERT_FALSE(body.getCore().empty());
+            for (const Ball &ball : body.getCore())
+                for (int i = 0; i < 30; ++i)
+                {
+                    const Eigen::Vector3d point = ball.center + ball.radius * random.direction(body.getDimension());
+                    ASSERT_LE(body.signedDistance(point), 1e-11 * size);
+                }
+        });
+}
+
+TEST_P(BodyBalls, OfTheCoreAreSorted)
+{
+    forMany(
+        [](Random &, const Body &body, double)
+        {
+            for (std::size_t i = 1; i < body.getCore().size(); ++i)
+                ASSERT_GE(body.getCore()[i - 1].radius, body.getCore()[i].radius);
+        });
+}
+
+TEST_P(BodyBalls, HaveChildrenBehindTheirParentAndEachOnce)
+{
+    forMany(
+        [](Random &, const Body &body, double)
+        {
+            const auto &nodes = body.getCover().getNodes();
+            std::vector<int> parents(nodes.size(), 0);
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                for (std::uint32_t child = 0; child < nodes[i].childCount; ++child)
+                {
+                    ASSERT_GT(nodes[i].firstChild + child, i);
+                    ASSERT_LT(nodes[i].firstChild + child, nodes.size());
+                    ++parents[nodes[i].firstChild + child];
+                }
+            for (std::size_t i = 1; i < nodes.size(); ++i)
+                ASSERT_EQ(parents[i], 1);
+        });
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, BodyBalls, testing::Values(2U, 3U));
+
+TEST(Cover, OfABallIsTheBall)
+{
+    for (const Body &body : {Body::disc(0.7), Body::sphere(0.7), Body::disc(0.0)})
+    {
+        ASSERT_EQ(body.getCover().getNodes().size(), 1U);
+        ASSERT_EQ(body.getCore().size(), 1U);
+        EXPECT_NEAR(body.getCover().getRoot().radius, body.getReach(), 1e-12);
+        EXPECT_EQ(body.getCore().front().radius, body.getReach());
+        EXPECT_EQ(body.getCover().getRoot().center, Eigen::Vector3d::Zero());
+    }
+}
+
+TEST(Cover, RefinesABoxToAnEighthOfItsRadius)
+{
+    const Body body = Body::box(1.0, 1.0);
+    double finest = body.getReach();
+    for (const auto &node : body.getCover().getNodes())
+        if (node.childCount == 0)
+            finest = std::min(finest, node.ball.radius);
+    EXPECT_NEAR(body.getCover().getRoot().radius, std::sqrt(0.5), 1e-9);
+    EXPECT_LE(finest, 0.13 * std::sqrt(0.5));
+}
+
+TEST(Cover, EnclosingBallIsNearlyTheSmallest)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        // Points of a ball's surface that are not all on one side of it: no smaller ball holds them.
+        const Eigen::Vector3d center = random.point(3, 5.0);
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < 10; ++i)
+        {
+            const Eigen::Vector3d direction = random.direction(3);
+            points.push_back(center + direction);
+            points.push_back(center - direction);
+        }
+        const Ball ball = enclosingBall(points, 0.25);
+        EXPECT_GE(ball.radius, 1.25 - 1e-12);
+        EXPECT_LE(ball.radius, 1.25 * 1.05);
+        for (const auto &point : points)
+            EXPECT_LE((point - ball.center).norm() + 0.25, ball.radius + 1e-12);
+    }
+}

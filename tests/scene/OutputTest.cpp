@@ -1,0 +1,325 @@
+#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/scene/RandomPolygonScene.h"
+#include "ompl_certificates/scene/ScenePicture.h"
+#include "ompl_certificates/scene/TextFile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Exception.h>
+#include <sstream>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** A folder of its own for each test, gone afterwards */
+        class Output : public ::testing::Test
+        {
+        protected:
+            Output()
+              : folder_(fs::temp_directory_path() /
+                        ("ompl_certificates_" +
+                         std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())))
+            {
+                fs::remove_all(folder_);
+                fs::create_directories(folder_);
+            }
+
+            ~Output() override
+            {
+                fs::remove_all(folder_);
+            }
+
+            std::string file(const std::string &name) const
+            {
+                return (folder_ / name).string();
+            }
+
+            std::size_t fileCount() const
+            {
+                return static_cast<std::size_t>(
+                    std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+            }
+
+            fs::path folder_;
+        };
+
+        using Points = std::vector<std::pair<double, double>>;
+        using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
+
+        std::string digestOf(const Points &points, const Edges &edges)
+        {
+            auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+            space->setBounds(-10.0, 10.0);
+            auto si = std::make_shared<ob::SpaceInformation>(space);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            si->setup();
+            std::vector<ob::ScopedState<>> states;
+            ob::PlannerData data(si);
+            for (const auto &[x, y] : points)
+            {
+                states.emplace_back(space);
+                states.back()[0] = x;
+                states.back()[1] = y;
+            }
+            std::vector<unsigned int> index;
+            for (const auto &state : states)
+                index.push_back(data.addVertex(ob::PlannerDataVertex(state.get())));
+            for (const auto &[from, to] : edges)
+                data.addEdge(index[from], index[to]);
+            return treeDigest(data);
+        }
+
+        /** Whether every element is closed, in the right order, and every quote too */
+        bool isWellFormed(const std::string &xml)
+        {
+            std::vector<std::string> open;
+            for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at))
+            {
+                const std::size_t end = xml.find('>', at);
+                if (end == std::string::npos)
+                    return false;
+                const std::string tag = xml.substr(at + 1, end - at - 1);
+                at = end;
+                if (tag.find('<') != std::string::npos || std::count(tag.begin(), tag.end(), '\'') % 2 != 0)
+                    return false;
+                const std::string name = tag.substr(0, tag.find_first_of(" />", 1));
+                if (tag.front() == '?' || tag.back() == '/')
+                    continue;
+                if (tag.front() != '/')
+                    open.push_back(name);
+                else if (open.empty() || "/" + open.back() != name)
+                    return false;
+                else
+                    open.pop_back();
+            }
+            return open.empty() && xml.find("nan") == std::string::npos && xml.find("inf'") == std::string::npos;
+        }
+
+        YamlScene sceneOf(const std::string &name)
+        {
+            return YamlScene((fs::path(OMPL_CERTIFICATES_SOURCE_DIR) / "demos" / "scenes" / name).string());
+        }
+    }
+
+    TEST(TreeDigest, DependsOnTheTreeAlone)
+    {
+        const std::string digest = digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}, {1, 2}});
+        EXPECT_EQ(digest.size(), 16u);
+        EXPECT_EQ(digest.find_first_not_of("0123456789abcdef"), std::string::npos);
+        EXPECT_EQ(digestOf({{1, 2}, {0, 0}, {1, 0}}, {{2, 0}, {1, 2}}), digest);
+        EXPECT_EQ(digestOf({{-0.0, 0}, {1, -0.0}, {1, 2}}, {{0, 1}, {1, 2}}), digest);
+
+        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{1, 0}, {1, 2}}), digest);
+        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}, {0, 2}}), digest);
+        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}}, {{0, 1}}), digest);
+        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2.0000000000000004}}, {{0, 1}, {1, 2}}), digest);
+        EXPECT_NE(digestOf({{0, 0}, {1, 0}, {1, 2}, {1, 2}}, {{0, 1}, {1, 2}}), digest);
+        EXPECT_EQ(digestOf({}, {}).size(), 16u);
+    }
+
+    TEST(TreeDigest, DoesNotDependOnTheOrderOfEqualStates)
+    {
+        EXPECT_EQ(digestOf({{0, 0}, {0, 0}, {1, 2}}, {{0, 2}}), digestOf({{0, 0}, {0, 0}, {1, 2}}, {{1, 2}}));
+    }
+
+    TEST_F(Output, ReportHasItsKeysInOrder)
+    {
+        PlanReport report;
+        report.scene = "a \"scene\"\xff";
+        report.seed = 18446744073709551615u;
+        report.checks.robotPoses = 7;
+        report.write(file("report.json"));
+        const auto json = nlohmann::ordered_json::parse(readTextFile(file("report.json")));
+        const auto keysOf = [](const nlohmann::ordered_json &object)
+        {
+            std::string keys;
+            for (const auto &item : object.items())
+                keys += item.key() + " ";
+            return keys;
+        };
+        EXPECT_EQ(keysOf(json),
+                  "scene planner method motion seed solved approximate cost iterations tree checks seconds ");
+        EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
+        EXPECT_EQ(keysOf(json["checks"]),
+                  "robot_poses certified_free certified_colliding exact exact_colliding "
+                  "clearance_queries pair_poses pair_exact motions motion_samples "
+                  "motion_samples_skipped certificates ");
+        EXPECT_EQ(keysOf(json["seconds"]), "total checking ");
+        EXPECT_TRUE(json["cost"].is_null());
+        EXPECT_EQ(json["seed"], 18446744073709551615u);
+        EXPECT_EQ(json["checks"]["robot_poses"], 7);
+        EXPECT_EQ(fileCount(), 1u);
+
+        report.solved = true;
+        report.cost = 2.5;
+        EXPECT_EQ(nlohmann::json::parse(report.toJson())["cost"], 2.5);
+        report.cost = std::numeric_limits<double>::infinity();
+        EXPECT_TRUE(nlohmann::json::parse(report.toJson())["cost"].is_null());
+    }
+
+    TEST_F(Output, FilesAreReplacedWhole)
+    {
+        writeTextFile(file("a.txt"), "first, and longer");
+        writeTextFile(file("a.txt"), "second");
+        EXPECT_EQ(readTextFile(file("a.txt")), "second");
+        fs::create_symlink(file("a.txt"), file("link.txt"));
+        writeTextFile(file("link.txt"), "third");
+        EXPECT_TRUE(fs::is_symlink(file("link.txt")));
+        EXPECT_EQ(readTextFile(file("a.txt")), "third");
+        EXPECT_EQ(fileCount(), 2u);
+        writeTextFile("/dev/null", "nothing");
+        EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+    }
+
+    TEST_F(Output, FilesThatCannotBeWrittenAreNamed)
+    {
+        for (const std::string &name : {file("no/such/folder/a.txt"), folder_.string()})
+            try
+            {
+                writeTextFile(name, "text");
+                ADD_FAILURE() << name;
+            }
+            catch (const ompl::Exception &exception)
+            {
+                EXPECT_EQ(std::string(exception.what()).find(name + ": "), 0u) << exception.what();
+            }
+        EXPECT_THROW(writeTextFile("", "text"), ompl::Exception);
+        EXPECT_EQ(fileCount(), 0u);
+    }
+
+    TEST_F(Output, PathsAreWrittenInFullPrecision)
+    {
+        const YamlScene scene = sceneOf("paper_three_discs.yaml");
+        const TeamSetupPtr setup = scene.makeSetup();
+        setup->setup();
+        ob::ScopedState<> start = scene.makeStart(std::dynamic_pointer_cast<TeamStateSpace>(setup->getStateSpace()));
+        start[0] = 1.0 / 3.0;
+        const ompl::geometric::PathGeometric path(setup->getSpaceInformation(), start.get(), start.get());
+        writePath(file("path.txt"), path);
+        std::istringstream text(readTextFile(file("path.txt")));
+        std::vector<double> numbers;
+        for (double number; text >> number;)
+            numbers.push_back(number);
+        ASSERT_EQ(numbers.size(), 12u);
+        EXPECT_EQ(numbers[0], 1.0 / 3.0);
+    }
+
+    TEST(RandomPolygonScene, SameSeedSameText)
+    {
+        RandomPolygonScene::Settings settings;
+        settings.seed = 7;
+        const std::string text = RandomPolygonScene(settings).toYaml();
+        EXPECT_EQ(RandomPolygonScene(settings).toYaml(), text);
+        settings.seed = 8;
+        EXPECT_NE(RandomPolygonScene(settings).toYaml(), text);
+    }
+
+    TEST(RandomPolygonScene, MadeTheScenesOfThePaper)
+    {
+        for (const auto &[robots, name] : {std::pair(1u, "one_disc"), {3u, "three_discs"}, {5u, "five_discs"}})
+        {
+            RandomPolygonScene::Settings settings;
+            settings.robots = robots;
+            settings.seed = 2;
+            EXPECT_EQ(RandomPolygonScene(settings).toYaml(),
+                      readTextFile(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/paper_" + std::string(name) + ".yaml"));
+        }
+    }
+
+    TEST(RandomPolygonScene, IsValidInAllSizes)
+    {
+        for (const double size : {0.01, 1.0, 100.0, 1e6})
+            for (std::uint64_t seed = 0; seed < 10; ++seed)
+            {
+                RandomPolygonScene::Settings settings;
+                settings.size = size;
+                settings.radius = 0.01 * size;
+                settings.seed = seed;
+                SCOPED_TRACE(std::to_string(size) + " " + std::to_string(seed));
+                const YamlScene scene = RandomPolygonScene(settings).make();
+                EXPECT_EQ(scene.getObstacles().size(), 40u);
+                EXPECT_EQ(scene.getMembers().size(), 5u);
+                EXPECT_NO_THROW(scene.validate());
+            }
+    }
+
+    TEST(RandomPolygonScene, RefusesNonsense)
+    {
+        const auto refuses = [](auto change)
+        {
+            RandomPolygonScene::Settings settings;
+            change(settings);
+            EXPECT_THROW(RandomPolygonScene(settings).toYaml(), ompl::Exception);
+        };
+        refuses([](auto &settings) { settings.robots = 0; });
+        refuses([](auto &settings) { settings.robots = 1000; });
+        refuses([](auto &settings) { settings.obstacles = 1000000; });
+        refuses([](auto &settings) { settings.size = -1.0; });
+        refuses([](auto &settings) { settings.size = std::numeric_limits<double>::quiet_NaN(); });
+        refuses([](auto &settings) { settings.radius = 0.0; });
+        refuses([](auto &settings) { settings.radius = 50.0; });
+        refuses([](auto &settings) { settings.obstacles = 10000; });  // no place left
+    }
+
+    TEST_F(Output, PicturesAreWellFormed)
+    {
+        for (const std::string name : {"paper_five_discs", "warehouse", "drones_3d"})
+        {
+            SCOPED_TRACE(name);
+            const YamlScene scene = sceneOf(name + ".yaml");
+            ScenePicture picture(scene);
+            const std::string plain = picture.toSvg();
+            EXPECT_TRUE(isWellFormed(plain));
+
+            const TeamSetupPtr setup = scene.makeSetup();
+            setup->setup();
+            const auto &si = setup->getSpaceInformation();
+            const auto *start = setup->getProblemDefinition()->getStartState(0);
+            const ob::ScopedState<> goal =
+                scene.makeGoal(std::dynamic_pointer_cast<TeamStateSpace>(setup->getStateSpace()));
+            picture.setPath(ompl::geometric::PathGeometric(si, start, goal.get()));
+            ob::PlannerData data(si);
+            data.addEdge(ob::PlannerDataVertex(start), ob::PlannerDataVertex(goal.get()));
+            picture.setTree(data);
+            picture.setCertificates({{{1.0, 1.0, 0.0}, 2.0},
+                                     {{1.0, 1.0, 0.0}, -2.0},
+                                     {{1.0, 1.0, 0.0}, std::numeric_limits<double>::infinity()}});
+            const std::string full = picture.toSvg();
+            EXPECT_TRUE(isWellFormed(full));
+            EXPECT_GT(full.size(), plain.size());
+            for (const auto &member : scene.getMembers())
+                EXPECT_NE(full.find(">" + member.robot->getName() + "<"), std::string::npos);
+            picture.write(file(name + ".svg"));
+            EXPECT_EQ(readTextFile(file(name + ".svg")), full);
+        }
+    }
+
+    TEST(ScenePicture, EscapesNames)
+    {
+        const YamlScene scene = YamlScene::fromText(
+            "name: <a> & 'b'\nenvironment: {min: [0, 0], max: [5, 5]}\n"
+            "robots: [{type: single_integrator, name: '</svg>', start: [1, 1], "
+            "goal: [2, 2]}]",
+            "names");
+        const std::string svg = ScenePicture(scene).toSvg();
+        EXPECT_TRUE(isWellFormed(svg));
+        EXPECT_NE(svg.find("&lt;a&gt; &amp; 'b'"), std::string::npos);
+    }
+
+    TEST(ScenePicture, RefusesPathsOfOtherTeams)
+    {
+        const YamlScene scene = sceneOf("paper_three_discs.yaml"), other = sceneOf("paper_one_disc.yaml");
+        const TeamSetupPtr setup = other.makeSetup();
+        ScenePicture picture(scene);
+        EXPECT_THROW(picture.setPath(ompl::geometric::PathGeometric(setup->getSpaceInformation())), ompl::Exception);
+        EXPECT_THROW(picture.setTree(ob::PlannerData(setup->getSpaceInformation())), ompl::Exception);
+    }
+}

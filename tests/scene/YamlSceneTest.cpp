@@ -1,0 +1,226 @@
+#include "ompl_certificates/geometry/CarWithTrailer.h"
+#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/scene/YamlScene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        std::vector<fs::path> yamlFiles(const fs::path &folder)
+        {
+            std::vector<fs::path> files;
+            if (fs::is_directory(folder))
+                for (const auto &entry : fs::directory_iterator(folder))
+                    if (entry.path().extension() == ".yaml")
+                        files.push_back(entry.path());
+            std::sort(files.begin(), files.end());
+            return files;
+        }
+
+        /** What is thrown, or "" */
+        template <typename Function>
+        std::string messageOf(const Function &function)
+        {
+            try
+            {
+                function();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                return exception.what();
+            }
+            return "";
+        }
+
+        const fs::path DB_CBS = fs::path(OMPL_CERTIFICATES_SHARED_DIR) / "scenes" / "db-cbs";
+        const fs::path SOURCE = OMPL_CERTIFICATES_SOURCE_DIR;
+    }
+
+    TEST(YamlScene, ReadsEveryFileOfDbCbs)
+    {
+        const auto files = yamlFiles(DB_CBS);
+        if (files.empty())
+            GTEST_SKIP() << DB_CBS << " is not there";
+        for (const auto &file : files)
+        {
+            SCOPED_TRACE(file.string());
+            const YamlScene scene(file.string());
+            EXPECT_EQ(scene.getDimension(), 2u);
+            EXPECT_FALSE(scene.getMembers().empty());
+            const std::string message = messageOf([&] { scene.validate(); });
+            if (file.stem() == "infeasible_0")
+            {
+                EXPECT_NE(message.find("infeasible_0.yaml: robots[0].goal [2.5, 2.5, 0]"), std::string::npos)
+                    << message;
+                EXPECT_NE(message.find("robots[1].goal [2.5, 2.5, 3.14]"), std::string::npos) << message;
+                EXPECT_NE(message.find("overlap"), std::string::npos) << message;
+            }
+            else
+                EXPECT_EQ(message, "");
+        }
+    }
+
+    TEST(YamlScene, NotesDroppedVelocities)
+    {
+        const YamlScene scene = YamlScene::fromText(
+            "environment: {min: [0, 0], max: [5, 5]}\n"
+            "robots: [{type: double_integrator_0, start: [1, 2, 9, 9], "
+            "goal: [3, 3, 0, 0]}]",
+            "velocities.yaml");
+        ASSERT_EQ(scene.getNotes().size(), 1u);
+        EXPECT_NE(scene.getNotes()[0].find("velocities of robot 'robot_0' dropped"), std::string::npos);
+        EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{1.0, 2.0}));
+        EXPECT_EQ(scene.getName(), "velocities");
+    }
+
+    TEST(YamlScene, KnowsTypesWithAndWithoutVersion)
+    {
+        for (const std::string type : {"unicycle_first_order", "unicycle_first_order_0", "unicycle_first_order_sphere",
+                                       "unicycle_first_order_0_sphere", "car_first_order", "car_first_order_0"})
+        {
+            SCOPED_TRACE(type);
+            const YamlScene scene =
+                YamlScene::fromText("environment: {min: [0, 0], max: [5, 5]}\nrobots: [{type: " + type +
+                                        ", start: [1, 2, 0], goal: [3, 3, 1]}]",
+                                    "types");
+            EXPECT_EQ(scene.getMembers()[0].robot->getBodies()[0].isBall(), type.find("sphere") != std::string::npos);
+        }
+    }
+
+    TEST(YamlScene, WrapsHeadings)
+    {
+        const YamlScene scene = YamlScene::fromText(
+            "environment: {min: [0, 0], max: [5, 5]}\n"
+            "robots: [{type: car_first_order_with_1_trailers_0, "
+            "start: [1, 2, 4, -10], goal: [3, 3, 3.141592653589793, 3]}]",
+            "angles");
+        const auto &member = scene.getMembers()[0];
+        EXPECT_NEAR(member.start[2], 4.0 - 2.0 * M_PI, 1e-15);
+        EXPECT_NEAR(member.start[3], -10.0 + 4.0 * M_PI, 1e-14);
+        EXPECT_EQ(member.goal[2], -M_PI);
+        EXPECT_EQ(member.goal[3], 3.0);
+        scene.validate();
+    }
+
+    TEST(YamlScene, NormalisesQuaternions)
+    {
+        const YamlScene scene = YamlScene::fromText(
+            "environment: {min: [0, 0, 0], max: [5, 5, 5]}\n"
+            "robots: [{type: rigid, space: SE3, shape: {type: point}, "
+            "start: [1, 2, 3, 0, 0, 3, 4], goal: [1, 1, 1, 0, 0, 0, 1]}]",
+            "quaternions");
+        EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{1, 2, 3, 0, 0, 0.6, 0.8}));
+        EXPECT_EQ(scene.getNotes().size(), 1u);
+        scene.validate();
+    }
+
+    TEST(YamlScene, PlacesShapes)
+    {
+        const YamlScene scene = YamlScene::fromText(
+            "environment:\n  min: [0, 0]\n  max: [9, 9]\n  obstacles:\n"
+            "    - {type: box, center: [2, 2], size: [2, 0.2], angle: 1.5707963267948966}\n"
+            "    - {type: compound, center: [6, 6], angle: 1.5707963267948966,\n"
+            "       shapes: [{type: disc, center: [1, 0], radius: 0.1}, {type: disc, center: [-1, 0], radius: 0.1}]}\n"
+            "robots: [{type: rigid, space: SE2, shape: {type: disc, center: [1, 0], radius: 0.5}, start: [4, 4, 0], "
+            "goal: [4, 5, 0]}]",
+            "places");
+        const auto obstacles = scene.makeObstacles();
+        EXPECT_NEAR(obstacles->clearance({2.0, 4.0, 0.0}), 1.0, 1e-12);
+        EXPECT_NEAR(obstacles->clearance({6.0, 7.5, 0.0}), 0.4, 1e-12);
+        EXPECT_NEAR(obstacles->clearance({6.0, 4.8, 0.0}), 0.1, 1e-12);
+        EXPECT_NEAR(scene.getMembers()[0].robot->getBodies()[0].signedDistance({1.0, 1.0, 0.0}), 0.5, 1e-12);
+    }
+
+    TEST(YamlScene, MakesSetupsThatPlan)
+    {
+        for (const auto &file : yamlFiles(SOURCE / "demos" / "scenes"))
+        {
+            SCOPED_TRACE(file.string());
+            const YamlScene scene(file.string());
+            EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
+            const TeamSetupPtr setup = scene.makeSetup();
+            setup->setup();
+            const auto &si = setup->getSpaceInformation();
+            EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
+            EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
+        }
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 5u);
+    }
+
+    TEST(YamlScene, ReadsTheExamplesOfItsDocumentation)
+    {
+        const std::string doc = readTextFile((SOURCE / "docs" / "scene-format.md").string());
+        std::size_t count = 0;
+        for (std::size_t begin = doc.find("```yaml\n"); begin != std::string::npos;
+             begin = doc.find("```yaml\n", begin))
+        {
+            begin += 8;
+            const YamlScene scene = YamlScene::fromText(doc.substr(begin, doc.find("```", begin) - begin),
+                                                        "example " + std::to_string(count));
+            EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
+            ++count;
+        }
+        EXPECT_EQ(count, 2u);
+    }
+
+    TEST(YamlScene, SetsTheResolution)
+    {
+        const std::string rest =
+            "environment: {min: [0, 0], max: [5, 5]}\n"
+            "robots: [{type: single_integrator_0, start: [1, 2], goal: [3, 3], weight: 3}]";
+        const auto fine = YamlScene::fromText("resolution: 0.002\n" + rest, "fine").makeTeam();
+        EXPECT_EQ(fine->getSubspace(0)->getLongestValidSegmentFraction(), 0.002);
+        EXPECT_EQ(fine->getSubspaceWeight(0), 3.0);
+    }
+
+    TEST(YamlScene, NamesFilesThatCannotBeRead)
+    {
+        const fs::path missing = fs::temp_directory_path() / "ompl_certificates_no_such_file.yaml";
+        EXPECT_EQ(messageOf([&] { YamlScene scene(missing.string()); }).find(missing.string() + ": cannot be read"),
+                  0u);
+        const std::string folder = fs::temp_directory_path().string();
+        EXPECT_EQ(messageOf([&] { YamlScene scene(folder); }), folder + ": is a directory, not a file");
+    }
+
+    TEST(Scene, ValidateNamesWhatIsWrong)
+    {
+        const auto validate = [](const std::string &robots)
+        {
+            const auto scene = YamlScene::fromText(
+                "environment: {min: [0, 0], max: [5, 5], obstacles: [{type: disc, center: "
+                "[9, 9], radius: 1}, {type: disc, center: [4, 4], radius: 0.5}]}\n"
+                "robots: [" +
+                    robots + "]",
+                "file.yaml");
+            return messageOf([&] { scene.validate(); });
+        };
+        EXPECT_EQ(validate("{type: single_integrator, start: [1, 1], goal: [2, 2]}"), "");
+        EXPECT_EQ(validate("{type: single_integrator, name: a, start: [6, 1], goal: [2, 2]}"),
+                  "file.yaml: robots[0].start [6, 1] of 'a' is outside the bounds");
+        EXPECT_EQ(validate("{type: single_integrator, name: a, start: [1, 1], goal: [4, 4.55]}"),
+                  "file.yaml: robots[0].goal [4, 4.55] of 'a' touches environment.obstacles[1]");
+        EXPECT_EQ(validate("{type: single_integrator, name: a, start: [1, 1], goal: [2, 2]},"
+                           "{type: single_integrator, name: b, start: [1.1, 1], goal: [3, 2]}"),
+                  "file.yaml: robots[0].start [1, 1] of 'a' and robots[1].start [1.1, 1] of 'b' overlap");
+    }
+
+    TEST(Scene, RefusesWhatDoesNotFit)
+    {
+        ompl::base::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(1.0);
+        Scene scene("room", "room.yaml", bounds);
+        EXPECT_THROW(scene.validate(), ompl::Exception);
+        EXPECT_THROW(scene.addObstacle({Body::sphere(0.1)}), ompl::Exception);
+        EXPECT_THROW(scene.addMember({}), ompl::Exception);
+        EXPECT_THROW(scene.setResolution(0.0), ompl::Exception);
+        EXPECT_THROW(Scene("room", "room.yaml", ompl::base::RealVectorBounds(4)), ompl::Exception);
+    }
+}
