@@ -200,7 +200,19 @@ namespace
         }
     };
 
-    /** The seed alone first, then from it upwards: what the checkers do */
+    /** The seed alone first, then from the root */
+    struct SeedThenRoot : TreeFromRoot
+    {
+        using TreeFromRoot::TreeFromRoot;
+
+        bool covers(const Query &query) const
+        {
+            return tree.coveringBy(query.seed, query.ball()).verdict == Covering::FREE ||
+                   tree.covering(query.ball()).verdict == Covering::FREE;
+        }
+    };
+
+    /** The seed alone first, then from it upwards */
     struct SeedThenTree : TreeFromRoot
     {
         using TreeFromRoot::TreeFromRoot;
@@ -323,6 +335,7 @@ namespace
         const Fixture &fixture = fixtureOf(dimension, static_cast<std::size_t>(state.range(0)));
         const std::vector<Query> &queries = fromPlan ? fixture.planQueries : fixture.randomQueries;
         const Store store(fixture);
+        state.counters["certificates"] = static_cast<double>(fixture.certificates.size());
         std::size_t hits = 0, next = 0;
         for (auto _ : state)
         {
@@ -385,7 +398,8 @@ namespace
     {
         add<TreeFromRoot>("CertificateTree_from_root", DIMENSION);
         add<TreeFromSeed>("CertificateTree_from_seed", DIMENSION);
-        add<SeedThenTree>("seed_alone_then_CertificateTree", DIMENSION);
+        add<SeedThenTree>("seed_alone_then_upwards", DIMENSION);
+        add<SeedThenRoot>("seed_alone_then_from_root", DIMENSION);
         add<BoxTree<DIMENSION>>("Boost_Rtree_of_boxes", DIMENSION);
         add<NearestByGnat>("OMPL_GNAT_nearest_only", DIMENSION);
 #ifdef OMPL_CERTIFICATES_HAVE_NANOFLANN

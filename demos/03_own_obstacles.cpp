@@ -1,4 +1,5 @@
-// Obstacles of an own kind: a field of round columns, given by a formula. Nothing but collides() and clearance() is needed.
+// Obstacles of an own kind: a field of round columns, given by a formula. Nothing but collides() and clearance() is
+// needed.
 
 #include <ompl_certificates/geometry/Obstacles.h>
 #include <ompl_certificates/geometry/RigidRobot.h>

@@ -1,4 +1,5 @@
-// A robot of an own kind: an arm of two links on a fixed base. It says where its bodies are and how far they can travel.
+// A robot of an own kind: an arm of two links on a fixed base. It says where its bodies are and how far they can
+// travel.
 
 #include <ompl_certificates/geometry/FclObstacles.h>
 #include <ompl_certificates/geometry/RigidRobot.h>

@@ -1,4 +1,5 @@
-// Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a report.
+// Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a
+// report.
 //
 //     plan_team scene.yaml --planner RRTstar --iterations 20000 --seed 1 --picture plan.svg --report plan.json
 
@@ -115,8 +116,8 @@ namespace
                     char text[64];
                     std::snprintf(text, sizeof(text), "%.1f s", limit.getSeconds());
                     const std::string cost = demos::progressOf(planner, "best cost");
-                    return demos::ProgressBar::Progress{limit.getFraction(),
-                                                        cost.empty() ? text : text + ("  cost " + cost)};
+                    return demos::ProgressBar::Progress{
+                        limit.getFraction(), cost.empty() || cost == "inf" ? text : text + ("  cost " + cost)};
                 },
                 options.quiet);
             const ob::PlannerStatus status = setup.solve(limit.condition());

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scene=demos/scenes/paper_five_discs.yaml
-iterations=${ITERATIONS:-20000}
+iterations=${ITERATIONS:-10000}
 
 scripts/build.sh plan_team benchmark_team
 mkdir -p out
@@ -13,7 +13,7 @@ mkdir -p out
 for method in standard shared; do
   echo
   echo "== plan_team --method $method"
-  build/bin/plan_team "$scene" --planner RRTstar --iterations "$iterations" --seed 1 --method "$method" \
+  build/bin/plan_team "$scene" --planner RRTstar --range 10 --iterations "$iterations" --seed 1 --method "$method" \
     --picture "out/five_discs_$method.svg" --report "out/five_discs_$method.json" \
     || (($? == 1))  # No solution in so few iterations: the trees can be compared all the same.
 done

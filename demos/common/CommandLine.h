@@ -16,8 +16,8 @@ namespace demos
         BAD_INPUT = 2
     };
 
-    /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is written to
-        standard error as one line, and BAD_INPUT returned. Adds the option --version. */
+    /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is
+        written to standard error as one line, and BAD_INPUT returned. Adds the option --version. */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
 
     /** \brief Accepts finite numbers above zero */
@@ -26,7 +26,8 @@ namespace demos
     /** \brief Accepts whole numbers from 1 to \e limit */
     CLI::Validator countUpTo(unsigned long long limit);
 
-    /** \brief Check that all of the files that options name could be written, and are not the same. Empty names are left out.
+    /** \brief Check that all of the files that options name could be written, and are not the same. Empty names are
+        left out.
         \param outputs pairs of an option and the file that it names
         \param inputs files that must not be overwritten
         \throws ompl::Exception that names the option and the file */

@@ -3,8 +3,8 @@
 
 namespace demos
 {
-    /** \brief From now on SIGINT and SIGTERM are remembered, so that the planner can be stopped and what it has found be
-        kept. A second one ends the program at once. */
+    /** \brief From now on SIGINT and SIGTERM are remembered, so that the planner can be stopped and what it has found
+        be kept. A second one ends the program at once. */
     void catchInterrupts();
 
     /** \brief Whether SIGINT or SIGTERM has come since catchInterrupts() */

@@ -8,12 +8,14 @@
 
 namespace demos
 {
-    /** \brief How long a planner may plan: for some time, or for a number of evaluations of its termination condition. Most of
-        OMPL's planners evaluate that once in each iteration, some more often. An interrupt ends planning, too. */
+    /** \brief How long a planner may plan: for some time, or for a number of evaluations of its termination condition.
+        Most of OMPL's planners evaluate that once in each iteration, some more often. An interrupt ends planning, too.
+        */
     class Limit
     {
     public:
-        /** \brief Plan for \e seconds, or, if \e evaluations is not 0, for that many evaluations. Time runs from now on. */
+        /** \brief Plan for \e seconds, or, if \e evaluations is not 0, for that many evaluations. Time runs from now
+            on. */
         Limit(double seconds, std::uint64_t evaluations);
 
         /** \brief The condition for a planner, to be used while this object lives */

@@ -1,6 +1,6 @@
 #include "common/PlannerFactory.h"
 
-#include "common/TeamPathLength.h"
+#include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,8 +85,9 @@ namespace demos
 
         using Allocator = ob::PlannerPtr (*)(const ob::SpaceInformationPtr &, const SolveEvent &);
 
-        /** Left out are the planners that need more than a space information: a task space (TSRRT), a vector field (VFRRT), a
-        decomposition (XXL), a sequence of spaces (QRRT) or a database (those that plan from experience). */
+        /** Left out are the planners that need more than a space information: a task space (TSRRT), a vector field
+            (VFRRT), a decomposition (XXL), a sequence of spaces (QRRT) or a database (those that plan from experience).
+            */
         const std::map<std::string, Allocator> &allocators()
         {
             static const std::map<std::string, Allocator> table{
@@ -140,8 +141,8 @@ namespace demos
             return text;
         }
 
-        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads numbers up to the first
-        character that is none, and takes every word but "false" for true. */
+        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads numbers up to the
+            first character that is none, and takes every word but "false" for true. */
         bool understood(const std::string &value, const std::string &result)
         {
             char *end = nullptr;
@@ -178,7 +179,7 @@ namespace demos
                                                     "RRTXstatic", "RRTsharp", "RRTstar", "SORRTstar"};
         if (informed.count(name) == 0)
             return nullptr;
-        return std::make_shared<TeamPathLength>(si);
+        return std::make_shared<ompl_certificates::TeamPathLength>(si);
     }
 
     void setParameter(ob::Planner &planner, const std::string &key, const std::string &value)

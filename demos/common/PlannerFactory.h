@@ -20,17 +20,18 @@ namespace demos
     ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
                                        const SolveEvent &afterSolve = SolveEvent());
 
-    /** \brief The objective to set for the planner of that class name. Null for most: they then take OMPL's default, which is
-        the length of the path but for TRRT and BiTRRT. The others sample by it; see TeamPathLength. */
+    /** \brief The objective to set for the planner of that class name. Null for most: they then take OMPL's default,
+        which is the length of the path but for TRRT and BiTRRT. The others sample by it; see TeamPathLength. */
     ompl::base::OptimizationObjectivePtr makeObjective(const std::string &name,
                                                        const ompl::base::SpaceInformationPtr &si);
 
     /** \brief Set a parameter of \e planner
-        \throws ompl::Exception if the planner has none of that name (the message lists those it has), or refuses the value */
+        \throws ompl::Exception if the planner has none of that name (the message lists those it has), or refuses the
+        value */
     void setParameter(ompl::base::Planner &planner, const std::string &key, const std::string &value);
 
-    /** \brief The value of a planner's progress property by the first word of its name, such as iterations; empty if the
-        planner has none */
+    /** \brief The value of a planner's progress property by the first word of its name, such as iterations; empty if
+        the planner has none */
     std::string progressOf(const ompl::base::Planner &planner, const std::string &property);
 
     /** \brief Add a progress property to any planner; \e name ends with its type, such as "certificates INTEGER" */

@@ -9,8 +9,8 @@
 
 namespace demos
 {
-    /** \brief A line on the terminal that tells how far the planner is, drawn a few times per second by a thread of its own.
-        Nothing is drawn if standard error is not a terminal. */
+    /** \brief A line on the terminal that tells how far the planner is, drawn a few times per second by a thread of its
+        own. Nothing is drawn if standard error is not a terminal. */
     class ProgressBar
     {
     public:

@@ -53,8 +53,8 @@ namespace demos
         void prepareRun(const ompl::base::PlannerPtr &planner);
         void recordRun(RunProperties &run);
 
-        /** The setup that is benchmarked, and for each method one of the same team that lends its checker and motion validator
-            to it */
+        /** The setup that is benchmarked, and for each method one of the same team that lends its checker and motion
+            validator to it */
         ompl_certificates::TeamSetupPtr host_;
         std::vector<ompl_certificates::TeamSetupPtr> lenders_;
         std::vector<ompl_certificates::Method> methods_;

@@ -24,7 +24,8 @@ namespace ompl_certificates
         /** How near a certificate of these clearances must be to prove the query */
         double range(double highest, double lowest) const
         {
-            return std::max(highest - query.freeRadius, query.collidingRadius - lowest);
+            // In this order: what is not a number, an infinite clearance for a ball that cannot be free, loses.
+            return std::max(query.collidingRadius - lowest, highest - query.freeRadius);
         }
     };
 
@@ -257,9 +258,19 @@ namespace ompl_certificates
         Eigen::AlignedBox3d box;
         for (const CertificateIndex index : contents(root_))
             box.extend(store_[index].certificate.point);
-        const double side = box.sizes().maxCoeff();
-        if (side > 0.0)
+        // Wide enough for the walls to differ, however far from the origin they are.
+        const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+        const double side = std::max(box.sizes().maxCoeff(), 1e-12 * farthest);
+        if (box.sizes().maxCoeff() > 0.0)
             rootCell_ = {box.center().array() - side, box.center().array() + side};
+    }
+
+    double CertificateTree::smallestCell() const
+    {
+        // Nor is a cell divided that is too small, that far from the origin, to have a middle.
+        const double farthest = rootCell_.min().cwiseAbs().cwiseMax(rootCell_.max().cwiseAbs()).maxCoeff();
+        return std::max(SMALLEST_CELL * rootCell_.sizes().maxCoeff(),
+                        4.0 * std::numeric_limits<double>::epsilon() * farthest);
     }
 
     void CertificateTree::growRootTo(const Eigen::Vector3d &point)
@@ -331,7 +342,7 @@ namespace ompl_certificates
 
         Index node = root_;
         Eigen::AlignedBox3d cell = rootCell_;
-        const double smallest = rootCell_.isEmpty() ? INF : SMALLEST_CELL * rootCell_.sizes().maxCoeff();
+        const double smallest = rootCell_.isEmpty() ? INF : smallestCell();
         for (;;)
         {
             Node &here = nodes_[node];

@@ -27,70 +27,32 @@ namespace ompl_certificates
         return verdict.free;
     }
 
-    PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, BodyLookupPolicy &policy,
+    PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, LookupPolicy &policy,
                                              CheckCounts &counts) const
     {
-        if (query.body.isBall())
-            return settleBall(query, hint, counts);
         PoseVerdict verdict;
         if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
             return verdict;
-        const double margin = getMargin(query.body);
-        const bool search = policy.free.isWorthwhile();
-        if (search)
-        {
-            const Ball &ball = query.body.getCover().getRoot();
-            const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
-            const Covering covering =
-                certificates_.covering({query.pose * ball.center, ball.radius + margin + leastSlack, -INF}, hint);
-            policy.free.note(covering.verdict == Covering::FREE);
-            if (covering.verdict == Covering::FREE)
-            {
-                verdict.free = true;
-                verdict.reference = covering.certificate;
-                verdict.reach = (covering.slack + leastSlack) / speed;
-                return verdict;
-            }
-        }
-        verdict = {};
-        const bool searchColliding = policy.colliding.isWorthwhile();
-        if (searchColliding)
-        {
-            const bool colliding = provesCollision(query, margin, hint);
-            policy.colliding.note(colliding);
-            if (colliding)
-                return verdict;
-        }
-        // What is not looked up need not be remembered.
-        return askAndLearn(query, search || searchColliding, counts);
-    }
+        // A ball is settled by one search either way, which mostly finds something.
+        const bool search = query.body.isBall() || policy.isWorthwhile();
+        if (!search)
+            return askAndLearn(query, false, counts);
 
-    PoseVerdict CertifiedEnvironment::settleBall(const PoseQuery &query, CertificateIndex hint,
-                                                 CheckCounts &counts) const
-    {
+        // From the root: seeded at the hint, which has failed, the search takes about twice as long.
         const double margin = getMargin(query.body);
         const Ball &ball = query.body.getCover().getRoot();
-        const double speed = query.speedOf(ball);
-        const double leastSlack = query.minimumReach * speed;
-        const BallQuery ballQuery{query.pose * ball.center, ball.radius + margin + leastSlack, ball.radius - margin};
-        Covering covering = certificates_.coveringBy(hint, ballQuery);
-        if (covering.verdict == Covering::UNKNOWN)
-            covering = certificates_.covering(ballQuery, hint);
+        const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
+        const Covering covering = certificates_.covering(
+            {query.pose * ball.center, ball.radius + margin + leastSlack, query.body.getCentralRadius() - margin});
+        policy.note(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
             return askAndLearn(query, true, counts);
-        PoseVerdict verdict;
+        verdict = {};
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
             verdict.reach = (covering.slack + leastSlack) / speed;
         return verdict;
-    }
-
-    bool CertifiedEnvironment::provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const
-    {
-        const Ball &core = query.body.getCore().front();
-        const BallQuery ball{query.pose * core.center, INF, core.radius - margin};
-        return certificates_.covering(ball, hint).verdict == Covering::COLLIDING;
     }
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -106,7 +107,9 @@ namespace ompl_certificates
         {
             Cover cover = buildCover(parts);
             std::vector<Ball> core = buildCore(parts, cover);
-            balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core)});
+            const double depth = -ompl_certificates::signedDistance(parts, cover.getRoot().center);
+            const double centralRadius = depth >= 0.0 ? depth : -std::numeric_limits<double>::infinity();
+            balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core), centralRadius});
             made.store(balls.get(), std::memory_order_release);
         }
         return *balls;

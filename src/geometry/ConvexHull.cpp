@@ -23,16 +23,18 @@ namespace ompl_certificates
             const auto &corners = face.vertices;
             if (corners.size() == 2)
                 return distanceToSegment(point, hull.vertices[corners[0]], hull.vertices[corners[1]]);
+            bool beside = false;
             double nearest = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i < corners.size(); ++i)
             {
                 const Eigen::Vector3d &a = hull.vertices[corners[i]];
                 const Eigen::Vector3d &b = hull.vertices[corners[(i + 1) % corners.size()]];
-                if (face.normal.cross(b - a).dot(point - a) < 0.0)
-                    nearest = std::min(nearest, distanceToSegment(point, a, b));
+                beside = beside || face.normal.cross(b - a).dot(point - a) < 0.0;
+                // Of all edges: next to a corner, or where two edges are straight, rounding decides which one it is beside.
+                nearest = std::min(nearest, distanceToSegment(point, a, b));
             }
             // Beside no edge: the foot of the perpendicular lies in the face.
-            return std::isinf(nearest) ? std::abs(face.normal.dot(point) - face.offset) : nearest;
+            return beside ? nearest : std::abs(face.normal.dot(point) - face.offset);
         }
 
         double cross2(const Eigen::Vector3d &o, const Eigen::Vector3d &a, const Eigen::Vector3d &b)

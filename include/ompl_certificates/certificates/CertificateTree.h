@@ -172,6 +172,7 @@ namespace ompl_certificates
         void append(Index leaf, CertificateIndex index, const Certificate &certificate);
         std::vector<CertificateIndex> contents(Index leaf) const;
         void chooseFirstCell();
+        double smallestCell() const;
         void growRootTo(const Eigen::Vector3d &point);
         void divide(Index leaf, const Eigen::AlignedBox3d &cell);
 

@@ -71,7 +71,7 @@ namespace ompl_certificates
             \param hint a certificate that may well be near, or NO_CERTIFICATE
             \param policy whether certificates other than the hint are worth looking up
             \param counts where to count clearances and exact calls */
-        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, BodyLookupPolicy &policy,
+        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, LookupPolicy &policy,
                            CheckCounts &counts) const;
 
         /** \brief Settle \e query by asking the obstacles, with no use of certificates */
@@ -108,13 +108,6 @@ namespace ompl_certificates
     private:
         /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const;
-
-        /** \brief settle() for a disc or a sphere: one search settles it either way, and mostly finds something, so no policy
-            is needed */
-        PoseVerdict settleBall(const PoseQuery &query, CertificateIndex hint, CheckCounts &counts) const;
-
-        /** \brief Whether a certificate proves that the largest core ball of a body collides */
-        bool provesCollision(const PoseQuery &query, double margin, CertificateIndex hint) const;
 
         ObstaclesPtr obstacles_;
         mutable CertificateTree certificates_;

@@ -48,19 +48,6 @@ namespace ompl_certificates
         std::atomic<float> rate_{1.0F};
         std::atomic<std::uint32_t> passed_{0};
     };
-
-    /** \brief The policies of one body: for proofs that it is free, and for proofs that it collides. */
-    struct BodyLookupPolicy
-    {
-        LookupPolicy free, colliding;
-
-        /** \brief Judge both anew */
-        void reset()
-        {
-            free.reset();
-            colliding.reset();
-        }
-    };
 }
 
 #endif

@@ -81,6 +81,13 @@ namespace ompl_certificates
             return data_->getBalls().core;
         }
 
+        /** \brief The radius of the largest ball about the center of the cover's root that the body contains; minus infinity if
+            that center is outside */
+        double getCentralRadius() const
+        {
+            return data_->getBalls().centralRadius;
+        }
+
         /** \brief Whether the body is one disc or one sphere, which its cover and its core describe exactly */
         bool isBall() const
         {
@@ -105,6 +112,7 @@ namespace ompl_certificates
         {
             Cover cover;
             std::vector<Ball> core;
+            double centralRadius;
         };
 
         struct Data

@@ -26,7 +26,7 @@ namespace ompl_certificates
             unsigned int robots{5};
 
             /** \brief The number of polygons, at most 10000 */
-            unsigned int obstacles{40};
+            unsigned int obstacles{25};
 
             /** \brief The side of the square */
             double size{100.0};

@@ -36,7 +36,7 @@ namespace ompl_certificates
 
         std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
         /** For each body of the team */
-        mutable std::vector<BodyLookupPolicy> policies_;
+        mutable std::vector<LookupPolicy> policies_;
     };
 }
 

@@ -66,7 +66,7 @@ namespace ompl_certificates
         {
             Body body;
             CertifiedEnvironment environment;
-            BodyLookupPolicy policy;
+            LookupPolicy policy;
         };
 
         /** \brief A body of one robot and a body of the other */

@@ -1,0 +1,29 @@
+#ifndef OMPL_CERTIFICATES_TEAM_TEAM_PATH_LENGTH_
+#define OMPL_CERTIFICATES_TEAM_TEAM_PATH_LENGTH_
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/samplers/informed/RejectionInfSampler.h>
+
+namespace ompl_certificates
+{
+    /** \brief The length of a team's path, for planners that sample the states that can improve a solution: InformedRRTstar,
+        SORRTstar, BITstar, ABITstar, AITstar and CForest need it.
+
+        OMPL's own objective samples them directly, which it can do in R^n, SE(2) and SE(3) only and refuses in any
+        other compound space. This one samples by rejection. Costs are the same. */
+    class TeamPathLength : public ompl::base::PathLengthOptimizationObjective
+    {
+    public:
+        /** \brief See ompl::base::PathLengthOptimizationObjective */
+        using PathLengthOptimizationObjective::PathLengthOptimizationObjective;
+
+        /** \brief A sampler by rejection for \e problem, which gives up after \e maxNumberCalls */
+        ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr &problem,
+                                                                 unsigned int maxNumberCalls) const override
+        {
+            return std::make_shared<ompl::base::RejectionInfSampler>(problem, maxNumberCalls);
+        }
+    };
+}
+
+#endif
