@@ -3,9 +3,9 @@
 //
 //     checks --benchmark_filter=2D/disc
 //
-// Poses are random (any), random and free (free), or follow each other along straight motions (motion), where the certificate
-// of one is the hint for the next. Each pose is asked once. Counters: free is the share of the poses that are; asked is the
-// share for which settling had to ask the obstacles.
+// Poses are random (any), random and free (free), or follow each other along straight motions (motion), where the
+// certificate of one is the hint for the next. Each pose is asked once. Counters: free is the share of the poses that
+// are; asked is the share for which settling had to ask the obstacles.
 
 #include "common/RandomWorld.h"
 #include "ompl_certificates/certificates/CertifiedEnvironment.h"

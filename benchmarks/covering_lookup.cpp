@@ -1,4 +1,5 @@
-// How long it takes to find a certificate that covers a point, and to add one: CertificateTree against what else there is.
+// How long it takes to find a certificate that covers a point, and to add one: CertificateTree against what else there
+// is.
 //
 //     covering_lookup --benchmark_filter=2D
 //
@@ -346,8 +347,8 @@ namespace
         state.counters["hit"] = benchmark::Counter(static_cast<double>(hits), benchmark::Counter::kAvgIterations);
     }
 
-    /** Insertion of random certificates. The longest single insertion is that of the smallest times of three runs, so that
-        it is ours and not another program's turn. */
+    /** Insertion of random certificates. The longest single insertion is that of the smallest times of three runs, so
+        that it is ours and not another program's turn. */
     void insert(benchmark::State &state, unsigned int dimension)
     {
         using Clock = std::chrono::steady_clock;

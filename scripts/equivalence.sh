@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plans the same problems with all methods and compares the trees, the costs and the paths: they must be equal, node for node.
+# Plans the same problems with all methods and compares trees, costs and paths: they must be equal, node for node.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -136,7 +136,8 @@ echo
     END {
       for (i = 1; i <= count; ++i) {
         key = order[i]
-        print key "\t" equal[key] + 0 "\t" total[key] - equal[key] "\t" note[key] (key in more ? " and " more[key] " more" : "")
+        others = key in more ? " and " more[key] " more" : ""
+        print key "\t" equal[key] + 0 "\t" total[key] - equal[key] "\t" note[key] others
       }
     }'
 } | awk -F '\t' '{ printf "%-34s %-12s %6s %10s  %s\n", $1, $2, $3, $4, $5 }'

@@ -65,7 +65,7 @@ namespace benchmarks
 
         void setSeed(std::uint_fast32_t seed)
         {
-            // OMPL complains about every seed but the first, though those that are given before new samplers are made hold.
+            // OMPL complains about every seed but the first, though new samplers obey the later ones.
             ompl::msg::noOutputHandler();
             ompl::RNG::setSeed(seed);
             ompl::msg::restorePreviousOutputHandler();

@@ -29,8 +29,8 @@ namespace benchmarks
 
         std::uint_fast32_t seed{1};
 
-        /** \brief Whether to use up the iterations: trees grow towards a goal that is never reached, and planners that need
-            one that they can sample solve the same problem again and again */
+        /** \brief Whether to use up the iterations: trees grow towards a goal that is never reached, and planners that
+            need one that they can sample solve the same problem again and again */
         bool keepGoing{true};
     };
 

@@ -27,6 +27,14 @@ namespace ompl_certificates
             // In this order: what is not a number, an infinite clearance for a ball that cannot be free, loses.
             return std::max(query.collidingRadius - lowest, highest - query.freeRadius);
         }
+
+        /** Whether a certificate below a child, from whose cell the query is this far, may prove the query */
+        bool reaches(const Node &node, int side, double squaredDistance) const
+        {
+            const double reach = range(node.highest[side].load(std::memory_order_relaxed),
+                                       node.lowest[side].load(std::memory_order_relaxed));
+            return reach > 0.0 && squaredDistance < reach * reach;
+        }
     };
 
     struct CertificateTree::NearSearch
@@ -164,30 +172,55 @@ namespace ompl_certificates
 
     bool CertificateTree::searchDown(Index index, double squaredDistance, CoverSearch &search) const
     {
-        const Node &node = nodes_[index];
-        Index child[2];
-        child[0] = node.child[0].load(std::memory_order_acquire);
-        if (child[0] == NONE)
-            return searchBucket(index, search);
-        child[1] = node.child[1].load(std::memory_order_acquire);
-        const auto reaches = [&](int side, double squared)
+        // The far children that are yet to be searched, each with the distance of the query from its cell
+        struct Pending
         {
-            const double range = search.range(node.highest[side].load(std::memory_order_relaxed),
-                                              node.lowest[side].load(std::memory_order_relaxed));
-            return range > 0.0 && squared < range * range;
+            Index node;
+            double squaredDistance;
+            Eigen::Vector3d offset;
         };
-        const double beyond = search.query.center[node.axis] - node.split;
-        const int near = beyond < 0.0 ? 0 : 1, far = 1 - near;
-        if (reaches(near, squaredDistance) && searchDown(child[near], squaredDistance, search))
-            return true;
-        const double before = search.offset[node.axis];
-        const double squaredFar = squaredDistance - before * before + beyond * beyond;
-        if (!reaches(far, squaredFar))
-            return false;
-        search.offset[node.axis] = std::abs(beyond);
-        const bool found = searchDown(child[far], squaredFar, search);
-        search.offset[node.axis] = before;
-        return found;
+        constexpr std::size_t capacity = 128;
+        Pending pending[capacity];
+        std::size_t count = 0;
+        Eigen::Vector3d offset = search.offset;
+        for (;;)
+        {
+            const Node &node = nodes_[index];
+            const Index low = node.child[0].load(std::memory_order_acquire);
+            bool goOn = false;
+            if (low == NONE)
+            {
+                if (searchBucket(index, search))
+                    return true;
+            }
+            else
+            {
+                const Index high = node.child[1].load(std::memory_order_relaxed);
+                const double beyond = search.query.center[node.axis] - node.split;
+                const int near = beyond < 0.0 ? 0 : 1, far = 1 - near;
+                const double before = offset[node.axis];
+                const double squaredFar = squaredDistance - before * before + beyond * beyond;
+                if (search.reaches(node, far, squaredFar))
+                {
+                    Pending later{near == 0 ? high : low, squaredFar, offset};
+                    later.offset[node.axis] = std::abs(beyond);
+                    if (count < capacity)
+                        pending[count++] = later;
+                    else if (search.offset = later.offset; searchDown(later.node, squaredFar, search))
+                        return true;
+                }
+                if ((goOn = search.reaches(node, near, squaredDistance)))
+                    index = near == 0 ? low : high;
+            }
+            if (goOn)
+                continue;
+            if (count == 0)
+                return false;
+            const Pending &next = pending[--count];
+            index = next.node;
+            squaredDistance = next.squaredDistance;
+            offset = next.offset;
+        }
     }
 
     CertificateTree::Index CertificateTree::newLeaf(Index parent)
@@ -289,7 +322,8 @@ namespace ompl_certificates
             Node &node = nodes_[root];
             const int oldSide = below ? 1 : 0;
             for (int child = 0; child < 2; ++child)
-                if (nodes_[old].child[0] != NONE)
+                // An empty child knows no clearances: its highest is the lowest there is.
+                if (nodes_[old].child[0] != NONE && nodes_[old].lowest[child] <= nodes_[old].highest[child])
                 {
                     noteClearance(node, oldSide, nodes_[old].highest[child]);
                     noteClearance(node, oldSide, nodes_[old].lowest[child]);
@@ -325,8 +359,8 @@ namespace ompl_certificates
 
     CertificateIndex CertificateTree::insert(const Certificate &certificate)
     {
-        if (!certificate.point.allFinite() || std::isnan(certificate.clearance))
-            throw ompl::Exception("A certificate's point must be finite and its clearance a number");
+        if (!certificate.point.allFinite() || !(certificate.clearance > -INF))
+            throw ompl::Exception("A certificate's point must be finite and its clearance a number, at most infinite");
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;

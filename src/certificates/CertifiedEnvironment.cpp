@@ -22,8 +22,13 @@ namespace ompl_certificates
 
     bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
     {
+        // A certificate that does not even hold the body's center, as that of a far state, proves nothing of finer balls.
+        const double margin = getMargin(query.body);
+        const Eigen::Vector3d center = query.pose * query.body.getCover().getRoot().center;
+        if (certificates_.coveringBy(hint, {center, margin, -INF}).verdict != Covering::FREE)
+            return false;
         const auto lookup = [&](const BallQuery &ball) { return certificates_.coveringBy(hint, ball); };
-        verdict.free = proveFree(query, getMargin(query.body), STORED_LEVELS, lookup, verdict);
+        verdict.free = proveFree(query, margin, STORED_LEVELS, lookup, verdict);
         return verdict.free;
     }
 
@@ -39,11 +44,9 @@ namespace ompl_certificates
             return askAndLearn(query, false, counts);
 
         // From the root: seeded at the hint, which has failed, the search takes about twice as long.
-        const double margin = getMargin(query.body);
         const Ball &ball = query.body.getCover().getRoot();
         const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
-        const Covering covering = certificates_.covering(
-            {query.pose * ball.center, ball.radius + margin + leastSlack, query.body.getCentralRadius() - margin});
+        const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.note(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
             return askAndLearn(query, true, counts);
@@ -53,6 +56,13 @@ namespace ompl_certificates
         if (verdict.free)
             verdict.reach = (covering.slack + leastSlack) / speed;
         return verdict;
+    }
+
+    BallQuery CertifiedEnvironment::wholeBodyQuery(const PoseQuery &query) const
+    {
+        const Ball &ball = query.body.getCover().getRoot();
+        const double margin = getMargin(query.body), leastSlack = query.minimumReach * query.speedOf(ball);
+        return {query.pose * ball.center, ball.radius + margin + leastSlack, query.body.getCentralRadius() - margin};
     }
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const
@@ -85,7 +95,9 @@ namespace ompl_certificates
                         collides = true;
                         break;
                     }
-            if (learn && (collides || (clearances == 1 && covering.verdict == Covering::FREE)))
+            // Only what settles this pose when it comes again; or else it would be added each time.
+            if (learn && (collides || clearances == 1) &&
+                CertificateTree::cover(certificate, NO_CERTIFICATE, wholeBodyQuery(query)).verdict != Covering::UNKNOWN)
                 covering.certificate = certificates_.insert(certificate);
             return covering;
         };

@@ -59,6 +59,9 @@ namespace ompl_certificates
             throw ompl::Exception(getName(), "robot '" + robot->getName() + "' moves in " +
                                                  std::to_string(robot->getWorkspaceDimension()) +
                                                  " dimensions, the team in " + std::to_string(getWorkspaceDimension()));
+        if (!(weight >= 0.0) || !std::isfinite(weight))
+            throw ompl::Exception(getName(), "the weight of robot '" + robot->getName() +
+                                                 "' must be finite and not negative, not " + std::to_string(weight));
         addSubspace(robot->getStateSpace(), weight);
         robots_.push_back(robot);
     }

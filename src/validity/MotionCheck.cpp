@@ -21,7 +21,6 @@ namespace ompl_certificates
       , s1_(s1->as<TeamStateSpace::StateType>())
       , s2_(s2->as<TeamStateSpace::StateType>())
       , groups_(checker.getGroupCount())
-      , segments_(static_cast<int>(checker.getTeam().validSegmentCount(s1, s2)))
     {
         ++counts_.motions;
         std::fill(scratch_.sampledAt.begin(), scratch_.sampledAt.end(), -1.0);
@@ -29,13 +28,15 @@ namespace ompl_certificates
         scratch_.endReach.assign(subjectCount(), 0.0);
     }
 
-    void MotionCheck::computeTravel()
+    void MotionCheck::countSegments()
     {
-        const TeamStateSpace &team = checker_.getTeam();
-        for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
-            team.getRobot(robot).computeTravelBounds(s1_->components[robot], s2_->components[robot],
-                                                     scratch_.travel.data() + scratch_.firstBody[robot]);
-        travel_ = scratch_.travel.data();
+        segments_ = static_cast<int>(checker_.getTeam().validSegmentCount(s1_, s2_));
+    }
+
+    void MotionCheck::measureTravel()
+    {
+        for (unsigned int robot = 0; robot < scratch_.sampledAt.size(); ++robot)
+            pose(robot, 1.0);
     }
 
     const CheckCounts &MotionCheck::getCounts()
@@ -62,7 +63,12 @@ namespace ompl_certificates
         if (t == 0.0)
             component = s1_->components[robot];
         else if (t == 1.0)
+        {
+            // The end comes first: only now is it of interest how fast the robot moves.
             component = s2_->components[robot];
+            moved.computeTravelBounds(s1_->components[robot], component,
+                                      scratch_.travel.data() + scratch_.firstBody[robot]);
+        }
         else
             moved.getStateSpace()->interpolate(s1_->components[robot], s2_->components[robot], t,
                                                scratch_.sample->components[robot]);
@@ -72,12 +78,13 @@ namespace ompl_certificates
     PoseVerdict MotionCheck::settle(unsigned int subject, double t)
     {
         const Pose *poses = scratch_.poses.data();
+        const TravelBound *travel = scratch_.travel.data();
         if (subject < groups_)
         {
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, travel_, minimumReach_, scratch_.references.data(), counts_);
+            return checker_.settleGroup(subject, poses, travel, minimumReach_, scratch_.references.data(), counts_);
         }
         const unsigned int pair = subject - groups_;
         const unsigned int first = checker_.getPairs().getFirst(pair), second = checker_.getPairs().getSecond(pair);
@@ -85,8 +92,7 @@ namespace ompl_certificates
         pose(second, t);
         ++counts_.pairPoses;
         const std::size_t a = scratch_.firstBody[first], b = scratch_.firstBody[second];
-        return checker_.getPairs().settle(pair, poses + a, poses + b, travel_ ? travel_ + a : nullptr,
-                                          travel_ ? travel_ + b : nullptr, counts_);
+        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b, counts_);
     }
 
     bool MotionCheck::settleEnd()
@@ -119,10 +125,11 @@ namespace ompl_certificates
                 scratch_.references[robot] = own;
         }
         const Pose *poses = scratch_.poses.data();
+        const TravelBound *travel = scratch_.travel.data();
         for (unsigned int group = 0; group < groups_; ++group)
             if (scratch_.endReach[group] < 1.0)
                 scratch_.startReach[group] =
-                    checker_.reachOfReferences(group, poses, travel_, scratch_.references.data());
+                    checker_.reachOfReferences(group, poses, travel, scratch_.references.data());
         for (unsigned int pair = 0; pair < checker_.getPairs().getPairCount(); ++pair)
         {
             if (scratch_.endReach[groups_ + pair] >= 1.0)
@@ -130,7 +137,7 @@ namespace ompl_certificates
             const std::size_t a = scratch_.firstBody[checker_.getPairs().getFirst(pair)];
             const std::size_t b = scratch_.firstBody[checker_.getPairs().getSecond(pair)];
             scratch_.startReach[groups_ + pair] =
-                checker_.getPairs().reachOfEnclosingBalls(pair, poses + a, poses + b, travel_ + a, travel_ + b);
+                checker_.getPairs().reachOfEnclosingBalls(pair, poses + a, poses + b, travel + a, travel + b);
         }
     }
 
@@ -153,10 +160,9 @@ namespace ompl_certificates
 
     bool MotionCheck::areSamplesFree()
     {
-        if (segments_ >= 2)
-            computeTravel();
         if (!settleEnd())
             return false;
+        countSegments();
         if (segments_ < 2)
             return true;
         proveFromStart();
@@ -190,10 +196,10 @@ namespace ompl_certificates
     bool MotionCheck::areSamplesFree(double &free)
     {
         // The first sample known to be invalid; the end of the motion is sample number segments_.
+        countSegments();
         const int end = std::max(segments_, 1);
-        if (segments_ >= 2)
-            computeTravel();
         int invalid = settleEnd() ? end + 1 : end;
+        measureTravel();
         if (segments_ >= 2)
         {
             proveFromStart();
@@ -223,7 +229,7 @@ namespace ompl_certificates
 
     bool MotionCheck::isWholeFree()
     {
-        computeTravel();
+        countSegments();
         minimumReach_ = SMALLEST_STEP / std::max(segments_, 1);
         if (!settleEnd())
             return false;
@@ -253,9 +259,10 @@ namespace ompl_certificates
 
     bool MotionCheck::isWholeFree(double &free)
     {
-        computeTravel();
+        countSegments();
         minimumReach_ = SMALLEST_STEP / std::max(segments_, 1);
         bool valid = settleEnd();
+        measureTravel();
         double proved = 1.0;
         for (unsigned int subject = 0; subject < subjectCount(); ++subject)
         {

@@ -46,8 +46,11 @@ namespace ompl_certificates
         /** \brief Settle a subject at time \e t */
         PoseVerdict settle(unsigned int subject, double t);
 
-        /** \brief Find how fast all bodies move */
-        void computeTravel();
+        /** \brief Find the number of segments between samples. Not needed where the end of the motion is invalid. */
+        void countSegments();
+
+        /** \brief Find how fast all robots move, those too that settleEnd() did not come to */
+        void measureTravel();
 
         /** \brief Settle all subjects at the end of the motion; fills endReach. False if one is not free. */
         bool settleEnd();
@@ -72,10 +75,8 @@ namespace ompl_certificates
         MotionScratch &scratch_;
         const TeamStateSpace::StateType *s1_, *s2_;
         const unsigned int groups_;
-        const int segments_;
+        int segments_{0};
         double minimumReach_{0.0};
-        /** How fast all bodies move; null while no stretch of the motion is of interest */
-        const TravelBound *travel_{nullptr};
         CheckCounts counts_;
     };
 }

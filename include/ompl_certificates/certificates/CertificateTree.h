@@ -87,7 +87,7 @@ namespace ompl_certificates
         Covering coveringBy(CertificateIndex index, const BallQuery &query) const;
 
         /** \brief Add a certificate and return its index. Cost: logarithmic.
-            \throws ompl::Exception if its point is not finite or its clearance not a number */
+            \throws ompl::Exception if its point is not finite, or its clearance not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
 
         /** \brief The certificate of an index that insert() returned */

@@ -109,6 +109,9 @@ namespace ompl_certificates
         /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const;
 
+        /** \brief The ball whose certificates are looked up for a body: it settles the whole body either way */
+        BallQuery wholeBodyQuery(const PoseQuery &query) const;
+
         ObstaclesPtr obstacles_;
         mutable CertificateTree certificates_;
     };

@@ -40,7 +40,7 @@ namespace ompl_certificates
         }
 
     private:
-        static constexpr float SMALLEST_RATE = 0.4F;
+        static constexpr float SMALLEST_RATE = 0.8F;
         static constexpr float MEMORY = 128.0F;
         static constexpr std::uint32_t PROBE_INTERVAL = 16;
 

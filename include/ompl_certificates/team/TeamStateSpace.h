@@ -46,7 +46,7 @@ namespace ompl_certificates
 
         /** \brief Add a robot; distances in its component count \e weight times
             \throws ompl::Exception if \e robot is null, if its name is taken, if its workspace is not the others', if
-            \e weight is negative, or if the space is locked */
+            \e weight is negative or not finite, or if the space is locked */
         void addRobot(const RobotPtr &robot, double weight = 1.0);
 
         /** \brief The number of robots */

@@ -1,0 +1,51 @@
+#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_CHECKERS_
+#define OMPL_CERTIFICATES_TESTS_SUPPORT_CHECKERS_
+
+#include "Teams.h"
+
+#include "ompl_certificates/validity/TeamSetup.h"
+
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace test
+    {
+        /** \brief The four methods for one team among the same obstacles, the standard one first */
+        struct Checkers
+        {
+            Checkers(const TeamStateSpacePtr &space, const ObstaclesPtr &obstacles, double resolution = 0.01)
+              : team(space)
+            {
+                for (const Method method : allMethods())
+                {
+                    setups.push_back(std::make_shared<TeamSetup>(team, obstacles, method));
+                    setups.back()->getSpaceInformation()->setStateValidityCheckingResolution(resolution);
+                    setups.back()->getSpaceInformation()->setup();
+                }
+            }
+
+            const TeamSetup &standard() const
+            {
+                return *setups.front();
+            }
+
+            /** \brief The setups of the methods with certificates */
+            std::vector<TeamSetupPtr> certified() const
+            {
+                return {setups.begin() + 1, setups.end()};
+            }
+
+            bool isValid(const ompl::base::State *state) const
+            {
+                return standard().getTeamChecker()->isValid(state);
+            }
+
+            TeamStateSpacePtr team;
+            std::vector<TeamSetupPtr> setups;
+        };
+    }
+}
+
+#endif

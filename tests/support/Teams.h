@@ -1,0 +1,78 @@
+#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_TEAMS_
+#define OMPL_CERTIFICATES_TESTS_SUPPORT_TEAMS_
+
+#include "RandomBodies.h"
+#include "RandomStates.h"
+
+#include "ompl_certificates/geometry/CarWithTrailer.h"
+#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
+
+#include <memory>
+
+namespace ompl_certificates
+{
+    namespace test
+    {
+        /** \brief Half the width of the workspace of the teams below, in their unit of length */
+        constexpr double HALF = 5.0;
+
+        /** \brief Three discs of different sizes */
+        inline TeamStateSpacePtr teamOfDiscs(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(2, HALF * unit);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::disc("small", 0.1 * unit, bounds));
+            team->addRobot(RigidRobot::disc("middle", 0.2 * unit, bounds));
+            team->addRobot(RigidRobot::disc("large", 0.3 * unit, bounds));
+            return team;
+        }
+
+        /** \brief A disc, a long box that turns, and a car with a trailer */
+        inline TeamStateSpacePtr mixedTeam(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(2, HALF * unit);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::disc("disc", 0.2 * unit, bounds));
+            team->addRobot(RigidRobot::inSE2("box", Body::box(0.9 * unit, 0.2 * unit), bounds), 2.0);
+            team->addRobot(std::make_shared<CarWithTrailer>("train", Body::box(0.4 * unit, 0.2 * unit),
+                                                            Body::planarCapsule(0.1 * unit, 0.3 * unit), 0.5 * unit,
+                                                            bounds),
+                           0.5);
+            return team;
+        }
+
+        /** \brief A sphere, a box that turns, and a bar that does not */
+        inline TeamStateSpacePtr spatialTeam(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(3, HALF * unit);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::sphere("sphere", 0.3 * unit, bounds));
+            team->addRobot(RigidRobot::inSE3("box", Body::box(0.8 * unit, 0.3 * unit, 0.2 * unit), bounds));
+            team->addRobot(RigidRobot::inR3("bar", Body::capsule(0.2 * unit, 0.8 * unit), bounds));
+            return team;
+        }
+
+        /** \brief One of the teams above */
+        inline TeamStateSpacePtr anyTeam(unsigned int which, double unit = 1.0)
+        {
+            return which == 0 ? teamOfDiscs(unit) : which == 1 ? mixedTeam(unit) : spatialTeam(unit);
+        }
+
+        /** \brief Obstacles of all kinds that leave most of the workspace free; more of them in space, where there is more room */
+        inline std::shared_ptr<FclObstacles> scatteredObstacles(Random &random, unsigned int dimension,
+                                                                unsigned int count, double unit = 1.0)
+        {
+            std::vector<PlacedBody> bodies;
+            for (count *= dimension == 2 ? 1 : 6; count > 0; --count)
+            {
+                const Body body = randomBody(random, dimension, unit * random.uniform(0.3, 1.5));
+                bodies.push_back({body, random.pose(dimension, HALF * unit)});
+            }
+            return std::make_shared<FclObstacles>(dimension, bodies);
+        }
+    }
+}
+
+#endif

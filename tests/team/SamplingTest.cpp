@@ -1,0 +1,66 @@
+#include "support/Teams.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/ProjectionEvaluator.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+class TeamSampling : public testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(TeamSampling, MovesEveryRobot)
+{
+    const auto team = anyTeam(GetParam());
+    team->setup();
+    const auto sampler = team->allocStateSampler();
+    ob::ScopedState<> a(team), b(team);
+    sampler->sampleUniform(a.get());
+    sampler->sampleUniform(b.get());
+    for (unsigned int i = 0; i < 3; ++i)
+        EXPECT_GT(team->getSubspace(i)->distance(a->as<ob::CompoundState>()->components[i],
+                                                 b->as<ob::CompoundState>()->components[i]),
+                  0.0);
+}
+
+TEST_P(TeamSampling, NearAStateStaysNearIt)
+{
+    const auto team = anyTeam(GetParam());
+    team->setup();
+    const auto sampler = team->allocStateSampler();
+    ob::ScopedState<> a(team), b(team);
+    double farthest = 0.0;
+    for (int i = 0; i < 200; ++i)
+    {
+        sampler->sampleUniform(a.get());
+        sampler->sampleUniformNear(b.get(), a.get(), 0.5);
+        farthest = std::max(farthest, team->distance(a.get(), b.get()));
+    }
+    // OMPL's samplers keep the distance in each coordinate.
+    EXPECT_LE(farthest, 0.5 * 2.0 * std::sqrt(3.0 * 3.0 * 2.0));
+    EXPECT_GT(farthest, 0.0);
+}
+
+TEST_P(TeamSampling, ProjectsSoThatEveryRobotCounts)
+{
+    const auto team = anyTeam(GetParam());
+    team->setup();
+    ASSERT_TRUE(team->hasDefaultProjection());
+    const auto projection = team->getDefaultProjection();
+    EXPECT_EQ(projection->getDimension(), team->getWorkspaceDimension());
+    Random random(1);
+    auto state = randomState(random, team);
+    Eigen::VectorXd before(projection->getDimension()), after(projection->getDimension());
+    projection->project(state.get(), before);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+        auto moved = state;
+        randomize(random, team->getSubspace(i), moved->as<ob::CompoundState>()->components[i]);
+        projection->project(moved.get(), after);
+        EXPECT_GT((after - before).norm(), 1e-6) << "robot " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, TeamSampling, testing::Values(0U, 1U, 2U));

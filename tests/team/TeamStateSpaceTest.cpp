@@ -1,0 +1,114 @@
+#include "support/Teams.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    class AnyTeam : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        void SetUp() override
+        {
+            team_ = anyTeam(GetParam());
+            team_->setup();
+        }
+
+        TeamStateSpacePtr team_;
+    };
+}
+
+TEST_P(AnyTeam, PassesTheSanityChecksOfOmpl)
+{
+    EXPECT_NO_THROW(team_->sanityChecks());
+}
+
+TEST_P(AnyTeam, MeasuresEuclideanDistancesOverItsWeightedRobots)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto a = randomState(random, team_), b = randomState(random, team_), c = randomState(random, team_);
+        double squares = 0.0;
+        for (unsigned int i = 0; i < team_->getRobotCount(); ++i)
+            squares += std::pow(team_->getSubspaceWeight(i) *
+                                    team_->getSubspace(i)->distance(a->as<ob::CompoundState>()->components[i],
+                                                                    b->as<ob::CompoundState>()->components[i]),
+                                2);
+        const double ab = team_->distance(a.get(), b.get());
+        EXPECT_NEAR(ab, std::sqrt(squares), 1e-12);
+        EXPECT_DOUBLE_EQ(ab, team_->distance(b.get(), a.get()));
+        EXPECT_LE(ab, team_->distance(a.get(), c.get()) + team_->distance(c.get(), b.get()) + 1e-12);
+        EXPECT_LE(ab, team_->getMaximumExtent());
+        EXPECT_EQ(team_->distance(a.get(), a.get()), 0.0);
+    }
+}
+
+TEST_P(AnyTeam, HasALockableListOfRobots)
+{
+    EXPECT_EQ(team_->getRobotCount(), 3U);
+    EXPECT_EQ(team_->getSubspaceCount(), 3U);
+    EXPECT_EQ(team_->getRobots().size(), 3U);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(&team_->getRobot(i), team_->getRobots()[i].get());
+        EXPECT_EQ(team_->getSubspace(i), team_->getRobot(i).getStateSpace());
+        EXPECT_EQ(team_->getSubspaceIndex(team_->getRobot(i).getName()), i);
+    }
+    team_->lock();
+    EXPECT_THROW(team_->addRobot(RigidRobot::disc("late", 1.0, cubeBounds(2, 1.0))), ompl::Exception);
+    EXPECT_EQ(team_->getRobotCount(), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, AnyTeam, testing::Values(0U, 1U, 2U));
+
+TEST(TeamStateSpace, HasTheExtentOfItsWeightedRobots)
+{
+    TeamStateSpace team;
+    team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.5)), 2.0);
+    team.addRobot(RigidRobot::disc("b", 1.0, cubeBounds(2, 2.0)), 0.5);
+    team.addRobot(RigidRobot::disc("c", 1.0, cubeBounds(2, 1e9)), 0.0);
+    EXPECT_NEAR(team.getMaximumExtent(), std::sqrt(std::pow(2.0 * 3.0, 2) * 2.0 + std::pow(0.5 * 4.0, 2) * 2.0), 1e-9);
+}
+
+TEST(TeamStateSpace, RefusesRobotsThatDoNotFit)
+{
+    TeamStateSpace team;
+    const auto bounds = cubeBounds(2, 1.0);
+    EXPECT_EQ(team.getWorkspaceDimension(), 0U);
+    EXPECT_THROW(team.addRobot(nullptr), ompl::Exception);
+    team.addRobot(RigidRobot::disc("a", 1.0, bounds));
+    EXPECT_EQ(team.getWorkspaceDimension(), 2U);
+    EXPECT_THROW(team.addRobot(RigidRobot::disc("a", 0.5, bounds)), ompl::Exception);
+    EXPECT_THROW(team.addRobot(RigidRobot::sphere("b", 0.5, cubeBounds(3, 1.0))), ompl::Exception);
+    EXPECT_THROW(team.addRobot(RigidRobot::disc("b", 0.5, bounds), -1.0), ompl::Exception);
+    EXPECT_EQ(team.getRobotCount(), 1U);
+    EXPECT_EQ(team.getSubspaceCount(), 1U);
+    EXPECT_NO_THROW(team.addRobot(RigidRobot::disc("b", 0.5, bounds), 0.0));
+}
+
+TEST(TeamStateSpace, RefusesAWeightThatIsNotANumber)
+{
+    TeamStateSpace team;
+    EXPECT_THROW(team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)), std::nan("")), ompl::Exception);
+    EXPECT_EQ(team.getRobotCount(), 0U);
+}
+
+TEST(TeamStateSpace, IsNotSetUpWithoutRobotsOrWithOtherComponents)
+{
+    TeamStateSpace empty;
+    EXPECT_THROW(empty.setup(), ompl::Exception);
+    TeamStateSpace mixed;
+    mixed.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)));
+    auto other = std::make_shared<ob::SE2StateSpace>();
+    other->setBounds(cubeBounds(2, 1.0));
+    mixed.addSubspace(other, 1.0);
+    EXPECT_THROW(mixed.setup(), ompl::Exception);
+}

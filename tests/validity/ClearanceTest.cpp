@@ -1,0 +1,103 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** An upper bound of the team's distance to a contact: the smallest over points of the robots' bodies */
+    double sampledDistance(Random &random, const TeamStateSpace &team, const Obstacles &obstacles,
+                           const ob::State *state)
+    {
+        struct Placed
+        {
+            unsigned int robot;
+            Body body;
+            Pose pose;
+        };
+        std::vector<Placed> bodies;
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+        {
+            const Robot &robot = team.getRobot(i);
+            std::vector<Pose> poses(robot.getBodies().size());
+            robot.computePoses(state->as<ob::CompoundState>()->components[i], poses.data());
+            for (std::size_t k = 0; k < poses.size(); ++k)
+                bodies.push_back({i, robot.getBodies()[k], poses[k]});
+        }
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto &placed : bodies)
+            for (int i = 0; i < 100; ++i)
+            {
+                const Eigen::Vector3d point = placed.pose * pointOf(random, placed.body);
+                nearest = std::min(nearest, obstacles.clearance(point));
+                for (const auto &other : bodies)
+                    if (other.robot != placed.robot)
+                        nearest = std::min(nearest, other.body.signedDistance(other.pose.inverse() * point));
+            }
+        return nearest;
+    }
+}
+
+class Clearance : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)
+{
+    unsigned int positive = 0, valid = 0;
+    for (unsigned int seed = 0; seed < scaled(30); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = anyTeam(GetParam());
+        const auto obstacles = scatteredObstacles(random, team->getWorkspaceDimension(), 8);
+        const Checkers checkers(team, obstacles);
+        for (int i = 0; i < 40; ++i)
+        {
+            const auto state = randomState(random, team);
+            const double clearance = checkers.standard().getTeamChecker()->clearance(state.get());
+            const bool isValid = checkers.isValid(state.get());
+            ASSERT_LE(clearance, sampledDistance(random, *team, *obstacles, state.get()) + 1e-9);
+            ASSERT_TRUE(isValid || clearance <= 0.0) << clearance;
+            positive += clearance > 0.0 ? 1 : 0;
+            valid += isValid ? 1 : 0;
+            for (const auto &setup : checkers.certified())
+                ASSERT_EQ(setup->getTeamChecker()->clearance(state.get()), clearance);
+        }
+    }
+    EXPECT_GT(positive, valid * 8 / 10) << "too loose to be of use";
+}
+
+TEST_P(Clearance, IsDeclaredABoundedApproximation)
+{
+    const auto team = anyTeam(GetParam());
+    const Checkers checkers(team,
+                            std::make_shared<FclObstacles>(team->getWorkspaceDimension(), std::vector<PlacedBody>{}));
+    for (const auto &setup : checkers.setups)
+        EXPECT_EQ(setup->getTeamChecker()->getSpecs().clearanceComputationType,
+                  ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, Clearance, testing::Values(0U, 1U, 2U));
+
+TEST(Clearances, OfDiscsAreExact)
+{
+    const auto team = teamOfDiscs();  // 0.1, 0.2 and 0.3
+    const auto wall =
+        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(1.0, 10.0), planarPose(4.5, 0.0)}});
+    const TeamSetup setup(team, wall);
+    ob::ScopedState<> state(team);
+    state = std::vector<double>{3.0, 0.0, 0.0, 0.0, -2.0, 0.0};
+    EXPECT_NEAR(setup.getTeamChecker()->clearance(state.get()), 0.9, 1e-9);
+    state = std::vector<double>{-4.0, 4.0, 0.0, 0.0, -2.0, 0.0};
+    EXPECT_NEAR(setup.getTeamChecker()->clearance(state.get()), 1.5, 1e-9);
+}

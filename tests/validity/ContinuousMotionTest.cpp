@@ -1,0 +1,199 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    const std::vector<Method> CERTIFIED{Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION};
+
+    TeamSetupPtr continuousSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
+                                 double resolution)
+    {
+        auto setup = std::make_shared<TeamSetup>(team, obstacles, method, CertificateMotionValidator::CONTINUOUS);
+        setup->getSpaceInformation()->setStateValidityCheckingResolution(resolution);
+        setup->getSpaceInformation()->setup();
+        return setup;
+    }
+
+    /** The time of the first of many samples up to \e end that collides, or a negative number */
+    double firstCollision(const TeamValidityChecker &checker, const ob::ScopedState<> &from,
+                          const ob::ScopedState<> &to, double end, unsigned int samples)
+    {
+        ob::ScopedState<> at(from.getSpace());
+        for (unsigned int i = 0; i <= samples; ++i)
+        {
+            const double t = end * i / samples;
+            from.getSpace()->interpolate(from.get(), to.get(), t, at.get());
+            if (!checker.isValid(at.get()))
+                return t;
+        }
+        return -1.0;
+    }
+}
+
+class ContinuousMotions : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(ContinuousMotions, ThatAreAcceptedNeverCollide)
+{
+    unsigned int accepted = 0, refused = 0;
+    for (unsigned int seed = 0; seed < scaled(24); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = anyTeam(GetParam());
+        const auto obstacles = scatteredObstacles(random, team->getWorkspaceDimension(), 3 + random.below(10));
+        const double resolution = random.logUniform(0.005, 0.5);
+        const auto setup = continuousSetup(team, obstacles, CERTIFIED[seed % 3], resolution);
+        const TeamValidityChecker standard(setup->getSpaceInformation(), obstacles);
+        const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
+        for (int i = 0; i < 30; ++i)
+        {
+            const auto from = randomState(random, team);
+            if (!standard.isValid(from.get()))
+                continue;
+            const auto to = randomStateNear(random, from, random.logUniform(1e-4, 1.0));
+            // A thousand times finer than a discrete check
+            const unsigned int samples =
+                std::min(20000U, 1000 * std::max(1U, team->validSegmentCount(from.get(), to.get())));
+            ob::ScopedState<> last(team);
+            std::pair<ob::State *, double> lastValid{last.get(), -7.0};
+            const bool valid = validator.checkMotion(from.get(), to.get());
+            ++(valid ? accepted : refused);
+            if (valid)
+            {
+                ASSERT_LT(firstCollision(standard, from, to, 1.0, samples), 0.0);
+            }
+            const bool again = validator.checkMotion(from.get(), to.get(), lastValid);
+            if (again)
+            {
+                ASSERT_EQ(lastValid.second, -7.0);
+                ASSERT_LT(firstCollision(standard, from, to, 1.0, samples), 0.0);
+                continue;
+            }
+            ASSERT_GE(lastValid.second, 0.0);
+            ASSERT_LE(lastValid.second, 1.0);
+            ob::ScopedState<> expected(team);
+            team->interpolate(from.get(), to.get(), lastValid.second, expected.get());
+            ASSERT_EQ(realsOf(*team, last.get()), realsOf(*team, expected.get()));
+            ASSERT_TRUE(standard.isValid(last.get()));
+            ASSERT_LT(firstCollision(standard, from, to, lastValid.second, samples), 0.0);
+        }
+    }
+    EXPECT_GT(accepted, scaled(24) * 4);
+    EXPECT_GT(refused, scaled(24) * 2);
+}
+
+TEST_P(ContinuousMotions, ThatCollideAtAnEndAreRefused)
+{
+    Random random(3);
+    const auto team = anyTeam(GetParam());
+    const auto obstacles = scatteredObstacles(random, team->getWorkspaceDimension(), 12);
+    for (const Method method : CERTIFIED)
+    {
+        const auto setup = continuousSetup(team, obstacles, method, 0.01);
+        const TeamValidityChecker standard(setup->getSpaceInformation(), obstacles);
+        for (int i = 0; i < 100; ++i)
+        {
+            const auto from = randomState(random, team), to = randomState(random, team);
+            if (standard.isValid(from.get()) && standard.isValid(to.get()))
+                continue;
+            EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get()));
+            std::pair<ob::State *, double> lastValid{nullptr, -7.0};
+            EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get(), lastValid));
+            EXPECT_GE(lastValid.second, 0.0);
+            EXPECT_LE(lastValid.second, 1.0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, ContinuousMotions, testing::Values(0U, 1U, 2U));
+
+TEST(ContinuousMotion, StopsAtAWallThatADiscreteCheckStepsOver)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("disc", 0.01, cubeBounds(2, HALF)));
+    // Thinner than a step, and the samples fall beside it.
+    const auto wall =
+        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(0.001, 20.0), planarPose(0.13, 0.0)}});
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{-1.0, 0.0};
+    to = std::vector<double>{1.0, 0.0};
+    const double resolution = 0.02;
+    const Checkers checkers(team, wall, resolution);
+    for (const auto &setup : checkers.setups)
+        EXPECT_TRUE(setup->getSpaceInformation()->checkMotion(from.get(), to.get())) << "discrete";
+    for (const Method method : CERTIFIED)
+    {
+        const auto setup = continuousSetup(team, wall, method, resolution);
+        EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get()));
+        std::pair<ob::State *, double> lastValid{nullptr, 0.0};
+        EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get(), lastValid));
+        EXPECT_LT(-1.0 + 2.0 * lastValid.second, 0.13 - 0.0005 - 0.01);
+        EXPECT_GT(-1.0 + 2.0 * lastValid.second, 0.10);
+    }
+}
+
+TEST(ContinuousMotion, KeepsTwoRobotsFromSwappingPlacesBetweenSamples)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("a", 0.01, cubeBounds(2, HALF)));
+    team->addRobot(RigidRobot::inSE2("b", Body::box(0.02, 0.02), cubeBounds(2, HALF)));
+    const auto none = std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{});
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{-1.0, 0.0, 1.03, 0.0, 0.0};
+    to = std::vector<double>{1.0, 0.0, -0.97, 0.0, 0.0};
+    const Checkers checkers(team, none, 0.02);
+    for (const auto &setup : checkers.setups)
+        EXPECT_TRUE(setup->getSpaceInformation()->checkMotion(from.get(), to.get())) << "discrete";
+    for (const Method method : CERTIFIED)
+    {
+        const auto setup = continuousSetup(team, none, method, 0.02);
+        EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(from.get(), to.get()));
+    }
+}
+
+TEST(ContinuousMotion, AcceptsWhatIsClearlyFree)
+{
+    for (unsigned int kind = 0; kind < 3; ++kind)
+    {
+        const auto team = anyTeam(kind);
+        const auto none = std::make_shared<FclObstacles>(team->getWorkspaceDimension(), std::vector<PlacedBody>{});
+        Random random(kind);
+        for (const Method method : CERTIFIED)
+        {
+            const auto setup = continuousSetup(team, none, method, 0.01);
+            unsigned int accepted = 0, free = 0;
+            const TeamValidityChecker standard(setup->getSpaceInformation(), none);
+            for (int i = 0; i < 100; ++i)
+            {
+                const auto from = randomState(random, team), to = randomStateNear(random, from, 0.2);
+                if (firstCollision(standard, from, to, 1.0, 500) >= 0.0)
+                    continue;
+                ++free;
+                accepted += setup->getSpaceInformation()->checkMotion(from.get(), to.get()) ? 1 : 0;
+            }
+            EXPECT_GT(accepted, free * 8 / 10) << nameOf(method) << ", team " << kind;
+        }
+    }
+}
+
+TEST(ContinuousMotion, IsNotForTheStandardMethod)
+{
+    const auto none = std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{});
+    EXPECT_THROW(TeamSetup(teamOfDiscs(), none, Method::STANDARD, CertificateMotionValidator::CONTINUOUS),
+                 ompl::Exception);
+}

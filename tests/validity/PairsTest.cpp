@@ -1,0 +1,188 @@
+#include "support/Checkers.h"
+
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/collision_object.h>
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** FCL's verdict on two bodies where they are in the workspace */
+    bool touchForFcl(const Body &a, const Pose &poseA, const Body &b, const Pose &poseB)
+    {
+        for (const auto &partA : a.getParts())
+            for (const auto &partB : b.getParts())
+            {
+                Pose first = poseA * partA.pose, second = poseB * partB.pose;
+                first.translation() *= Shape::FCL_SCALE;
+                second.translation() *= Shape::FCL_SCALE;
+                fcl::CollisionRequestd request;
+                fcl::CollisionResultd result;
+                if (fcl::collide(partA.shape.getCollisionGeometry().get(), first,
+                                 partB.shape.getCollisionGeometry().get(), second, request, result) > 0)
+                    return true;
+            }
+        return false;
+    }
+
+    bool touchForFcl(const TeamStateSpace &team, const ob::State *state)
+    {
+        std::vector<std::vector<Pose>> poses;
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+        {
+            poses.emplace_back(team.getRobot(i).getBodies().size());
+            team.getRobot(i).computePoses(state->as<ob::CompoundState>()->components[i], poses.back().data());
+        }
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
+                for (std::size_t a = 0; a < poses[i].size(); ++a)
+                    for (std::size_t b = 0; b < poses[j].size(); ++b)
+                        if (touchForFcl(team.getRobot(i).getBodies()[a], poses[i][a], team.getRobot(j).getBodies()[b],
+                                        poses[j][b]))
+                            return true;
+        return false;
+    }
+
+    /** Robots of random bodies, some of them alike, in so little room that they often touch */
+    TeamStateSpacePtr crowdedTeam(Random &random, unsigned int dimension)
+    {
+        const auto bounds = cubeBounds(dimension, 0.8);
+        auto team = std::make_shared<TeamStateSpace>();
+        Body last = randomBody(random, dimension, 0.5);
+        for (unsigned int i = 0, count = 2 + random.below(3); i < count; ++i)
+        {
+            if (random.chance(0.6))
+                last = randomBody(random, dimension, 0.5);
+            const std::string name = "robot" + std::to_string(i);
+            if (dimension == 3)
+                team->addRobot(RigidRobot::inSE3(name, last, bounds));
+            else if (random.chance(0.3))
+                team->addRobot(std::make_shared<CarWithTrailer>(name, last, Body::box(0.3, 0.2), 0.4, bounds));
+            else
+                team->addRobot(RigidRobot::inSE2(name, last, bounds));
+        }
+        return team;
+    }
+}
+
+class Pairs : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(Pairs, TouchIfFclSaysSoOfTheirBodies)
+{
+    unsigned int touching = 0, apart = 0;
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = crowdedTeam(random, GetParam());
+        const auto none = std::make_shared<FclObstacles>(GetParam(), std::vector<PlacedBody>{});
+        const Checkers checkers(team, none);
+        for (int i = 0; i < 40; ++i)
+        {
+            const auto state = randomState(random, team);
+            const bool touch = touchForFcl(*team, state.get());
+            ++(touch ? touching : apart);
+            for (const auto &setup : checkers.setups)
+            {
+                ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), !touch)
+                    << setup->getTeamChecker()->getMethodName();
+                const std::string words = setup->getTeamChecker()->describeCollision(state.get());
+                ASSERT_EQ(words.empty(), !touch) << words;
+            }
+        }
+    }
+    EXPECT_GT(touching, scaled(400));
+    EXPECT_GT(apart, scaled(1000));
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, Pairs, testing::Values(2U, 3U));
+
+TEST(RobotPairs, AreAllPairsOfTheTeam)
+{
+    const auto team = teamOfDiscs();
+    const RobotPairs pairs(*team);
+    ASSERT_EQ(pairs.getPairCount(), 3U);
+    for (unsigned int i = 0; i < 3; ++i)
+        EXPECT_LT(pairs.getFirst(i), pairs.getSecond(i));
+}
+
+TEST(RobotPairs, OfDiscsTouchAtTheSumOfTheirRadii)
+{
+    const auto team = teamOfDiscs();  // 0.1, 0.2 and 0.3
+    const Checkers checkers(team, std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{}));
+    ob::ScopedState<> state(team);
+    for (const auto &setup : checkers.setups)
+    {
+        state = std::vector<double>{0.0, 0.0, 0.30001, 0.0, -4.0, 0.0};
+        EXPECT_TRUE(setup->getTeamChecker()->isValid(state.get()));
+        EXPECT_NEAR(setup->getTeamChecker()->clearance(state.get()), 0.00001, 1e-9);
+        state = std::vector<double>{0.0, 0.0, 0.29999, 0.0, -4.0, 0.0};
+        EXPECT_FALSE(setup->getTeamChecker()->isValid(state.get()));
+        EXPECT_EQ(setup->getTeamChecker()->describeCollision(state.get()),
+                  "robots 'small' and 'middle' touch each other");
+    }
+}
+
+TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const auto team = crowdedTeam(random, dimension);
+        const RobotPairs pairs(*team);
+        std::vector<std::vector<Pose>> poses;
+        std::vector<std::vector<TravelBound>> travel;
+        const auto from = randomState(random, team), to = randomState(random, team);
+        const auto place = [&](const ob::State *state)
+        {
+            poses.clear();
+            travel.clear();
+            for (unsigned int i = 0; i < team->getRobotCount(); ++i)
+            {
+                poses.emplace_back(team->getRobot(i).getBodies().size());
+                travel.emplace_back(poses.back().size());
+                team->getRobot(i).computePoses(state->as<ob::CompoundState>()->components[i], poses.back().data());
+                team->getRobot(i).computeTravelBounds(from->as<ob::CompoundState>()->components[i],
+                                                      to->as<ob::CompoundState>()->components[i], travel.back().data());
+            }
+        };
+        CheckCounts counts;
+        ob::ScopedState<> at(team);
+        for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
+        {
+            const unsigned int a = pairs.getFirst(pair), b = pairs.getSecond(pair);
+            const double time = random.uniform(0.0, 1.0);
+            team->interpolate(from.get(), to.get(), time, at.get());
+            place(at.get());
+            const PoseVerdict verdict =
+                pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), counts);
+            ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), counts));
+            ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
+            const double byBalls =
+                pairs.reachOfEnclosingBalls(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data());
+            const double reach = std::max(verdict.free ? verdict.reach : 0.0, byBalls);
+            for (int i = 0; reach > 0.0 && i < 30; ++i)
+            {
+                const double later = time + random.uniform(-1.0, 1.0) * std::min(reach, 1.0);
+                if (later < 0.0 || later > 1.0)
+                    continue;
+                team->interpolate(from.get(), to.get(), later, at.get());
+                place(at.get());
+                ASSERT_FALSE(pairs.collide(pair, poses[a].data(), poses[b].data(), counts));
+            }
+        }
+    }
+}

@@ -1,0 +1,122 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    class StaleReferences : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            Random random(GetParam());
+            team_ = anyTeam(GetParam());
+            here_ = std::make_unique<Checkers>(team_, scatteredObstacles(random, team_->getWorkspaceDimension(), 10));
+            there_ = std::make_unique<Checkers>(team_, scatteredObstacles(random, team_->getWorkspaceDimension(), 10));
+            for (int i = 0; i < 300; ++i)
+                states_.push_back(randomState(random, team_));
+        }
+
+        /** Expects the verdicts of all methods to be right for the states as they are, with their references. */
+        void expectRightVerdicts(const Checkers &checkers, std::size_t method)
+        {
+            const auto &setup = checkers.setups[method];
+            for (std::size_t i = 0; i < states_.size(); ++i)
+            {
+                const ob::ScopedState<> state = states_[i];  // with references
+                const ob::ScopedState<> &next = states_[(i + 1) % states_.size()];
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(state.get(), next.get()),
+                          checkers.standard().getSpaceInformation()->checkMotion(state.get(), next.get()));
+                ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), checkers.isValid(state.get()));
+            }
+        }
+
+        TeamStateSpacePtr team_;
+        std::unique_ptr<Checkers> here_, there_;
+        std::vector<ob::ScopedState<>> states_;
+    };
+}
+
+TEST_P(StaleReferences, FromBeforeClearChangeNoVerdict)
+{
+    for (std::size_t method = 1; method < here_->setups.size(); ++method)
+    {
+        const auto checker = here_->setups[method]->getCertificateChecker();
+        ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
+        for (const auto &state : states_)
+            checker->isValid(state.get());
+        EXPECT_GT(checker->getCertificateCount(), 0U);
+        EXPECT_EQ(checker->getCertificates().size(), checker->getCertificateCount());
+        checker->clear();
+        EXPECT_EQ(checker->getCertificateCount(), 0U);
+        EXPECT_TRUE(checker->getCertificates().empty());
+        ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
+    }
+}
+
+TEST_P(StaleReferences, OfACheckerOfOtherObstaclesChangeNoVerdict)
+{
+    for (std::size_t method = 1; method < here_->setups.size(); ++method)
+        for (std::size_t other = 1; other < there_->setups.size(); ++other)
+        {
+            for (const auto &state : states_)
+                there_->setups[other]->getTeamChecker()->isValid(state.get());
+            ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
+        }
+}
+
+TEST_P(StaleReferences, ToAnythingChangeNoVerdict)
+{
+    Random random(7);
+    for (int round = 0; round < 5; ++round)
+        for (std::size_t method = 1; method < here_->setups.size(); ++method)
+        {
+            for (const auto &state : states_)
+                for (unsigned int robot = 0; robot < team_->getRobotCount(); ++robot)
+                    state->as<TeamStateSpace::StateType>()->setReference(
+                        robot, random.chance(0.5) ? random.below(300) : random.below(std::size_t(1) << 32));
+            ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
+        }
+}
+
+TEST_P(StaleReferences, OfAnotherRobotOrStateChangeNoVerdict)
+{
+    for (std::size_t method = 1; method < here_->setups.size(); ++method)
+    {
+        for (const auto &state : states_)
+            here_->setups[method]->getTeamChecker()->isValid(state.get());
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            for (unsigned int robot = 0; robot < 3; ++robot)
+                states_[i]->as<TeamStateSpace::StateType>()->setReference(
+                    robot, states_[(7 * i + 3) % states_.size()]->as<TeamStateSpace::StateType>()->getReference(
+                               (robot + 1) % 3));
+        ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
+    }
+}
+
+TEST_P(StaleReferences, AreReplacedByOnesThatHelp)
+{
+    // A state that was found free is free again without a look at the obstacles.
+    const auto setup = here_->setups.back();
+    unsigned int free = 0, asked = 0;
+    for (const auto &state : states_)
+    {
+        team_->clearReferences(state.get());
+        if (!setup->getTeamChecker()->isValid(state.get()))
+            continue;
+        ++free;
+        setup->getStatistics().reset();
+        ASSERT_TRUE(setup->getTeamChecker()->isValid(state.get()));
+        asked += setup->getStatistics().getCounts().exact > 0 ? 1 : 0;
+    }
+    EXPECT_GT(free, 30U);
+    EXPECT_LT(asked, free / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, StaleReferences, testing::Values(0U, 1U, 2U));

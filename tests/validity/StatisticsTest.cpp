@@ -1,0 +1,139 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/util/Console.h>
+#include <thread>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** Checks a random walk of motions, the same for every method. */
+    void walk(const TeamSetup &setup, const TeamStateSpacePtr &team, unsigned int steps)
+    {
+        Random random(5);
+        std::vector<ob::ScopedState<>> tree{randomState(random, team)};
+        for (unsigned int i = 0; i < steps; ++i)
+        {
+            const auto &from = tree[random.below(tree.size())];
+            const auto to = randomStateNear(random, from, random.uniform(0.02, 0.2));
+            if (setup.getSpaceInformation()->isValid(to.get()) &&
+                setup.getSpaceInformation()->checkMotion(from.get(), to.get()))
+                tree.push_back(to);
+        }
+    }
+}
+
+class StatisticsOfATeam : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(StatisticsOfATeam, AddUp)
+{
+    Random random(GetParam());
+    const auto team = anyTeam(GetParam());
+    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    for (const auto &setup : checkers.setups)
+    {
+        SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+        setup->getStatistics().reset();
+        walk(*setup, team, 500);
+        const CheckCounts counts = setup->getStatistics().getCounts();
+        EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.exact);
+        EXPECT_LE(counts.exactColliding, counts.exact);
+        EXPECT_LE(counts.pairExact, counts.pairPoses * 2);
+        EXPECT_GT(counts.motions, 0U);
+        EXPECT_LE(counts.motions, 500U);
+        EXPECT_GE(counts.motionSamples, counts.motions);
+        EXPECT_LE(counts.motionSamplesSkipped, counts.motionSamples);
+        EXPECT_GT(setup->getStatistics().getCheckingSeconds(), 0.0);
+        EXPECT_LT(setup->getStatistics().getCheckingSeconds(), 60.0);
+        if (setup->getCertificateChecker())
+        {
+            EXPECT_GT(counts.certifiedFree, 0U);
+            EXPECT_GT(counts.motionSamplesSkipped, 0U);
+            EXPECT_GT(setup->getCertificateChecker()->getCertificateCount(), 0U);
+        }
+        else
+        {
+            EXPECT_EQ(counts.exact, counts.robotPoses);
+            EXPECT_EQ(counts.motionSamplesSkipped, 0U);
+            EXPECT_EQ(counts.clearanceQueries, 0U);
+        }
+        setup->getStatistics().reset();
+        EXPECT_EQ(setup->getStatistics().getCounts().robotPoses, 0U);
+        EXPECT_EQ(setup->getStatistics().getCheckingSeconds(), 0.0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, StatisticsOfATeam, testing::Values(0U, 1U, 2U));
+
+TEST(Statistics, ShowFewerExactChecksTheMoreIsShared)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    Random random(11);
+    const auto team = teamOfDiscs();
+    const Checkers checkers(team, scatteredObstacles(random, 2, 10));
+    std::vector<double> fractions;
+    for (const auto &setup : checkers.setups)
+    {
+        setup->getStatistics().reset();
+        walk(*setup, team, 3000);
+        const CheckCounts counts = setup->getStatistics().getCounts();
+        fractions.push_back(static_cast<double>(counts.exact) / static_cast<double>(counts.robotPoses));
+    }
+    EXPECT_EQ(fractions[0], 1.0);
+    EXPECT_LE(fractions[1], 1.0) << "basic";
+    EXPECT_LE(fractions[2], fractions[1]) << "partial";
+    EXPECT_LE(fractions[3], fractions[2]) << "shared";
+    EXPECT_LT(fractions[3], 0.3);
+}
+
+TEST(Statistics, SumOverThreads)
+{
+    Statistics statistics;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 20; ++i)
+        threads.emplace_back(
+            [&statistics]
+            {
+                CheckCounts counts;
+                counts.robotPoses = 2;
+                counts.motionSamplesSkipped = 3;
+                for (int k = 0; k < 100; ++k)
+                    statistics.add(counts);
+            });
+    for (auto &thread : threads)
+        thread.join();
+    EXPECT_EQ(statistics.getCounts().robotPoses, 4000U);
+    EXPECT_EQ(statistics.getCounts().motionSamplesSkipped, 6000U);
+    EXPECT_EQ(statistics.getCounts().motions, 0U);
+}
+
+TEST(Statistics, CountEnclosedTimeOnce)
+{
+    Statistics statistics;
+    {
+        const Statistics::Timer outer(statistics);
+        EXPECT_FALSE(outer.isEnclosed());
+        const Statistics::Timer inner(statistics);
+        EXPECT_TRUE(inner.isEnclosed());
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    EXPECT_GE(statistics.getCheckingSeconds(), 0.02);
+    const double once = statistics.getCheckingSeconds();
+    {
+        const Statistics::Timer again(statistics);
+        EXPECT_FALSE(again.isEnclosed());
+    }
+    EXPECT_GE(statistics.getCheckingSeconds(), once);
+}

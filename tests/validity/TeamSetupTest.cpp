@@ -1,0 +1,117 @@
+#include "support/Checkers.h"
+
+#include "ompl_certificates/validity/Basic.h"
+#include "ompl_certificates/validity/Partial.h"
+#include "ompl_certificates/validity/SharedProjection.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    ObstaclesPtr noObstacles(unsigned int dimension)
+    {
+        return std::make_shared<FclObstacles>(dimension, std::vector<PlacedBody>{});
+    }
+}
+
+TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
+{
+    const auto team = teamOfDiscs();
+    for (const Method method : allMethods())
+    {
+        const TeamSetup setup(team, noObstacles(2), method);
+        EXPECT_EQ(setup.getTeamChecker()->getMethodName(), nameOf(method));
+        EXPECT_EQ(setup.getSpaceInformation()->getStateValidityChecker(), setup.getTeamChecker());
+        EXPECT_EQ(&setup.getTeam(), team.get());
+        EXPECT_EQ(setup.getCertificateChecker() == nullptr, method == Method::STANDARD);
+        const auto *validator =
+            dynamic_cast<CertificateMotionValidator *>(setup.getSpaceInformation()->getMotionValidator().get());
+        EXPECT_EQ(validator == nullptr, method == Method::STANDARD);
+        if (validator)
+        {
+            EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
+        }
+    }
+    EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethodName(), "shared");
+}
+
+TEST(TeamSetup, KnowsTheNamesOfTheMethods)
+{
+    EXPECT_EQ(allMethods().size(), 4U);
+    EXPECT_EQ(allMethods().front(), Method::STANDARD);
+    for (const Method method : allMethods())
+        EXPECT_EQ(methodOf(nameOf(method)), method);
+    try
+    {
+        methodOf("best");
+        FAIL() << "accepted";
+    }
+    catch (const ompl::Exception &error)
+    {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("'best'"), std::string::npos);
+        for (const Method method : allMethods())
+            EXPECT_NE(text.find(nameOf(method)), std::string::npos);
+    }
+}
+
+TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
+{
+    for (const Method method : allMethods())
+    {
+        SCOPED_TRACE(nameOf(method));
+        EXPECT_THROW(TeamSetup(teamOfDiscs(), nullptr, method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(teamOfDiscs(), noObstacles(3), method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(spatialTeam(), noObstacles(2), method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(std::make_shared<TeamStateSpace>(), noObstacles(2), method), ompl::Exception);
+    }
+}
+
+TEST(Checkers, RefuseSpacesThatAreNotTeams)
+{
+    const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
+    EXPECT_THROW(TeamValidityChecker(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(Basic(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(Partial(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(SharedProjection(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(CertificateMotionValidator(nullptr), ompl::Exception);
+}
+
+TEST(Checkers, AreAtHomeInAnOrdinarySpaceInformation)
+{
+    const auto si = std::make_shared<ob::SpaceInformation>(mixedTeam());
+    Random random(1);
+    const auto checker = std::make_shared<SharedProjection>(si, scatteredObstacles(random, 2, 5));
+    si->setStateValidityChecker(checker);
+    si->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker));
+    EXPECT_NO_THROW(si->setup());
+    const auto state = randomState(random, si->getStateSpace());
+    EXPECT_EQ(si->isValid(state.get()), checker->describeCollision(state.get()).empty());
+}
+
+TEST(Checkers, SayWhichRobotTouchesAnObstacle)
+{
+    const auto team = teamOfDiscs();
+    const auto block =
+        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(1.0, 1.0), planarPose(3.0, 0.0)}});
+    const TeamSetup setup(team, block);
+    ob::ScopedState<> state(team);
+    state = std::vector<double>{0.0, 0.0, 3.0, 0.0, -4.0, 0.0};
+    EXPECT_EQ(setup.getTeamChecker()->describeCollision(state.get()), "robot 'middle' touches an obstacle");
+    state = std::vector<double>{0.0, 0.0, 1.0, 0.0, -4.0, 0.0};
+    EXPECT_EQ(setup.getTeamChecker()->describeCollision(state.get()), "");
+}
+
+TEST(Checkers, KeepTheTeamAsItIs)
+{
+    const auto team = teamOfDiscs();
+    const TeamSetup setup(team, noObstacles(2));
+    EXPECT_THROW(team->addRobot(RigidRobot::disc("late", 0.1, cubeBounds(2, HALF))), ompl::Exception);
+}

@@ -1,0 +1,104 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+#include <thread>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+class Threads : public testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    Random random(GetParam());
+    const auto team = anyTeam(GetParam());
+    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    const auto &alone = *checkers.standard().getSpaceInformation();
+    constexpr unsigned int count = 400;
+    std::vector<ob::ScopedState<>> states;
+    std::vector<bool> valid, motions;
+    std::vector<double> lastValid;
+    for (unsigned int i = 0; i <= count; ++i)
+        states.push_back(i % 5 == 0 ? randomState(random, team) : randomStateNear(random, states.back(), 0.1));
+    for (unsigned int i = 0; i < count; ++i)
+    {
+        valid.push_back(alone.isValid(states[i].get()));
+        std::pair<ob::State *, double> last{nullptr, 1.0};
+        motions.push_back(alone.checkMotion(states[i].get(), states[i + 1].get(), last));
+        lastValid.push_back(last.second);
+    }
+    for (const auto &setup : checkers.setups)
+        for (unsigned int round = 0; round < scaled(3); ++round)
+        {
+            SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+            if (setup->getCertificateChecker())
+                setup->getCertificateChecker()->clear();
+            setup->getStatistics().reset();
+            const auto &si = *setup->getSpaceInformation();
+            si.getMotionValidator()->resetMotionCounter();
+            std::atomic<unsigned int> wrong{0};
+            std::vector<std::thread> threads;
+            for (unsigned int thread = 0; thread < 4; ++thread)
+                threads.emplace_back(
+                    [&, thread]
+                    {
+                        // Each in another order, all on the same states with their references.
+                        for (unsigned int k = 0; k < count; ++k)
+                        {
+                            const unsigned int i = (k * (2 * thread + 1) + 100 * thread) % count;
+                            std::pair<ob::State *, double> last{nullptr, 1.0};
+                            if (si.isValid(states[i].get()) != valid[i] ||
+                                si.checkMotion(states[i].get(), states[i + 1].get()) != motions[i] ||
+                                si.checkMotion(states[i].get(), states[i + 1].get(), last) != motions[i] ||
+                                (!motions[i] && last.second != lastValid[i]))
+                                ++wrong;
+                        }
+                    });
+            for (auto &thread : threads)
+                thread.join();
+            EXPECT_EQ(wrong, 0U);
+            const CheckCounts counts = setup->getStatistics().getCounts();
+            EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.exact);
+            EXPECT_EQ(counts.motions, 4U * 2U * count);
+            if (setup->getCertificateChecker())
+            {
+                EXPECT_EQ(si.getMotionValidator()->getCheckedMotionCount(), 4U * 2U * count);
+            }
+        }
+}
+
+TEST_P(Threads, MayAskForClearances)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    Random random(GetParam());
+    const auto team = anyTeam(GetParam());
+    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    const auto &checker = *checkers.setups.back()->getTeamChecker();
+    std::vector<ob::ScopedState<>> states;
+    std::vector<double> clearances;
+    for (int i = 0; i < 50; ++i)
+    {
+        states.push_back(randomState(random, team));
+        clearances.push_back(checker.clearance(states.back().get()));
+    }
+    std::atomic<unsigned int> wrong{0};
+    std::vector<std::thread> threads;
+    for (unsigned int thread = 0; thread < 4; ++thread)
+        threads.emplace_back(
+            [&]
+            {
+                for (std::size_t i = 0; i < states.size(); ++i)
+                    if (checker.clearance(states[i].get()) != clearances[i])
+                        ++wrong;
+            });
+    for (auto &thread : threads)
+        thread.join();
+    EXPECT_EQ(wrong, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, Threads, testing::Values(0U, 1U, 2U));

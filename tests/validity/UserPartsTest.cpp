@@ -1,0 +1,195 @@
+#include "support/Checkers.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** Obstacles that know only a lower bound of the clearance, of a kind that users may bring */
+    class BoundedObstacles : public Obstacles
+    {
+    public:
+        BoundedObstacles(std::shared_ptr<FclObstacles> exact, double factor) : exact_(std::move(exact)), factor_(factor)
+        {
+        }
+
+        unsigned int getDimension() const override
+        {
+            return exact_->getDimension();
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            return exact_->collides(body, pose);
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            const double clearance = exact_->clearance(point);
+            return clearance > 0.0 ? factor_ * clearance : clearance;
+        }
+
+        double getTolerance() const override
+        {
+            return exact_->getTolerance();
+        }
+
+        bool provesCollisions() const override
+        {
+            return false;
+        }
+
+    private:
+        std::shared_ptr<FclObstacles> exact_;
+        double factor_;
+    };
+
+    /** Obstacles grown by a margin only in what they say of clearances: negative although nothing is touched */
+    class ShyObstacles : public BoundedObstacles
+    {
+    public:
+        ShyObstacles(std::shared_ptr<FclObstacles> exact, double shyness)
+          : BoundedObstacles(std::move(exact), 1.0), shyness_(shyness)
+        {
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            return BoundedObstacles::clearance(point) - shyness_;
+        }
+
+    private:
+        double shyness_;
+    };
+
+    /** An arm of two links about a fixed joint: a robot that a user may bring */
+    class Arm : public Robot
+    {
+    public:
+        explicit Arm(const std::string &name, double x, double y)
+          : Robot(name, makeSpace(), {Body::planarCapsule(0.1, 1.0), Body::box(1.0, 0.1)}), x_(x), y_(y)
+        {
+        }
+
+        void computePoses(const ob::State *state, Pose *poses) const override
+        {
+            const auto *q = state->as<ob::CompoundState>();
+            const double first = q->as<ob::SO2StateSpace::StateType>(0)->value;
+            const double second = q->as<ob::SO2StateSpace::StateType>(1)->value;
+            const Pose shoulder = planarPose(x_, y_, first), elbow = shoulder * planarPose(1.2, 0.0, second);
+            poses[0] = shoulder * planarPose(0.6, 0.0);
+            poses[1] = elbow * planarPose(0.6, 0.0);
+        }
+
+        void computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const override
+        {
+            const auto *a = from->as<ob::CompoundState>(), *b = to->as<ob::CompoundState>();
+            const auto *space = getStateSpace()->as<ob::CompoundStateSpace>();
+            const double first = space->getSubspace(0)->distance(a->components[0], b->components[0]);
+            const double second = space->getSubspace(1)->distance(a->components[1], b->components[1]);
+            bounds[0] = {0.6 * first, first};
+            bounds[1] = {1.2 * first + 0.6 * (first + second), first + second};
+        }
+
+    private:
+        static ob::StateSpacePtr makeSpace()
+        {
+            auto space = std::make_shared<ob::CompoundStateSpace>();
+            space->addSubspace(std::make_shared<ob::SO2StateSpace>(), 1.0);
+            space->addSubspace(std::make_shared<ob::SO2StateSpace>(), 1.0);
+            return space;
+        }
+
+        double x_, y_;
+    };
+
+    TeamStateSpacePtr teamWithArms()
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(std::make_shared<Arm>("left", -1.5, 0.0));
+        team->addRobot(std::make_shared<Arm>("right", 1.5, 0.5));
+        team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.3), cubeBounds(2, 3.0)));
+        return team;
+    }
+
+    void expectEqualVerdicts(Random &random, const Checkers &checkers, unsigned int count)
+    {
+        unsigned int valid = 0, validMotions = 0;
+        auto from = randomState(random, checkers.team);
+        for (unsigned int i = 0; i < count; ++i)
+        {
+            const auto to = random.chance(0.5) ? randomState(random, checkers.team)
+                                               : randomStateNear(random, from, random.logUniform(1e-3, 0.3));
+            ob::ScopedState<> expectedState(checkers.team), state(checkers.team);
+            std::pair<ob::State *, double> expected{expectedState.get(), 1.0};
+            const bool isValid = checkers.isValid(to.get());
+            const bool motion = checkers.standard().getSpaceInformation()->checkMotion(from.get(), to.get(), expected);
+            valid += isValid ? 1 : 0;
+            validMotions += motion ? 1 : 0;
+            for (const auto &setup : checkers.certified())
+            {
+                SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+                std::pair<ob::State *, double> last{state.get(), 1.0};
+                ASSERT_EQ(setup->getTeamChecker()->isValid(to.get()), isValid);
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), motion);
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get(), last), motion);
+                ASSERT_EQ(last.second, expected.second);
+            }
+            if (isValid)
+                from = to;
+        }
+        EXPECT_GT(valid, count / 20);
+        EXPECT_LT(valid, count);
+        EXPECT_GT(validMotions, 0U);
+    }
+}
+
+class UserParts : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(UserParts, ObstaclesWithALowerBoundOnlyGiveEqualVerdicts)
+{
+    for (unsigned int seed = 0; seed < scaled(10); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = anyTeam(GetParam());
+        const auto exact = scatteredObstacles(random, team->getWorkspaceDimension(), 10);
+        const Checkers half(team, std::make_shared<BoundedObstacles>(exact, 0.5));
+        ASSERT_NO_FATAL_FAILURE(expectEqualVerdicts(random, half, 100));
+        const Checkers shy(team, std::make_shared<ShyObstacles>(exact, 0.5));
+        ASSERT_NO_FATAL_FAILURE(expectEqualVerdicts(random, shy, 100));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, UserParts, testing::Values(0U, 1U, 2U));
+
+TEST(UserRobot, GivesEqualVerdicts)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    for (unsigned int seed = 0; seed < scaled(10); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = teamWithArms();
+        const Checkers checkers(team, scatteredObstacles(random, 2, 5));
+        ASSERT_NO_FATAL_FAILURE(expectEqualVerdicts(random, checkers, 100));
+    }
+}
+
+TEST(UserRobot, PassesTheSanityChecksInItsTeam)
+{
+    const auto team = teamWithArms();
+    team->setup();
+    EXPECT_NO_THROW(team->sanityChecks());
+}
