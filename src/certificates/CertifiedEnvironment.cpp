@@ -62,7 +62,9 @@ namespace ompl_certificates
     {
         const Ball &ball = query.body.getCover().getRoot();
         const double margin = getMargin(query.body), leastSlack = query.minimumReach * query.speedOf(ball);
-        return {query.pose * ball.center, ball.radius + margin + leastSlack, query.body.getCentralRadius() - margin};
+        // A clearance that is only a lower bound proves no collision.
+        const double collidingRadius = obstacles_->provesCollisions() ? query.body.getCentralRadius() - margin : -INF;
+        return {query.pose * ball.center, ball.radius + margin + leastSlack, collidingRadius};
     }
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const

@@ -98,12 +98,18 @@ TEST_P(Environment, LearnsNothingFromPosesThatItHasSeen)
         std::vector<Pose> poses;
         for (int i = 0; i < 50; ++i)
             poses.push_back(random.pose(GetParam(), 4.0));
-        for (const Pose &pose : poses)
-            environment.settle({body, pose}, NO_CERTIFICATE, policy, counts);
+        const auto settleAll = [&]
+        {
+            for (const Pose &pose : poses)
+            {
+                policy.reset();  // always look up, always learn
+                environment.settle({body, pose}, NO_CERTIFICATE, policy, counts);
+            }
+        };
+        settleAll();
         const std::size_t known = environment.getCertificates().size();
         for (int round = 0; round < 20; ++round)
-            for (const Pose &pose : poses)
-                environment.settle({body, pose}, NO_CERTIFICATE, policy, counts);
+            settleAll();
         EXPECT_EQ(environment.getCertificates().size(), known);
     }
 }

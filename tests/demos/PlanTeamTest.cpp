@@ -171,6 +171,14 @@ namespace
     {
         std::vector<std::string> arguments;
         std::string complaint;
+
+        /** Names the case in the output of the tests; else its bytes would. */
+        friend std::ostream &operator<<(std::ostream &out, const BadInput &input)
+        {
+            for (const auto &argument : input.arguments)
+                out << argument << ' ';
+            return out;
+        }
     };
 
     std::vector<BadInput> badInputs()

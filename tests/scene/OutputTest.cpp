@@ -245,7 +245,7 @@ namespace ompl_certificates
                 settings.seed = seed;
                 SCOPED_TRACE(std::to_string(size) + " " + std::to_string(seed));
                 const YamlScene scene = RandomPolygonScene(settings).make();
-                EXPECT_EQ(scene.getObstacles().size(), 40u);
+                EXPECT_EQ(scene.getObstacles().size(), settings.obstacles);
                 EXPECT_EQ(scene.getMembers().size(), 5u);
                 EXPECT_NO_THROW(scene.validate());
             }
