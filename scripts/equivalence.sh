@@ -63,7 +63,7 @@ compare() {
     elif [[ "$result" != "$expected" ]]; then
       [[ "$verdict" == DIFFERENT ]] || note=""
       verdict=DIFFERENT
-      note+="$method is not $first: $(diff <(echo "$expected") <(echo "$result") | grep '^[<>]' | tr '\n' ' ')"
+      note+="$method is not $first: $({ diff <(echo "$expected") <(echo "$result") || true; } | tr -s '\n' ' ') "
     fi
   done
   rm -rf "$folder"
@@ -117,7 +117,9 @@ for scene in "${scenes[@]}"; do
       printf '%s\0%s\0%s\0' "$scene" "$planner" "$seed"
     done
   done
-done | xargs -0 -n 3 -P "$jobs" "${BASH_SOURCE[0]}" --compare >"$results"
+done >"$EQUIVALENCE_DIR/tasks"
+tasks=$(tr -cd '\0' <"$EQUIVALENCE_DIR/tasks" | wc -c)
+xargs -0 -n 3 -P "$jobs" "$0" --compare <"$EQUIVALENCE_DIR/tasks" >"$results" || true
 
 echo "${methods//,/, } with $iterations iterations, seeds ${seeds//,/, }"
 echo
@@ -148,4 +150,8 @@ number() {
 echo
 echo "$(number equal) equal, $(number DIFFERENT) different, $(number FAILED) failed, $(number refused) refused;" \
   "each with the methods $methods"
+if ((3 * $(wc -l <"$results") != tasks)); then
+  echo "equivalence.sh: some comparisons came to no result" >&2
+  exit 1
+fi
 (($(number DIFFERENT) + $(number FAILED) == 0 && $(number equal) > 0))
