@@ -124,14 +124,14 @@ xargs -0 -n 3 -P "$jobs" "$0" --compare <"$EQUIVALENCE_DIR/tasks" >"$results" ||
 echo "${methods//,/, } with $iterations iterations, seeds ${seeds//,/, }"
 echo
 {
-  printf 'scene\tplanner\tequal\tdifferent\tnote\n'
+  printf 'scene\tplanner\tequal\tdifferent\tstates\tnote\n'
   sort -t $'\t' -k2,2 -k3,3 -k4,4n "$results" | awk -F '\t' '
-    $1 == "refused" { if (!seen[$2]++) print $2 "\t-\t-\t-\trefused: " $5; next }
+    $1 == "refused" { if (!seen[$2]++) print $2 "\t-\t-\t-\t-\trefused: " $5; next }
     {
       key = $2 "\t" $3
       if (!(key in total)) order[++count] = key
       ++total[key]
-      if ($1 == "equal") ++equal[key]
+      if ($1 == "equal") { ++equal[key]; states[key] += $5 }
       else if (!(key in note)) note[key] = $1 ", seed " $4 ": " $5
       else ++more[key]
     }
@@ -139,15 +139,17 @@ echo
       for (i = 1; i <= count; ++i) {
         key = order[i]
         others = key in more ? " and " more[key] " more" : ""
-        print key "\t" equal[key] + 0 "\t" total[key] - equal[key] "\t" note[key] others
+        print key "\t" equal[key] + 0 "\t" total[key] - equal[key] "\t" states[key] + 0 "\t" note[key] others
       }
     }'
-} | awk -F '\t' '{ printf "%-34s %-12s %6s %10s  %s\n", $1, $2, $3, $4, $5 }'
+} | awk -F '\t' '{ printf "%-34s %-12s %6s %10s %9s  %s\n", $1, $2, $3, $4, $5, $6 }'
 
 number() {
   awk -F '\t' -v verdict="$1" '$1 == verdict { ++n } END { print n + 0 }' "$results"
 }
 echo
+awk -F '\t' '$1 == "equal" { all += $5; small += $5 < 10 } END {
+  printf "Trees compared have %d states; %d of them have fewer than 10, which tells little.\n", all, small }' "$results"
 echo "$(number equal) equal, $(number DIFFERENT) different, $(number FAILED) failed, $(number refused) refused;" \
   "each with the methods $methods"
 if ((3 * $(wc -l <"$results") != tasks)); then
