@@ -148,7 +148,7 @@ number() {
   awk -F '\t' -v verdict="$1" '$1 == verdict { ++n } END { print n + 0 }' "$results"
 }
 echo
-awk -F '\t' '$1 == "equal" { all += $5; small += $5 < 10 } END {
+awk -F '\t' '$1 == "equal" { all += $5 + 0; small += $5 + 0 < 10 } END {
   printf "Trees compared have %d states; %d of them have fewer than 10, which tells little.\n", all, small }' "$results"
 echo "$(number equal) equal, $(number DIFFERENT) different, $(number FAILED) failed, $(number refused) refused;" \
   "each with the methods $methods"

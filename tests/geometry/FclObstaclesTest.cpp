@@ -55,17 +55,25 @@ TEST_P(RandomObstacles, CollideWithABallAsTheirClearanceSays)
                 const unsigned int dimension = obstacles.getDimension();
                 for (int i = 0; i < 200; ++i)
                 {
-                    const Pose pose = poseAt(random.point(dimension, 5.0 * unit));
+                    Pose pose = poseAt(random.point(dimension, 5.0 * unit));
+                    if (random.chance(0.5))
+                    {
+                        // Near the surface, where the ball is far smaller than the obstacles
+                        const auto &near = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
+                        pose = poseAt(near.pose * pointOf(random, near.body) +
+                                      unit * random.logUniform(1e-6, 1.0) * random.direction(dimension));
+                    }
                     const double clearance = obstacles.clearance(pose.translation());
                     // Just smaller and just larger than the gap, by what is promised of both
-                    const double slack = 1.001 * obstacles.getTolerance() * (1.0 + random.logUniform(1e-3, 1e4));
-                    const double small = clearance - slack - EXACT_CHECK_TOLERANCE * std::abs(clearance);
+                    const double slack =
+                        obstacles.getTolerance() * (1.0 + (random.chance(0.5) ? 0.0 : random.logUniform(1e-3, 1e4)));
+                    const double small = (clearance - slack) / (1.0 + EXACT_CHECK_TOLERANCE);
                     if (small > 0.0)
                     {
                         ASSERT_FALSE(obstacles.collides(ballOf(dimension, small), pose))
                             << pose.translation().transpose() << ", clearance " << clearance;
                     }
-                    const double large = clearance + slack + EXACT_CHECK_TOLERANCE * std::abs(clearance);
+                    const double large = (clearance + slack) / (1.0 - EXACT_CHECK_TOLERANCE);
                     if (large > 0.0)
                     {
                         ASSERT_TRUE(obstacles.collides(ballOf(dimension, large), pose))

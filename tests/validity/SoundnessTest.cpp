@@ -17,14 +17,16 @@ namespace
         return state->as<ob::RealVectorStateSpace::StateType>()->values;
     }
 
-    TeamStateSpacePtr randomTeam(Random &random, unsigned int dimension, double unit)
+    TeamStateSpacePtr randomTeam(Random &random, unsigned int dimension, double unit, double origin)
     {
-        const auto bounds = cubeBounds(dimension, 3.0 * unit);
+        ob::RealVectorBounds bounds(dimension);
+        bounds.setLow(origin - 3.0 * unit);
+        bounds.setHigh(origin + 3.0 * unit);
         auto team = std::make_shared<TeamStateSpace>();
         for (unsigned int i = 0, count = 1 + random.below(3); i < count; ++i)
         {
             const std::string name = "robot" + std::to_string(i);
-            const Body body = randomBody(random, dimension, unit * random.logUniform(0.1, 1.0));
+            const Body body = randomBody(random, dimension, unit * random.logUniform(0.02, 1.0));
             const bool turns = random.chance(0.7);
             if (dimension == 3)
                 team->addRobot(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
@@ -37,13 +39,15 @@ namespace
         return team;
     }
 
-    std::shared_ptr<FclObstacles> randomObstacles(Random &random, unsigned int dimension, double unit)
+    std::shared_ptr<FclObstacles> randomObstacles(Random &random, unsigned int dimension, double unit, double origin)
     {
         std::vector<PlacedBody> bodies;
         for (unsigned int count = 1 + random.below(6); count > 0; --count)
         {
             const Body body = randomBody(random, dimension, unit * random.logUniform(0.3, 3.0));
-            bodies.push_back({body, random.pose(dimension, 3.0 * unit)});
+            Pose pose = random.pose(dimension, 3.0 * unit);
+            pose.translation().head(dimension).array() += origin;
+            bodies.push_back({body, pose});
         }
         return std::make_shared<FclObstacles>(dimension, bodies);
     }
@@ -150,8 +154,10 @@ TEST_P(Soundness, VerdictsAreThoseOfTheStandardCheck)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double unit = seed % 3 == 0 ? 1.0 : seed % 3 == 1 ? 1e-3 : 1e4;
-        const auto team = randomTeam(random, GetParam(), unit);
-        const Checkers checkers(team, randomObstacles(random, GetParam(), unit));
+        // Now and then far from the origin, as surveyed maps are
+        const double origin = random.chance(0.1) ? 1e6 * unit : 0.0;
+        const auto team = randomTeam(random, GetParam(), unit, origin);
+        const Checkers checkers(team, randomObstacles(random, GetParam(), unit, origin));
         auto state = randomState(random, team);
         for (int i = 0; i < 20; ++i)
         {
