@@ -11,7 +11,6 @@
 #include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/util/Exception.h>
 #include <type_traits>
-#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -19,69 +18,62 @@ namespace ompl_certificates
 {
     namespace detail
     {
-        /** \brief What is neither a state nor has one */
-        inline const ompl::base::State *stateIn(...)
+        template <typename Type>
+        using IfState = std::enable_if_t<std::is_convertible_v<Type, const ompl::base::State *>>;
+
+        /** \brief Orders the overloads of stateOf() below, for elements that fit several */
+        template <int Rank>
+        struct Prefer : Prefer<Rank - 1>
+        {
+        };
+
+        template <>
+        struct Prefer<0>
+        {
+        };
+
+        /** \brief Neither a state nor something that shows one */
+        template <typename Data>
+        const ompl::base::State *stateOf(const Data &, Prefer<0>)
         {
             return nullptr;
         }
 
-        template <typename Data, typename = void>
-        struct StateOf : std::false_type
+        /** \brief Something with a function \e getState() */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->getState())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<1>)
         {
-        };
+            return data->getState();
+        }
 
-        template <typename Type>
-        using IfState = std::enable_if_t<std::is_convertible_v<Type, const ompl::base::State *>>;
-
-        /** \brief A pointer to a state */
-        template <typename Data>
-        struct StateOf<Data, IfState<Data>> : std::true_type
+        /** \brief … with a function \e state(), as BITstar's vertices */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<2>)
         {
-            static const ompl::base::State *get(const Data &data)
-            {
-                return data;
-            }
-        };
+            return data->state();
+        }
 
-        /** \brief A pointer to something with a member \e state: the motions of most planners */
-        template <typename Data>
-        struct StateOf<Data, IfState<decltype(std::declval<const Data &>()->state)>> : std::true_type
+        /** \brief … with a member \e state_, as in SST and LazyLBTRRT. Before getState(), which is another state in SST's
+            witnesses. */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state_)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<3>)
         {
-            static const ompl::base::State *get(const Data &data)
-            {
-                return data->state;
-            }
-        };
+            return data->state_;
+        }
 
-        /** \brief … with a member \e state_ (LazyLBTRRT) */
-        template <typename Data>
-        struct StateOf<Data, IfState<decltype(std::declval<const Data &>()->state_)>> : std::true_type
+        /** \brief … with a member \e state: the motions of most planners */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<4>)
         {
-            static const ompl::base::State *get(const Data &data)
-            {
-                return data->state_;
-            }
-        };
+            return data->state;
+        }
 
-        /** \brief … with a function \e state() (BITstar) */
-        template <typename Data>
-        struct StateOf<Data, IfState<decltype(std::declval<const Data &>()->state())>> : std::true_type
+        /** \brief A pointer to a state itself */
+        template <typename Data, typename = IfState<Data>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<5>)
         {
-            static const ompl::base::State *get(const Data &data)
-            {
-                return data->state();
-            }
-        };
-
-        /** \brief … with a function \e getState() (FMT) */
-        template <typename Data>
-        struct StateOf<Data, IfState<decltype(std::declval<const Data &>()->getState())>> : std::true_type
-        {
-            static const ompl::base::State *get(const Data &data)
-            {
-                return data->getState();
-            }
-        };
+            return data;
+        }
     }
 
     /** \brief A kd-tree for OMPL's planners, to be used in a team's state space:
@@ -140,7 +132,9 @@ namespace ompl_certificates
         void clear() override
         {
             tree_.reset();
-            other_.reset();
+            gnat_.clear();
+            linear_.clear();
+            other_ = nullptr;
             elements_.clear();
         }
 
@@ -151,7 +145,7 @@ namespace ompl_certificates
             if (tree_ && tree_->size() < TRIALS)
                 test(data);
             if (tree_ && !tree_->add(stateOf(data)))
-                stepAside(std::make_unique<ompl::NearestNeighborsGNAT<_T>>());
+                stepAside(gnat_);
             if (other_)
                 other_->add(data);
             else
@@ -218,10 +212,7 @@ namespace ompl_certificates
 
         static const ompl::base::State *stateOf(const _T &data)
         {
-            if constexpr (detail::StateOf<_T>::value)
-                return detail::StateOf<_T>::get(data);
-            else
-                return detail::stateIn(data);
+            return detail::stateOf(data, detail::Prefer<5>());
         }
 
         /** Decide where elements go, now that there is one to learn the space from. */
@@ -237,7 +228,7 @@ namespace ompl_certificates
             if (tree_ && tree_->isUseful())
                 trialSpace_ = space;
             else
-                stepAside(std::make_unique<ompl::NearestNeighborsGNAT<_T>>());
+                stepAside(gnat_);
         }
 
         /** Step aside if distances between \e data and the elements are not the space's. */
@@ -247,16 +238,16 @@ namespace ompl_certificates
             {
                 const double distance = this->distFun_(data, element);
                 if (distance != this->distFun_(element, data))
-                    return stepAside(std::make_unique<ompl::NearestNeighborsLinear<_T>>());
+                    return stepAside(linear_);
                 if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
-                    return stepAside(std::make_unique<ompl::NearestNeighborsGNAT<_T>>());
+                    return stepAside(gnat_);
             }
         }
 
-        void stepAside(std::unique_ptr<ompl::NearestNeighbors<_T>> other)
+        void stepAside(ompl::NearestNeighbors<_T> &other)
         {
             tree_.reset();
-            other_ = std::move(other);
+            other_ = &other;
             other_->setDistanceFunction(this->distFun_);
             other_->add(elements_);
             elements_.clear();
@@ -284,7 +275,12 @@ namespace ompl_certificates
         /** Of the elements in the tree; alive as long as their states are */
         const ompl::base::StateSpace *trialSpace_{nullptr};
         std::unique_ptr<StateKdTree> tree_;
-        std::unique_ptr<ompl::NearestNeighbors<_T>> other_;
+        /** Made even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
+            get, and with them the tree that is grown, do not depend on which structure the planner was given. */
+        ompl::NearestNeighborsGNAT<_T> gnat_;
+        ompl::NearestNeighborsLinear<_T> linear_;
+        /** The one of them that has the elements, if the tree has not */
+        ompl::NearestNeighbors<_T> *other_{nullptr};
         /** The elements in the tree, by their numbers */
         std::vector<_T> elements_;
     };
