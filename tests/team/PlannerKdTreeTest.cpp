@@ -8,8 +8,6 @@
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <ompl/base/goals/GoalState.h>
-#include <ompl/base/goals/GoalSpace.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -17,14 +15,10 @@
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/prm/PRM.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
-#include <ompl/geometric/planners/rrt/LBTRRT.h>
-#include <ompl/geometric/planners/rrt/LazyLBTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
-#include <ompl/geometric/planners/rrt/TRRT.h>
-#include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/util/Console.h>
 #include <set>
 #include <thread>
@@ -460,10 +454,7 @@ TEST(PlannerKdTree, GrowsTheTreesOfGnat)
     expectSameTrees<og::RRTConnect>(1500);
     expectSameTrees<og::RRTstar>(1500);
     expectSameTrees<og::LazyRRT>(1500);
-    expectSameTrees<og::TRRT>(1500);
     expectSameTrees<og::BiTRRT>(1500);
-    expectSameTrees<og::LBTRRT>(500);
-    expectSameTrees<og::SST>(1500);
 }
 
 TEST(PlannerKdTree, LeavesVertexNumbersToGnat)
