@@ -13,7 +13,6 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
-#include <ompl/geometric/planners/prm/PRM.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
@@ -467,15 +466,4 @@ TEST(PlannerKdTree, LeavesVertexNumbersToGnat)
     EXPECT_EQ(tree.nearest(17), 17U);
     EXPECT_TRUE(tree.remove(17));
     EXPECT_EQ(tree.size(), 199U);
-
-    og::SimpleSetup setup(boxes());
-    setup.setStateValidityChecker([](const ob::State *) { return true; });
-    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
-    start.random();
-    goal.random();
-    setup.setStartAndGoalStates(start, goal);
-    auto planner = std::make_shared<og::PRM>(setup.getSpaceInformation());
-    planner->setNearestNeighbors<PlannerKdTree>();
-    setup.setPlanner(planner);
-    EXPECT_TRUE(setup.solve(5.0));
 }
