@@ -126,6 +126,7 @@ namespace ompl_certificates
     {
         auto *state = new StateType();
         allocStateComponents(state);
+        state->space_ = this;
         state->references_ = new std::atomic<CertificateIndex>[componentCount_];
         clearReferences(state);
         return state;

@@ -36,8 +36,16 @@ namespace ompl_certificates
                 references_[robot].store(certificate, std::memory_order_relaxed);
             }
 
+            /** \brief The space that allocated the state; for those who are handed states alone, as OMPL's
+                nearest-neighbour structures are. Valid as long as that space is. */
+            const TeamStateSpace *getSpace() const
+            {
+                return space_;
+            }
+
         private:
             friend class TeamStateSpace;
+            const TeamStateSpace *space_{nullptr};
             std::atomic<CertificateIndex> *references_{nullptr};
         };
 

@@ -1,0 +1,200 @@
+// What the planner's own nearest-neighbour structure costs: PlannerKdTree against what OMPL takes by default (GNAT).
+//
+//     planner_trees --benchmark_filter=nearestAndAdd
+//     planner_trees --benchmark_filter='RRT, .*/5/'
+//
+// nearestAndAdd is RRT's access pattern among random states; the time is that of the last tenth of the elements, for one
+// query and one addition. The plans are whole: range 5 in 100 x 100, a checker that says yes, a goal that nothing satisfies.
+// OMPL's motion validator still goes along every motion; the plans called unchecked have one that says yes at once. RRT*
+// asks for the k nearest with k about 2^(D + 1) 3 log n, which soon is every node of the tree: there no structure is faster
+// than another.
+
+#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/team/PlannerKdTree.h"
+
+#include <benchmark/benchmark.h>
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <ompl/base/Goal.h>
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace ompl_certificates;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    TeamStateSpacePtr discs(unsigned int count)
+    {
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(100.0);
+        auto team = std::make_shared<TeamStateSpace>();
+        for (unsigned int i = 0; i < count; ++i)
+            team->addRobot(RigidRobot::disc(std::to_string(i), 0.1, bounds));
+        team->setup();
+        return team;
+    }
+
+    struct Motion
+    {
+        ob::State *state;
+    };
+
+    /** What RRT takes in a metric space, if it is not told otherwise */
+    template <typename T>
+    using Gnat = ompl::NearestNeighborsGNATNoThreadSafety<T>;
+
+    template <template <typename> class Neighbors>
+    void nearestAndAdd(benchmark::State &run)
+    {
+        using Clock = std::chrono::steady_clock;
+        const auto team = discs(static_cast<unsigned int>(run.range(0)));
+        const auto count = static_cast<std::size_t>(run.range(1));
+        ompl::RNG::setSeed(1);
+        const auto sampler = team->allocStateSampler();
+        std::vector<Motion> motions(count);
+        for (auto &motion : motions)
+        {
+            motion.state = team->allocState();
+            sampler->sampleUniform(motion.state);
+        }
+        Motion query{team->allocState()};
+        for (auto _ : run)
+        {
+            Neighbors<Motion *> neighbors;
+            neighbors.setDistanceFunction([&](const Motion *a, const Motion *b)
+                                          { return team->distance(a->state, b->state); });
+            Clock::duration last{0};
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                sampler->sampleUniform(query.state);
+                const auto begin = Clock::now();
+                if (i > 0)
+                    benchmark::DoNotOptimize(neighbors.nearest(&query));
+                neighbors.add(&motions[i]);
+                if (i >= count - count / 10)
+                    last += Clock::now() - begin;
+            }
+            run.SetIterationTime(std::chrono::duration<double>(last).count() / static_cast<double>(count / 10));
+        }
+        team->freeState(query.state);
+        for (auto &motion : motions)
+            team->freeState(motion.state);
+    }
+
+    class NoGoal : public ob::Goal
+    {
+    public:
+        using Goal::Goal;
+
+        bool isSatisfied(const ob::State *) const override
+        {
+            return false;
+        }
+
+        bool isSatisfied(const ob::State *, double *distance) const override
+        {
+            *distance = std::numeric_limits<double>::infinity();
+            return false;
+        }
+    };
+
+    class AnyMotion : public ob::MotionValidator
+    {
+    public:
+        using MotionValidator::MotionValidator;
+
+        bool checkMotion(const ob::State *, const ob::State *) const override
+        {
+            return true;
+        }
+
+        bool checkMotion(const ob::State *, const ob::State *, std::pair<ob::State *, double> &) const override
+        {
+            return true;
+        }
+    };
+
+    constexpr bool CHECKED = true, UNCHECKED = false;
+
+    template <typename Planner, template <typename> class Neighbors, bool checked>
+    void plan(benchmark::State &run)
+    {
+        const auto team = discs(static_cast<unsigned int>(run.range(0)));
+        double vertices = 0.0;
+        for (auto _ : run)
+        {
+            ompl::RNG::setSeed(1);
+            auto si = std::make_shared<ob::SpaceInformation>(team);
+            si->setStateValidityChecker([](const ob::State *) { return true; });
+            if (!checked)
+                si->setMotionValidator(std::make_shared<AnyMotion>(si));
+            si->setup();
+            auto problem = std::make_shared<ob::ProblemDefinition>(si);
+            ob::ScopedState<> start(team);
+            start = std::vector<double>(team->getDimension(), 50.0);
+            problem->addStartState(start);
+            problem->setGoal(std::make_shared<NoGoal>(si));
+            problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
+            Planner planner(si);
+            planner.setRange(5.0);
+            planner.template setNearestNeighbors<Neighbors>();
+            planner.setProblemDefinition(problem);
+            planner.setup();
+            ob::IterationTerminationCondition condition(static_cast<unsigned int>(run.range(1)));
+            const auto begin = std::chrono::steady_clock::now();
+            planner.solve(condition);
+            run.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+            ob::PlannerData data(si);
+            planner.getPlannerData(data);
+            vertices = data.numVertices();
+        }
+        run.counters["vertices"] = vertices;
+    }
+
+    /** OMPL complains about seeds that are set again, though it takes them. */
+    const bool quiet = (ompl::msg::setLogLevel(ompl::msg::LOG_NONE), true);
+
+    void sizes(benchmark::internal::Benchmark *benchmark)
+    {
+        for (const int robots : {1, 2, 3, 5})
+            benchmark->Args({robots, 100000});
+        benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMicrosecond);
+    }
+
+    void plans(benchmark::internal::Benchmark *benchmark)
+    {
+        for (const int robots : {1, 2, 3, 5})
+            benchmark->Args({robots, 100000});
+        benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+    }
+
+    void optimalPlans(benchmark::internal::Benchmark *benchmark)
+    {
+        for (const int robots : {1, 2, 3, 5})
+            benchmark->Args({robots, 10000});
+        benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+    }
+}
+
+BENCHMARK_TEMPLATE(nearestAndAdd, PlannerKdTree)->Apply(sizes);
+BENCHMARK_TEMPLATE(nearestAndAdd, Gnat)->Apply(sizes);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, UNCHECKED)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, UNCHECKED)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, CHECKED)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, CHECKED)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRT, PlannerKdTree, CHECKED)->Apply(plans);
+BENCHMARK_TEMPLATE(plan, og::RRT, Gnat, CHECKED)->Apply(plans);

@@ -1,0 +1,289 @@
+#ifndef OMPL_CERTIFICATES_TEAM_PLANNER_KD_TREE_
+#define OMPL_CERTIFICATES_TEAM_PLANNER_KD_TREE_
+
+#include "ompl_certificates/team/StateKdTree.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
+
+#include <limits>
+#include <memory>
+#include <ompl/datastructures/NearestNeighbors.h>
+#include <ompl/datastructures/NearestNeighborsGNAT.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/util/Exception.h>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace detail
+    {
+        template <typename Type>
+        using IfState = std::enable_if_t<std::is_convertible_v<Type, const ompl::base::State *>>;
+
+        /** \brief Orders the overloads of stateOf() below, for elements that fit several */
+        template <int Rank>
+        struct Prefer : Prefer<Rank - 1>
+        {
+        };
+
+        template <>
+        struct Prefer<0>
+        {
+        };
+
+        /** \brief Neither a state nor something that shows one */
+        template <typename Data>
+        const ompl::base::State *stateOf(const Data &, Prefer<0>)
+        {
+            return nullptr;
+        }
+
+        /** \brief Something with a function \e getState() */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->getState())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<1>)
+        {
+            return data->getState();
+        }
+
+        /** \brief … with a function \e state(), as BITstar's vertices */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<2>)
+        {
+            return data->state();
+        }
+
+        /** \brief … with a member \e state_, as in SST and LazyLBTRRT. Before getState(), which is another state in SST's
+            witnesses. */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state_)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<3>)
+        {
+            return data->state_;
+        }
+
+        /** \brief … with a member \e state: the motions of most planners */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<4>)
+        {
+            return data->state;
+        }
+
+        /** \brief A pointer to a state itself */
+        template <typename Data, typename = IfState<Data>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<5>)
+        {
+            return data;
+        }
+    }
+
+    /** \brief A kd-tree for OMPL's planners, to be used in a team's state space:
+
+            planner->setNearestNeighbors<ompl_certificates::PlannerKdTree>();
+
+        It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster; the more robots,
+        the more of a planner's time that is. Of equal distances the element that was added first comes first.
+
+        It learns the space from the first state added, and steps aside where it cannot know what a distance is:
+        - elements without a state (PRM, LazyPRM and SPARStwo store vertex numbers) and states of another space than
+          TeamStateSpace are left to GNAT, unless the space is given to the constructor;
+        - so are distance functions that are not the space's distance, which the first few elements show, and states that
+          are not of the space (an angle out of its range, a coordinate that is not a number);
+        - a distance that is not even symmetric is left to a linear search, as GNAT's answers would be wrong.
+
+        As with GNAT, an element's state must not change while the element is stored, and constant functions may be called
+        from many threads at once. */
+    template <typename _T>
+    class PlannerKdTree : public ompl::NearestNeighbors<_T>
+    {
+    public:
+        using typename ompl::NearestNeighbors<_T>::DistanceFunction;
+        using ompl::NearestNeighbors<_T>::add;
+
+        /** \brief Find the space when the first state is added */
+        PlannerKdTree() = default;
+
+        /** \brief For states of \e space: a team, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these. Other spaces are
+            left to GNAT. */
+        explicit PlannerKdTree(ompl::base::StateSpacePtr space) : space_(std::move(space))
+        {
+        }
+
+        /** \brief Elements that are stored are sorted in anew. */
+        void setDistanceFunction(const DistanceFunction &distance) override
+        {
+            std::vector<_T> elements;
+            list(elements);
+            clear();
+            ompl::NearestNeighbors<_T>::setDistanceFunction(distance);
+            add(elements);
+        }
+
+        /** \brief Whether elements are in the kd-tree now, not left to another structure */
+        bool usesKdTree() const
+        {
+            return tree_ != nullptr;
+        }
+
+        bool reportsSortedResults() const override
+        {
+            return true;
+        }
+
+        void clear() override
+        {
+            tree_.reset();
+            gnat_.clear();
+            linear_.clear();
+            other_ = nullptr;
+            elements_.clear();
+        }
+
+        void add(const _T &data) override
+        {
+            if (!tree_ && !other_)
+                begin(data);
+            if (tree_ && tree_->size() < TRIALS)
+                test(data);
+            if (tree_ && !tree_->add(stateOf(data)))
+                stepAside(gnat_);
+            if (other_)
+                other_->add(data);
+            else
+                elements_.push_back(data);
+        }
+
+        bool remove(const _T &data) override
+        {
+            if (other_)
+                return other_->remove(data);
+            if (!tree_)
+                return false;
+            const auto index = tree_->find(stateOf(data), [&](StateKdTree::Index i) { return elements_[i] == data; });
+            if (index == StateKdTree::NONE)
+                return false;
+            tree_->remove(index);
+            elements_[index] = std::move(elements_.back());
+            elements_.pop_back();
+            return true;
+        }
+
+        /** \throws ompl::Exception if there is no element */
+        _T nearest(const _T &data) const override
+        {
+            if (other_)
+                return other_->nearest(data);
+            if (elements_.empty())
+                throw ompl::Exception("No elements found in nearest neighbors data structure");
+            const auto &found = search(data, 1, std::numeric_limits<double>::infinity());
+            // None only if no distance is a number
+            return elements_[found.empty() ? 0 : found.front().second];
+        }
+
+        void nearestK(const _T &data, std::size_t k, std::vector<_T> &nbh) const override
+        {
+            if (other_)
+                return other_->nearestK(data, k, nbh);
+            collect(search(data, k, std::numeric_limits<double>::infinity()), nbh);
+        }
+
+        void nearestR(const _T &data, double radius, std::vector<_T> &nbh) const override
+        {
+            if (other_)
+                return other_->nearestR(data, radius, nbh);
+            collect(search(data, elements_.size(), radius), nbh);
+        }
+
+        std::size_t size() const override
+        {
+            return other_ ? other_->size() : elements_.size();
+        }
+
+        void list(std::vector<_T> &data) const override
+        {
+            if (other_)
+                other_->list(data);
+            else
+                data = elements_;
+        }
+
+    private:
+        /** Among so many elements the planner's distance is compared with the space's. */
+        static constexpr std::size_t TRIALS = 8;
+
+        static const ompl::base::State *stateOf(const _T &data)
+        {
+            return detail::stateOf(data, detail::Prefer<5>());
+        }
+
+        /** Decide where elements go, now that there is one to learn the space from. */
+        void begin(const _T &data)
+        {
+            const auto *state = stateOf(data);
+            const ompl::base::StateSpace *space = space_.get();
+            const auto *teamState = dynamic_cast<const TeamStateSpace::StateType *>(state);
+            if (!space && teamState)
+                space = teamState->getSpace();
+            if (state && space)
+                tree_ = std::make_unique<StateKdTree>(*space);
+            if (tree_ && tree_->isUseful())
+                trialSpace_ = space;
+            else
+                stepAside(gnat_);
+        }
+
+        /** Step aside if distances between \e data and the elements are not the space's. */
+        void test(const _T &data)
+        {
+            for (const _T &element : elements_)
+            {
+                const double distance = this->distFun_(data, element);
+                if (distance != this->distFun_(element, data))
+                    return stepAside(linear_);
+                if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
+                    return stepAside(gnat_);
+            }
+        }
+
+        void stepAside(ompl::NearestNeighbors<_T> &other)
+        {
+            tree_.reset();
+            other_ = &other;
+            other_->setDistanceFunction(this->distFun_);
+            other_->add(elements_);
+            elements_.clear();
+        }
+
+        const StateKdTree::Neighbors &search(const _T &data, std::size_t count, double radius) const
+        {
+            thread_local StateKdTree::Neighbors found;
+            found.clear();
+            if (tree_)
+                tree_->nearest(stateOf(data), count, radius,
+                               [&](StateKdTree::Index i) { return this->distFun_(data, elements_[i]); }, found);
+            return found;
+        }
+
+        void collect(const StateKdTree::Neighbors &found, std::vector<_T> &nbh) const
+        {
+            nbh.clear();
+            nbh.reserve(found.size());
+            for (const auto &neighbor : found)
+                nbh.push_back(elements_[neighbor.second]);
+        }
+
+        ompl::base::StateSpacePtr space_;
+        /** Of the elements in the tree; alive as long as their states are */
+        const ompl::base::StateSpace *trialSpace_{nullptr};
+        std::unique_ptr<StateKdTree> tree_;
+        /** Made even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
+            get, and with them the tree that is grown, do not depend on which structure the planner was given. */
+        ompl::NearestNeighborsGNAT<_T> gnat_;
+        ompl::NearestNeighborsLinear<_T> linear_;
+        /** The one of them that has the elements, if the tree has not */
+        ompl::NearestNeighbors<_T> *other_{nullptr};
+        /** The elements in the tree, by their numbers */
+        std::vector<_T> elements_;
+    };
+}
+
+#endif

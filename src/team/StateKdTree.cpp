@@ -1,0 +1,384 @@
+#include "ompl_certificates/team/StateKdTree.h"
+
+#include "FlatMetric.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** How many states a leaf takes before it is divided */
+        constexpr std::uint32_t LEAF_SIZE = 64;
+
+        /** Bounds are computed for so many states at a time; see FlatMetric::bounds() */
+        constexpr std::size_t BATCH = 64;
+
+        /** The number in (low, high] that is a multiple of the largest power of two */
+        float roundest(float low, float high)
+        {
+            for (int exponent = std::ilogb(std::max(std::abs(low), std::abs(high))) + 1;; --exponent)
+            {
+                const float step = std::ldexp(1.0F, exponent), cut = std::floor(high / step) * step;
+                // Below the smallest step there is, every number is a multiple.
+                if (step == 0.0F || !std::isfinite(cut))
+                    return high;
+                if (cut > low)
+                    return cut;
+            }
+        }
+
+        /** A node that is still to be searched, and the squared bound of its distance */
+        struct Pending
+        {
+            std::uint32_t node;
+            float square;
+        };
+
+        /** A state that was not ruled out: its squared bound, and its true distance if that is known */
+        struct Candidate
+        {
+            float square;
+            StateKdTree::Index index;
+            double distance;
+        };
+
+        /** What a query needs to remember; kept for the thread's next one */
+        struct Scratch
+        {
+            std::vector<float> row;
+            std::vector<Pending> pending;
+            std::vector<Candidate> candidates;
+            std::vector<double> best;
+        };
+    }
+
+    struct StateKdTree::Leaf
+    {
+        std::vector<Index> indices;
+        /** One row for each state */
+        Eigen::ArrayXXf columns;
+    };
+
+    struct StateKdTree::Search
+    {
+        const Distance &distance;
+        std::size_t count;
+        double magnitude;
+        float most;
+        Scratch &scratch;
+    };
+
+    StateKdTree::StateKdTree(const ob::StateSpace &space)
+      : metric_(std::make_unique<const FlatMetric>(space)), rowSize_(metric_->getRowSize())
+    {
+    }
+
+    StateKdTree::~StateKdTree() = default;
+
+    bool StateKdTree::isUseful() const
+    {
+        return metric_->getDimension() > 0;
+    }
+
+    void StateKdTree::clear()
+    {
+        nodes_.clear();
+        boxes_.clear();
+        leaves_.clear();
+        places_.clear();
+        magnitude_ = 0.0;
+    }
+
+    float *StateKdTree::low(std::uint32_t node)
+    {
+        return boxes_.data() + std::size_t(2) * rowSize_ * node;
+    }
+
+    float *StateKdTree::high(std::uint32_t node)
+    {
+        return low(node) + rowSize_;
+    }
+
+    const float *StateKdTree::low(std::uint32_t node) const
+    {
+        return boxes_.data() + std::size_t(2) * rowSize_ * node;
+    }
+
+    const float *StateKdTree::high(std::uint32_t node) const
+    {
+        return low(node) + rowSize_;
+    }
+
+    std::uint32_t StateKdTree::addNode(Leaf *leaf)
+    {
+        nodes_.emplace_back().leaf = leaf;
+        boxes_.resize(boxes_.size() + rowSize_, std::numeric_limits<float>::infinity());
+        boxes_.resize(boxes_.size() + rowSize_, -std::numeric_limits<float>::infinity());
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+
+    StateKdTree::Leaf *StateKdTree::addLeaf()
+    {
+        leaves_.push_back(std::make_unique<Leaf>());
+        leaves_.back()->columns.setZero(LEAF_SIZE, metric_->getDimension());
+        return leaves_.back().get();
+    }
+
+    void StateKdTree::extend(std::uint32_t node, const float *row)
+    {
+        float *a = low(node), *b = high(node);
+        for (unsigned int i = 0; i < rowSize_; ++i)
+        {
+            a[i] = std::min(a[i], row[i]);
+            b[i] = std::max(b[i], row[i]);
+        }
+    }
+
+    void StateKdTree::put(Leaf &leaf, const float *row, Index index)
+    {
+        const auto position = static_cast<std::uint32_t>(leaf.indices.size());
+        for (unsigned int d = 0; d < metric_->getDimension(); ++d)
+            leaf.columns(position, d) = row[d];
+        leaf.indices.push_back(index);
+        places_[index] = {&leaf, position};
+    }
+
+    float StateKdTree::chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high,
+                                 unsigned int depth) const
+    {
+        // Halves are best, but states that come in order would make a list of them. Beyond the depth that a mere
+        // imbalance explains, cuts are at round numbers: those on any path get finer, and so are few.
+        if (depth > 8 + 3 * std::log2(static_cast<double>(leaves_.size())))
+            return roundest(low, high);
+        const float *column = leaf.columns.col(coordinate).data();
+        std::vector<float> values(column, column + leaf.indices.size());
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        if (*middle > low)
+            return *middle;
+        // At least half of them are at the low end: the next value leaves these there.
+        float next = high;
+        for (const float value : values)
+            if (value > low)
+                next = std::min(next, value);
+        return next;
+    }
+
+    bool StateKdTree::divide(std::uint32_t node, unsigned int depth)
+    {
+        Leaf *leaf = nodes_[node].leaf;
+        const auto size = leaf->indices.size();
+        std::uint32_t widest = 0;
+        float extent = 0.0F, from = 0.0F, to = 0.0F;
+        for (unsigned int d = 0; d < metric_->getDimension(); ++d)
+        {
+            const auto column = leaf->columns.col(d).head(static_cast<Eigen::Index>(size));
+            const float a = column.minCoeff(), b = column.maxCoeff();
+            if (metric_->extent(d, a, b) > extent)
+            {
+                extent = metric_->extent(d, a, b);
+                widest = d;
+                from = a;
+                to = b;
+            }
+        }
+        if (extent == 0.0F)
+            return false;
+        const float cut = chooseCut(*leaf, widest, from, to, depth);
+
+        const auto old = std::move(*leaf);
+        leaf->indices.clear();
+        leaf->columns.setZero(LEAF_SIZE, metric_->getDimension());
+        const auto left = addNode(leaf), right = addNode(addLeaf());
+        nodes_[node] = {nullptr, left, widest, cut};
+        std::vector<float> row(rowSize_, 0.0F);
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            for (unsigned int d = 0; d < metric_->getDimension(); ++d)
+                row[d] = old.columns(static_cast<Eigen::Index>(i), d);
+            const auto side = row[widest] < cut ? left : right;
+            Leaf &to_leaf = *nodes_[side].leaf;
+            // Equal states that made a leaf large may all stay on one side.
+            if (to_leaf.indices.size() == static_cast<std::size_t>(to_leaf.columns.rows()))
+                to_leaf.columns.conservativeResize(2 * to_leaf.columns.rows(), Eigen::NoChange);
+            put(to_leaf, row.data(), old.indices[i]);
+            extend(side, row.data());
+        }
+        return true;
+    }
+
+    bool StateKdTree::add(const ob::State *state)
+    {
+        std::vector<float> row(rowSize_);
+        double magnitude = magnitude_;
+        if (!metric_->flatten(state, row.data(), magnitude))
+            return false;
+        magnitude_ = magnitude;
+        if (nodes_.empty())
+            addNode(addLeaf());
+        std::uint32_t node = 0;
+        for (unsigned int depth = 0;; ++depth)
+        {
+            extend(node, row.data());
+            if (Leaf *leaf = nodes_[node].leaf)
+            {
+                if (leaf->indices.size() < static_cast<std::size_t>(leaf->columns.rows()))
+                    break;
+                if (!divide(node, depth))
+                {
+                    leaf->columns.conservativeResize(2 * leaf->columns.rows(), Eigen::NoChange);
+                    break;
+                }
+            }
+            const Node &at = nodes_[node];
+            node = at.child + (row[at.coordinate] < at.cut ? 0 : 1);
+        }
+        const auto index = static_cast<Index>(places_.size());
+        places_.emplace_back();
+        put(*nodes_[node].leaf, row.data(), index);
+        return true;
+    }
+
+    void StateKdTree::remove(Index index)
+    {
+        const Place place = places_[index];
+        Leaf &leaf = *place.leaf;
+        const auto last = static_cast<std::uint32_t>(leaf.indices.size() - 1);
+        leaf.columns.row(place.position) = leaf.columns.row(last).eval();
+        leaf.indices[place.position] = leaf.indices[last];
+        places_[leaf.indices[place.position]] = place;
+        leaf.indices.pop_back();
+        // The last state's number
+        const auto end = static_cast<Index>(places_.size() - 1);
+        if (index != end)
+        {
+            places_[index] = places_[end];
+            places_[index].leaf->indices[places_[index].position] = index;
+        }
+        places_.pop_back();
+    }
+
+    StateKdTree::Index StateKdTree::find(const ob::State *state, const std::function<bool(Index)> &is) const
+    {
+        std::vector<float> row(rowSize_);
+        double magnitude = 0.0;
+        if (nodes_.empty() || !metric_->flatten(state, row.data(), magnitude))
+            return NONE;
+        const Node *node = nodes_.data();
+        while (!node->leaf)
+            node = nodes_.data() + node->child + (row[node->coordinate] < node->cut ? 0 : 1);
+        for (const Index index : node->leaf->indices)
+            if (is(index))
+                return index;
+        return NONE;
+    }
+
+    void StateKdTree::searchLeaf(Search &search, const Leaf &leaf) const
+    {
+        auto &[row, pending, candidates, best] = search.scratch;
+        float squares[BATCH];
+        const std::size_t size = leaf.indices.size();
+        const auto stride = static_cast<std::size_t>(leaf.columns.rows());
+        for (std::size_t first = 0; first < size; first += BATCH)
+        {
+            const std::size_t count = std::min(size - first, BATCH);
+            const std::size_t rounded = (count + FlatMetric::BLOCK - 1) / FlatMetric::BLOCK * FlatMetric::BLOCK;
+            if (!metric_->bounds(row.data(), leaf.columns.data() + first, stride, rounded, search.most, squares))
+                continue;
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                if (!(squares[i] <= search.most))
+                    continue;
+                const Index index = leaf.indices[first + i];
+                // Where bounds are nearly the distance, those found can be told from the rest without it.
+                const double distance =
+                    metric_->isTight() ? metric_->largest(squares[i], search.magnitude) : search.distance(index);
+                candidates.push_back({squares[i], index, distance});
+                if (search.count == this->size())  // the radius alone decides
+                    continue;
+                if (best.size() == search.count)
+                {
+                    if (!(distance < best.front()))
+                        continue;
+                    std::pop_heap(best.begin(), best.end());
+                    best.back() = distance;
+                }
+                else
+                    best.push_back(distance);
+                std::push_heap(best.begin(), best.end());
+                if (best.size() == search.count)
+                    search.most = std::min(search.most, metric_->threshold(best.front(), search.magnitude));
+            }
+        }
+    }
+
+    void StateKdTree::searchTree(Search &search) const
+    {
+        auto &pending = search.scratch.pending;
+        const float *row = search.scratch.row.data();
+        pending.assign(1, {0, 0.0F});
+        while (!pending.empty())
+        {
+            Pending next = pending.back();
+            pending.pop_back();
+            while (next.square <= search.most)
+            {
+                const Node &node = nodes_[next.node];
+                if (node.leaf)
+                {
+                    searchLeaf(search, *node.leaf);
+                    break;
+                }
+                Pending far{node.child + 1, 0.0F};
+                next.node = node.child;
+                next.square = metric_->boxBound(row, low(next.node), high(next.node));
+                far.square = metric_->boxBound(row, low(far.node), high(far.node));
+                if (far.square < next.square)
+                    std::swap(next, far);
+                if (far.square <= search.most)
+                    pending.push_back(far);
+            }
+        }
+    }
+
+    void StateKdTree::nearest(const ob::State *state, std::size_t count, double radius, const Distance &distance,
+                              Neighbors &neighbors) const
+    {
+        neighbors.clear();
+        count = std::min(count, size());
+        if (count == 0 || std::isnan(radius))
+            return;
+        thread_local Scratch scratch;
+        scratch.row.resize(rowSize_);
+        scratch.candidates.clear();
+        scratch.best.clear();
+        double magnitude = magnitude_;
+        if (!metric_->flatten(state, scratch.row.data(), magnitude))
+        {
+            // Nothing is known of distances from such a state.
+            for (Index i = 0; i < size(); ++i)
+                neighbors.emplace_back(distance(i), i);
+        }
+        else
+        {
+            Search search{distance, count, magnitude, metric_->threshold(radius, magnitude), scratch};
+            searchTree(search);
+            for (const auto &candidate : scratch.candidates)
+                if (candidate.square <= search.most)
+                    neighbors.emplace_back(metric_->isTight() ? distance(candidate.index) : candidate.distance,
+                                           candidate.index);
+        }
+        neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
+                                       [&](const auto &neighbor) { return !(neighbor.first <= radius); }),
+                        neighbors.end());
+        count = std::min(count, neighbors.size());
+        std::partial_sort(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count), neighbors.end());
+        neighbors.resize(count);
+    }
+}
