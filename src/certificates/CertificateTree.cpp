@@ -53,7 +53,7 @@ namespace ompl_certificates
         return leaf;
     }
 
-    void CertificateTree::setChildren(Index index, int axis, double split, Index low, Index high)
+    void CertificateTree::setChildren(Index index, std::uint32_t axis, double split, Index low, Index high)
     {
         Node &node = nodes_[index];
         node.axis = axis;
@@ -69,6 +69,13 @@ namespace ompl_certificates
             node.highest[side].store(clearance, std::memory_order_relaxed);
         if (clearance < node.lowest[side].load(std::memory_order_relaxed))
             node.lowest[side].store(clearance, std::memory_order_relaxed);
+    }
+
+    void CertificateTree::noteCertificate(Node &node, CertificateIndex index)
+    {
+        const CertificateIndex known = node.largest.load(std::memory_order_relaxed);
+        if (known == NO_CERTIFICATE || !(store_[known].certificate.clearance >= store_[index].certificate.clearance))
+            node.largest.store(index, std::memory_order_release);
     }
 
     void CertificateTree::append(Index leaf, CertificateIndex index, const Certificate &certificate)
@@ -88,6 +95,7 @@ namespace ompl_certificates
         bucket.clearance[i] = certificate.clearance;
         bucket.index[i] = index;
         bucket.count.store(i + 1, std::memory_order_release);
+        noteCertificate(nodes_[leaf], index);
     }
 
     std::vector<CertificateIndex> CertificateTree::contents(Index leaf) const
@@ -127,7 +135,7 @@ namespace ompl_certificates
     {
         while (!rootCell_.contains(point))
         {
-            int axis = 0;
+            std::uint32_t axis = 0;
             while (point[axis] >= rootCell_.min()[axis] && point[axis] <= rootCell_.max()[axis])
                 ++axis;
             const bool below = point[axis] < rootCell_.min()[axis];
@@ -148,6 +156,8 @@ namespace ompl_certificates
             if (nodes_[old].child[0] == NONE)
                 for (const CertificateIndex index : contents(old))
                     noteClearance(node, oldSide, store_[index].certificate.clearance);
+            if (const CertificateIndex largest = nodes_[old].largest; largest != NO_CERTIFICATE)
+                noteCertificate(node, largest);
             setChildren(root, axis, split, below ? added : old, below ? old : added);
             nodes_[old].parent.store(root, std::memory_order_release);
             root_.store(root, std::memory_order_release);
@@ -156,7 +166,7 @@ namespace ompl_certificates
 
     void CertificateTree::divide(Index leaf, const Eigen::AlignedBox3d &cell)
     {
-        int axis = 0;
+        std::uint32_t axis = 0;
         cell.sizes().head(dimension_).maxCoeff(&axis);
         const double split = cell.center()[axis];
         const Index children[2] = {newLeaf(leaf), newLeaf(leaf)};
@@ -205,6 +215,7 @@ namespace ompl_certificates
             }
             const int side = certificate.point[here.axis] < here.split ? 0 : 1;
             noteClearance(here, side, certificate.clearance);
+            noteCertificate(here, index);
             (side == 0 ? cell.max() : cell.min())[here.axis] = here.split;
             node = here.child[side];
         }

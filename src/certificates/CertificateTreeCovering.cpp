@@ -124,6 +124,7 @@ namespace ompl_certificates
         constexpr std::size_t capacity = 128;
         Pending pending[capacity];
         std::size_t count = 0;
+        CertificateIndex tried = NO_CERTIFICATE;
         Eigen::Vector3d offset = search.offset;
         for (;;)
         {
@@ -137,6 +138,15 @@ namespace ompl_certificates
             }
             else
             {
+                // The largest certificate of a subtree covers most of what any of it does.
+                const CertificateIndex largest = node.largest.load(std::memory_order_acquire);
+                if (largest != tried && largest != NO_CERTIFICATE)
+                {
+                    tried = largest;
+                    search.found = cover(store_[largest].certificate, largest, search.query);
+                    if (search.found.verdict != Covering::UNKNOWN)
+                        return true;
+                }
                 const Index high = node.child[1].load(std::memory_order_relaxed);
                 const double beyond = search.query.center[node.axis] - node.split;
                 const int near = beyond < 0.0 ? 0 : 1, far = 1 - near;

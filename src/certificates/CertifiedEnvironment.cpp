@@ -39,7 +39,8 @@ namespace ompl_certificates
         if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
             return verdict;
         // A ball is settled by one search either way, which mostly finds something.
-        const bool search = query.body.isBall() || policy.isWorthwhile();
+        const bool search =
+            obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.isWorthwhile();
         if (!search)
             return askAndLearn(query, false, counts);
 

@@ -107,9 +107,9 @@ namespace ompl_certificates
         }
         groups_.erase(std::remove_if(groups_.begin(), groups_.end(), [](const Group &group) { return group.empty(); }),
                       groups_.end());
-        const auto others =
-            std::stable_partition(groups_.begin(), groups_.end(), [](const Group &group)
-                                  { return group.size() == 1 && group[0].kind == Kind::VECTOR; });
+        const auto others = std::stable_partition(groups_.begin(), groups_.end(),
+                                                  [](const Group &group)
+                                                  { return group.size() == 1 && group[0].kind == Kind::VECTOR; });
         plainGroups_ = static_cast<std::size_t>(others - groups_.begin());
         for (std::size_t i = 0; i < groups_.size(); ++i)
         {
@@ -242,7 +242,8 @@ namespace ompl_certificates
             const unsigned int i = part.first;
             const auto half = static_cast<float>(M_PI * part.weight);
             // From outside an arc, one of its ends is nearest, this way around or that.
-            return outside(i, 1.0F) == 0.0F ? 0.0F : std::min(around(row[i] - low[i], half), around(row[i] - high[i], half));
+            return outside(i, 1.0F) == 0.0F ? 0.0F
+                                            : std::min(around(row[i] - low[i], half), around(row[i] - high[i], half));
         }
         float squares = 0.0F, opposite = 0.0F;
         for (unsigned int i = part.first; i < end; ++i)

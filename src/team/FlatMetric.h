@@ -93,8 +93,7 @@ namespace ompl_certificates
         void collect(const ompl::base::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group);
         bool flatten(const Part &part, const ompl::base::State *state, float *row, double &magnitude) const;
         float boxBound(const Part &part, const float *row, const float *low, const float *high) const;
-        void addBounds(const Part &part, const float *row, const float *columns, std::size_t stride,
-                       float *sums) const;
+        void addBounds(const Part &part, const float *row, const float *columns, std::size_t stride, float *sums) const;
 
         /** First those of one part in R^n, plain_ coordinates in all: their squares just add up. */
         std::vector<Group> groups_;

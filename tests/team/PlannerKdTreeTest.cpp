@@ -286,8 +286,10 @@ TEST(PlannerKdTree, OrderedAndEqualElementsMakeNoList)
             values[0] = ordered ? 3.0 * i : 7.0;
             values[1] = 0.0;
             tree.add(element);
-            ASSERT_EQ(tree.nearest(element)->state->as<ob::CompoundState>()
-                          ->as<ob::RealVectorStateSpace::StateType>(0)->values[0],
+            ASSERT_EQ(tree.nearest(element)
+                          ->state->as<ob::CompoundState>()
+                          ->as<ob::RealVectorStateSpace::StateType>(0)
+                          ->values[0],
                       values[0]);
         }
     }
@@ -299,7 +301,8 @@ TEST(PlannerKdTree, StepsAsideForOtherDistancesSpacesAndStates)
     Elements elements(team, 3);
     const auto distance = elements.distance();
     using Tree = PlannerKdTree<Element *>;
-    const auto check = [&](const Tree::DistanceFunction &other, bool kdTree, const ob::StateSpacePtr &states, Elements &of)
+    const auto check =
+        [&](const Tree::DistanceFunction &other, bool kdTree, const ob::StateSpacePtr &states, Elements &of)
     {
         Tree tree(states);
         ompl::NearestNeighborsLinear<Element *> linear;
@@ -387,9 +390,10 @@ namespace
         setup.setStateValidityChecker(
             [](const ob::State *state)
             {
-                const auto *values =
-                    state->as<ob::CompoundState>()->as<ob::CompoundState>(0)->as<ob::RealVectorStateSpace::StateType>(0)
-                        ->values;
+                const auto *values = state->as<ob::CompoundState>()
+                                         ->as<ob::CompoundState>(0)
+                                         ->as<ob::RealVectorStateSpace::StateType>(0)
+                                         ->values;
                 return values[0] < 0.5 || values[0] > 1.0 || values[1] > 1.0;
             });
         ob::ScopedState<> start(team), goal(team);
@@ -398,7 +402,9 @@ namespace
         randomize(random, team, goal.get());
         ob::State *const first = start.get(), *const second = goal.get();
         for (ob::State *state : {first, second})
-            state->as<ob::CompoundState>()->as<ob::CompoundState>(0)->as<ob::RealVectorStateSpace::StateType>(0)
+            state->as<ob::CompoundState>()
+                ->as<ob::CompoundState>(0)
+                ->as<ob::RealVectorStateSpace::StateType>(0)
                 ->values[0] = state == first ? -1.5 : 1.5;
         setup.setStartAndGoalStates(start, goal, 1e-9);
         auto planner = std::make_shared<Planner>(setup.getSpaceInformation());
@@ -441,7 +447,8 @@ namespace
             const auto gnat = grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations);
             // Not EXPECT_EQ, which would print them
             EXPECT_TRUE(gnat == (grow<Planner, PlannerKdTree>(team, iterations))) << typeid(Planner).name();
-            EXPECT_TRUE(gnat == (grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations))) << "not by the seed alone";
+            EXPECT_TRUE(gnat == (grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations)))
+                << "not by the seed alone";
             EXPECT_GT(gnat.size(), 2U);
         }
     }

@@ -152,7 +152,9 @@ namespace ompl_certificates
             std::atomic<Index> parent{NONE};
             std::atomic<Index> bucket{NONE};
             double split{0.0};
-            int axis{0};
+            std::uint32_t axis{0};
+            /** The certificate with the largest clearance in the subtree: the first to try */
+            std::atomic<CertificateIndex> largest{NO_CERTIFICATE};
             std::atomic<double> highest[2], lowest[2];
         };
 
@@ -167,8 +169,9 @@ namespace ompl_certificates
         struct NearSearch;
 
         Index newLeaf(Index parent);
-        void setChildren(Index node, int axis, double split, Index low, Index high);
+        void setChildren(Index node, std::uint32_t axis, double split, Index low, Index high);
         void noteClearance(Node &node, int side, double clearance);
+        void noteCertificate(Node &node, CertificateIndex index);
         void append(Index leaf, CertificateIndex index, const Certificate &certificate);
         std::vector<CertificateIndex> contents(Index leaf) const;
         void chooseFirstCell();

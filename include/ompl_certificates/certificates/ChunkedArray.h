@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <new>
 #include <ompl/util/Exception.h>
+#include <type_traits>
 
 namespace ompl_certificates
 {
@@ -15,6 +16,8 @@ namespace ompl_certificates
     template <typename T>
     class ChunkedArray
     {
+        static_assert(std::is_trivially_destructible_v<T>, "Elements are dropped without a destructor");
+
     public:
         ChunkedArray() = default;
 
@@ -35,9 +38,12 @@ namespace ompl_certificates
                 throw ompl::Exception("A store of certificates is full");
             if (offset == 0)
             {
-                chunks_[chunk].store(new T[FIRST_CHUNK << chunk], std::memory_order_release);
+                // Raw memory: making all elements of a large chunk at once would be a pause of many milliseconds.
+                void *memory = ::operator new((FIRST_CHUNK << chunk) * sizeof(T), std::align_val_t(alignof(T)));
+                chunks_[chunk].store(static_cast<T *>(memory), std::memory_order_release);
                 allocated_ += FIRST_CHUNK << chunk;
             }
+            new (chunks_[chunk].load(std::memory_order_relaxed) + offset) T();
             ++size_;
             return index;
         }
@@ -66,7 +72,7 @@ namespace ompl_certificates
         {
             for (auto &chunk : chunks_)
             {
-                delete[] chunk.load(std::memory_order_relaxed);
+                ::operator delete(chunk.load(std::memory_order_relaxed), std::align_val_t(alignof(T)));
                 chunk.store(nullptr, std::memory_order_relaxed);
             }
             size_ = 0;

@@ -18,8 +18,12 @@ namespace ompl_certificates
         /** \brief Whether to look up now. Counts as one chance. */
         bool isWorthwhile()
         {
-            if (rate_.load(std::memory_order_relaxed) >= SMALLEST_RATE)
-                return true;
+            return rate_.load(std::memory_order_relaxed) >= SMALLEST_RATE || isProbe();
+        }
+
+        /** \brief Whether to look up now where it is not worthwhile: one time in PROBE_INTERVAL */
+        bool isProbe()
+        {
             const std::uint32_t passed = passed_.load(std::memory_order_relaxed) + 1;
             passed_.store(passed, std::memory_order_relaxed);
             return passed % PROBE_INTERVAL == 0;

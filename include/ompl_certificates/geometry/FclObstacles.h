@@ -45,6 +45,12 @@ namespace ompl_certificates
             return tolerance_;
         }
 
+        /** \brief True if there are at most 16 shapes */
+        bool isClearanceCheap() const override
+        {
+            return clearances_.size() <= 16;
+        }
+
         /** \brief The obstacles that these were made of */
         const std::vector<PlacedBody> &getBodies() const
         {

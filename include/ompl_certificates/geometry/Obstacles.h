@@ -40,6 +40,13 @@ namespace ompl_certificates
         {
             return true;
         }
+
+        /** \brief Whether a clearance costs less than searching a tree of certificates (some 100 ns). Then certificates are
+            followed by reference, but searched for only now and then. */
+        virtual bool isClearanceCheap() const
+        {
+            return false;
+        }
     };
 
     /** \brief A shared pointer to obstacles */

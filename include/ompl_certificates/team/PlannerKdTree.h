@@ -258,8 +258,9 @@ namespace ompl_certificates
             thread_local StateKdTree::Neighbors found;
             found.clear();
             if (tree_)
-                tree_->nearest(stateOf(data), count, radius,
-                               [&](StateKdTree::Index i) { return this->distFun_(data, elements_[i]); }, found);
+                tree_->nearest(
+                    stateOf(data), count, radius,
+                    [&](StateKdTree::Index i) { return this->distFun_(data, elements_[i]); }, found);
             return found;
         }
 
