@@ -191,6 +191,8 @@ namespace ompl_certificates
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;
+        // Before it is in the tree: who finds it there may ask for it by its index at once.
+        stored_.store(index + 1, std::memory_order_release);
         const auto isFull = [this](Index leaf)
         {
             const Index first = nodes_[leaf].bucket;
@@ -221,7 +223,6 @@ namespace ompl_certificates
         }
         append(node, index, certificate);
         store_[index].leaf.store(node, std::memory_order_release);
-        stored_.store(index + 1, std::memory_order_release);
         live_.fetch_add(1, std::memory_order_relaxed);
         return index;
     }

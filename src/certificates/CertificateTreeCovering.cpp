@@ -60,6 +60,8 @@ namespace ompl_certificates
             return covering(query);
         CoverSearch search{query, Eigen::Vector3d::Zero(), {}};
         Index node = store_[seed].leaf.load(std::memory_order_acquire);
+        if (node == NONE)
+            return covering(query);
         if (searchDown(node, 0.0, search))
             return search.found;
         for (Index parent; (parent = nodes_[node].parent.load(std::memory_order_acquire)) != NONE; node = parent)

@@ -5,7 +5,7 @@
 #include "RandomStates.h"
 
 #include "ompl_certificates/geometry/CarWithTrailer.h"
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "support/DearObstacles.h"
 #include "ompl_certificates/geometry/RigidRobot.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
@@ -70,7 +70,7 @@ namespace ompl_certificates
                 const Body body = randomBody(random, dimension, unit * random.uniform(0.3, 1.5));
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
-            return std::make_shared<FclObstacles>(dimension, bodies);
+            return std::make_shared<DearObstacles>(dimension, bodies);
         }
     }
 }

@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/DearObstacles.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -49,6 +50,8 @@ namespace
             pose.translation().head(dimension).array() += origin;
             bodies.push_back({body, pose});
         }
+        if (random.chance(0.5))
+            return std::make_shared<DearObstacles>(dimension, bodies);
         return std::make_shared<FclObstacles>(dimension, bodies);
     }
 

@@ -1,0 +1,24 @@
+#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
+#define OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
+
+#include "ompl_certificates/geometry/FclObstacles.h"
+
+namespace ompl_certificates
+{
+    namespace test
+    {
+        /** \brief Few obstacles that are treated like many, so that certificates are searched for at every chance */
+        class DearObstacles : public FclObstacles
+        {
+        public:
+            using FclObstacles::FclObstacles;
+
+            bool isClearanceCheap() const override
+            {
+                return false;
+            }
+        };
+    }
+}
+
+#endif
