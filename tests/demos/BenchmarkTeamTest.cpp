@@ -36,7 +36,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
     writeFile(folder / "first.yaml", easyScene());
     writeFile(folder / "second.yaml", easyScene());
     Program program("benchmark_team", {folder / "first.yaml", folder / "second.yaml", "--planners", "RRT,BITstar",
-                                       "--runs", "3", "--time", "0.2", "--log", folder / "teams.log"});
+                                       "--runs", "3", "--time", "0.5", "--log", folder / "teams.log"});
     ASSERT_EQ(program.wait(), 0) << program.errors();
     EXPECT_EQ(program.errors(), "");
     EXPECT_NE(program.output().find("multiples of those of standard"), std::string::npos);
@@ -64,7 +64,11 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
             { return std::stoull("0" + value(run, name + " INTEGER")); };
             EXPECT_GT(count("robot_poses"), 10u);
             EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("exact"));
-            EXPECT_EQ(count("certificates") > 0, method != "standard");
+            // Among few obstacles, robots on their own search for certificates, and keep them, only now and then.
+            if (method == "standard")
+                EXPECT_EQ(count("certificates"), 0u);
+            if (method == "basic")
+                EXPECT_GT(count("certificates"), 0u);
             EXPECT_GT(std::stod(value(run, "time_in_checking REAL")), 0.0);
         }
         if (states.empty())
