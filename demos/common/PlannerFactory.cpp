@@ -63,6 +63,10 @@ namespace demos
             Observed(const ob::SpaceInformationPtr &si, SolveEvent afterSolve)
               : PlannerType(si), afterSolve_(std::move(afterSolve))
             {
+                // BITstar counts these by walking through its graph. Progress is asked for from another thread, which
+                // then walks through memory that the planner has just freed.
+                for (const char *name : {"current free states INTEGER", "current graph vertices INTEGER"})
+                    this->plannerProgressProperties_.erase(name);
             }
 
             ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
