@@ -20,9 +20,36 @@ namespace ompl_certificates
                     farthest = std::max(farthest, (part.pose * vertex).norm());
                 return farthest;
             }
+            if (const TriangleMesh *mesh = part.shape.getMesh())
+            {
+                double farthest = 0.0;
+                const bool planar = part.shape.getDimension() == 2;
+                for (const auto &triangle : mesh->getTriangles())
+                    for (const std::uint32_t corner : triangle)
+                    {
+                        const Eigen::Vector3d vertex = part.pose * mesh->getVertices()[corner];
+                        farthest = std::max(farthest, planar ? vertex.head<2>().norm() : vertex.norm());
+                    }
+                return farthest;
+            }
             const double halfLength = 0.5 * part.shape.getSize().z(), radius = part.shape.getRadius();
             const bool flat = part.shape.getKind() == Shape::Kind::CYLINDER;
             return part.pose.translation().norm() + (flat ? std::hypot(halfLength, radius) : halfLength + radius);
+        }
+
+        Heights heightsOf(const std::vector<Body::Part> &parts)
+        {
+            Heights heights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+            for (const auto &part : parts)
+            {
+                const TriangleMesh *mesh = part.shape.getMesh();
+                if (!mesh || part.shape.getDimension() == 3)
+                    return {};
+                const Eigen::AlignedBox3d &box = mesh->getBounds();
+                const double lift = part.pose.translation().z();
+                heights = heights.unitedWith({box.min().z() + lift, box.max().z() + lift});
+            }
+            return heights;
         }
 
         Body single(Shape shape)
@@ -82,6 +109,16 @@ namespace ompl_certificates
         return single(Shape::polytope(3, points));
     }
 
+    Body Body::mesh(TriangleMeshPtr mesh)
+    {
+        return single(Shape::mesh(3, std::move(mesh)));
+    }
+
+    Body Body::planarMesh(TriangleMeshPtr mesh)
+    {
+        return single(Shape::mesh(2, std::move(mesh)));
+    }
+
     Body::Body(std::vector<Part> parts)
     {
         if (parts.empty())
@@ -92,11 +129,15 @@ namespace ompl_certificates
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
             if (!part.pose.matrix().allFinite())
                 throw ompl::Exception("The pose of a body's shape must be finite");
+            const bool tilted = (part.pose.linear().col(2) - Eigen::Vector3d::UnitZ()).norm() > 1e-12;
+            if (part.shape.getMesh() && part.shape.getDimension() == 2 && tilted)
+                throw ompl::Exception("A planar mesh turns about the z axis only");
         }
         data_ = std::make_shared<Data>();
         data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
         for (const Part &part : parts)
             data_->reach = std::max(data_->reach, reachOf(part));
+        data_->heights = heightsOf(parts);
         data_->parts = std::move(parts);
     }
 
@@ -106,8 +147,12 @@ namespace ompl_certificates
         if (!balls)
         {
             Cover cover = buildCover(parts);
-            std::vector<Ball> core = buildCore(parts, cover);
-            const double depth = -ompl_certificates::signedDistance(parts, cover.getRoot().center);
+            std::vector<Part> solids;
+            for (const Part &part : parts)
+                if (!part.shape.getMesh())
+                    solids.push_back(part);
+            std::vector<Ball> core = buildCore(solids, cover);
+            const double depth = -ompl_certificates::signedDistance(solids, cover.getRoot().center);
             const double centralRadius = depth >= 0.0 ? depth : -std::numeric_limits<double>::infinity();
             balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core), centralRadius});
             made.store(balls.get(), std::memory_order_release);

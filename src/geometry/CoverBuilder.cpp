@@ -19,11 +19,12 @@ namespace ompl_certificates
         constexpr std::size_t CORE_BALLS = 8;
 
         /** A convex piece of a shape: the outlines of its faces (or its one outline in the plane, its two ends for a
-        segment), enlarged by a rounding. */
+        segment), enlarged by a rounding. Or a piece of a mesh: the outlines of pieces of its triangles. */
         struct Piece
         {
             std::vector<std::vector<Eigen::Vector3d>> outlines;
             double rounding;
+            bool isSolid{true};
 
             std::vector<Eigen::Vector3d> vertices() const
             {
@@ -72,13 +73,13 @@ namespace ompl_certificates
 
         Piece halfOf(const Piece &piece, Eigen::Index axis, double position, double sign)
         {
-            Piece half{{}, piece.rounding};
+            Piece half{{}, piece.rounding, piece.isSolid};
             std::vector<Eigen::Vector3d> cut;
             for (const auto &outline : piece.outlines)
                 if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
                     half.outlines.push_back(std::move(kept));
             // The new face closes the piece, so that later cuts find the edges inside the shape too.
-            if (piece.outlines.size() > 1 && cut.size() >= 3)
+            if (piece.isSolid && piece.outlines.size() > 1 && cut.size() >= 3)
             {
                 sortAround(cut, axis);
                 half.outlines.push_back(std::move(cut));
@@ -108,6 +109,19 @@ namespace ompl_certificates
             return prism;
         }
 
+        Piece trianglesOf(const TriangleMesh &mesh, unsigned int dimension)
+        {
+            Piece piece{{}, 0.0, false};
+            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            {
+                auto [a, b, c] = mesh.getCorners(i);
+                if (dimension == 2)
+                    a.z() = b.z() = c.z() = 0.0;
+                piece.outlines.push_back({a, b, c});
+            }
+            return piece;
+        }
+
         Piece wholeOf(const Shape &shape)
         {
             switch (shape.getKind())
@@ -118,6 +132,8 @@ namespace ompl_certificates
                     return {{{-0.5 * shape.getSize(), 0.5 * shape.getSize()}}, shape.getRadius()};
                 case Shape::Kind::CYLINDER:
                     return prismAround(shape.getRadius(), shape.getSize().z());
+                case Shape::Kind::MESH:
+                    return trianglesOf(*shape.getMesh(), shape.getDimension());
                 default:
                     break;
             }
@@ -134,12 +150,23 @@ namespace ompl_certificates
             return piece;
         }
 
+        /** The part's pose; without the height of a planar mesh, which its cover does not have */
+        Pose coverPose(const Body::Part &part)
+        {
+            Pose pose = part.pose;
+            if (part.shape.getDimension() == 2)
+                pose.translation().z() = 0.0;
+            return pose;
+        }
+
         Ball ballAround(const Piece &piece, const Pose &pose)
         {
             Ball ball = enclosingBall(piece.vertices(), piece.rounding);
             ball.center = pose * ball.center;
             // Pays for the rounding of the clipping, so that no sliver of the shape is left outside.
             ball.radius *= 1.0 + 1e-12;
+            if (!piece.isSolid)  // its ball may be a point, far from the origin
+                ball.radius += 1e-13 * ball.center.norm();
             return ball;
         }
 
@@ -177,22 +204,22 @@ namespace ompl_certificates
         {
             pieces.push_back(wholeOf(part.shape));
             for (const auto &vertex : pieces.back().vertices())
-                extremes.push_back(part.pose * vertex);
+                extremes.push_back(coverPose(part) * vertex);
             rounding = std::max(rounding, pieces.back().rounding);
         }
         if (parts.size() == 1)
         {
-            nodes[0].ball = ballAround(pieces[0], parts[0].pose);
-            addChildren(nodes, 0, pieces[0], parts[0].pose, LEAF_RADIUS * nodes[0].ball.radius, 0);
+            nodes[0].ball = ballAround(pieces[0], coverPose(parts[0]));
+            addChildren(nodes, 0, pieces[0], coverPose(parts[0]), LEAF_RADIUS * nodes[0].ball.radius, 0);
             return Cover(std::move(nodes));
         }
         nodes[0].ball = enclosingBall(extremes, rounding);
         nodes[0].firstChild = 1;
         nodes[0].childCount = static_cast<std::uint32_t>(parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-            nodes.push_back({ballAround(pieces[i], parts[i].pose), 0, 0});
+            nodes.push_back({ballAround(pieces[i], coverPose(parts[i])), 0, 0});
         for (std::size_t i = 0; i < parts.size(); ++i)
-            addChildren(nodes, 1 + i, pieces[i], parts[i].pose, LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
+            addChildren(nodes, 1 + i, pieces[i], coverPose(parts[i]), LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
         return Cover(std::move(nodes));
     }
 

@@ -1,12 +1,16 @@
 #include "ompl_certificates/geometry/Shape.h"
 
+#include "TriangleDistance.h"
+
 #include <algorithm>
 #include <cmath>
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <limits>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -84,6 +88,54 @@ namespace ompl_certificates
                 vertex *= Shape::FCL_SCALE;
             return std::make_shared<fcl::Convexd>(vertices, faceCount, faces);
         }
+
+        /** FCL's hierarchy of boxes over the triangles that are not degenerate */
+        std::shared_ptr<fcl::CollisionGeometryd> makeHierarchy(const TriangleMesh &mesh)
+        {
+            constexpr auto unused = std::numeric_limits<std::size_t>::max();
+            std::vector<std::size_t> newIndex(mesh.getVertices().size(), unused);
+            std::vector<fcl::Vector3d> vertices;
+            std::vector<fcl::Triangle> triangles;
+            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            {
+                if (mesh.isDegenerate(i))
+                    continue;
+                std::size_t corners[3];
+                for (std::size_t k = 0; k < 3; ++k)
+                {
+                    const std::uint32_t vertex = mesh.getTriangles()[i][k];
+                    if (newIndex[vertex] == unused)
+                    {
+                        newIndex[vertex] = vertices.size();
+                        vertices.emplace_back(Shape::FCL_SCALE * mesh.getVertices()[vertex]);
+                    }
+                    corners[k] = newIndex[vertex];
+                }
+                triangles.emplace_back(corners[0], corners[1], corners[2]);
+            }
+            auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+            model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
+            model->addSubModel(vertices, triangles);
+            if (model->endModel() != fcl::BVH_OK)
+                throw ompl::Exception("FCL makes no hierarchy of a mesh of " + std::to_string(triangles.size()) +
+                                      " triangles");
+            return model;
+        }
+
+        double distanceToMesh(const TriangleMesh &mesh, unsigned int dimension, const Eigen::Vector3d &point)
+        {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            {
+                if (mesh.isDegenerate(i))
+                    continue;
+                auto [a, b, c] = mesh.getCorners(i);
+                if (dimension == 2)
+                    a.z() = b.z() = c.z() = point.z();
+                nearest = std::min(nearest, squaredDistanceToTriangle(point, a, b, c));
+            }
+            return std::sqrt(nearest);
+        }
     }
 
     Shape::Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size)
@@ -143,6 +195,16 @@ namespace ompl_certificates
         return shape;
     }
 
+    Shape Shape::mesh(unsigned int dimension, TriangleMeshPtr mesh)
+    {
+        if (!mesh)
+            throw ompl::Exception("A mesh must not be null");
+        Shape shape(Kind::MESH, dimension, 0.0, Eigen::Vector3d::Zero());
+        shape.mesh_ = std::move(mesh);
+        shape.makeCollisionGeometry();
+        return shape;
+    }
+
     void Shape::makeCollisionGeometry()
     {
         // Any height will do for a prism; one like its other extents keeps FCL's solver well conditioned.
@@ -167,6 +229,9 @@ namespace ompl_certificates
             case Kind::POLYTOPE:
                 geometry_ = makeConvex(*hull_, prismHeight);
                 break;
+            case Kind::MESH:
+                geometry_ = makeHierarchy(*mesh_);
+                break;
         }
         geometry_->computeLocalAABB();
     }
@@ -188,6 +253,8 @@ namespace ompl_certificates
                 return signedCylinderDistance(radius_, 0.5 * size_.z(), point);
             case Kind::POLYTOPE:
                 return hull_->signedDistance(point);
+            case Kind::MESH:
+                return distanceToMesh(*mesh_, dimension_, point);
         }
         throw ompl::Exception("Unknown kind of shape");
     }
@@ -201,6 +268,8 @@ namespace ompl_certificates
                 box.extend(vertex);
             return box;
         }
+        if (kind_ == Kind::MESH)
+            return mesh_->getBounds();
         Eigen::Vector3d extent = 0.5 * size_;
         if (kind_ == Kind::CAPSULE)
             extent.array() += radius_;
@@ -215,6 +284,9 @@ namespace ompl_certificates
     {
         if (kind_ != other.kind_ || dimension_ != other.dimension_ || radius_ != other.radius_ || size_ != other.size_)
             return false;
+        if (kind_ == Kind::MESH)
+            return mesh_ == other.mesh_ || (mesh_->getVertices() == other.mesh_->getVertices() &&
+                                            mesh_->getTriangles() == other.mesh_->getTriangles());
         return kind_ != Kind::POLYTOPE || hull_->vertices == other.hull_->vertices;
     }
 }

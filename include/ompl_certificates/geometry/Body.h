@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_BODY_
 
 #include "ompl_certificates/geometry/Cover.h"
+#include "ompl_certificates/geometry/Heights.h"
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Shape.h"
 
@@ -12,7 +13,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief A rigid body: one or more solid shapes, fixed to each other, in the body's frame.
+    /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
         A body cannot change after it has been made and is cheap to copy: copies share its shapes, its cover and its
         core. The factories throw ompl::Exception for sizes that are not positive and finite. Lengths are in the scene's
@@ -56,8 +57,19 @@ namespace ompl_certificates
             \throws ompl::Exception if they span no volume or are too many (see convexHull()) */
         static Body convexPolytope(const std::vector<Eigen::Vector3d> &points);
 
+        /** \brief A triangle mesh, in space
+            \throws ompl::Exception if it is null
+            Cost: see Shape::mesh(). */
+        static Body mesh(TriangleMeshPtr mesh);
+
+        /** \brief A triangle mesh in the plane: it keeps its z, moves in x and y and turns about z. Two of them touch only
+            where their heights overlap.
+            \throws ompl::Exception if it is null
+            Cost: see Shape::mesh(). */
+        static Body planarMesh(TriangleMeshPtr mesh);
+
         /** \brief One body of several shapes, at poses in the body's frame
-            \throws ompl::Exception if there is none, or if planar and spatial shapes are mixed */
+            \throws ompl::Exception if there is none, if planar and spatial shapes are mixed, or if a planar mesh is tilted */
         explicit Body(std::vector<Part> parts);
 
         /** \brief The dimension of the workspace that this body is for: 2 or 3 */
@@ -75,7 +87,8 @@ namespace ompl_certificates
             return data_->getBalls().cover;
         }
 
-        /** \brief Balls that the body contains, the largest first. Not empty: the body of a point has a ball of radius 0. */
+        /** \brief Balls that the body contains, the largest first. Empty for meshes, which are surfaces; else not: the body of a
+            point has a ball of radius 0. */
         const std::vector<Ball> &getCore() const
         {
             return data_->getBalls().core;
@@ -100,7 +113,15 @@ namespace ompl_certificates
             return data_->reach;
         }
 
-        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside */
+        /** \brief How far up and down a planar body of meshes reaches. All heights for one with primitives, which stand for
+            upright prisms without end, and for bodies in space. */
+        const Heights &getHeights() const
+        {
+            return data_->heights;
+        }
+
+        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside primitives.
+            Linear in the number of triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
         /** \brief Whether the two bodies have the same shapes at the same poses, in the same order */
@@ -120,6 +141,7 @@ namespace ompl_certificates
             std::vector<Part> parts;
             bool isBall{false};
             double reach{0.0};
+            Heights heights;
             mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;
             mutable std::atomic<const Balls *> made{nullptr};

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_SHAPE_
 
 #include "ompl_certificates/geometry/ConvexHull.h"
+#include "ompl_certificates/geometry/TriangleMesh.h"
 
 #include <Eigen/Geometry>
 #include <fcl/geometry/collision_geometry.h>
@@ -10,11 +11,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief A solid primitive of the plane or of space, in its own frame.
+    /** \brief A solid primitive or a triangle mesh, of the plane or of space, in its own frame.
 
-        All lengths are in the scene's unit. Planar shapes lie in the plane z = 0 and are handed to FCL as prisms, or as
-        spheres and capsules centered in the plane, so that FCL's verdict is the planar one. The factories throw
-        ompl::Exception for sizes that are not positive and finite (a ball's radius may be zero: a point). */
+        All lengths are in the scene's unit. Planar primitives lie in the plane z = 0 and are handed to FCL as prisms, or
+        as spheres and capsules centered in the plane, so that FCL's verdict is the planar one. A mesh is a surface, as
+        for FCL: what is wholly inside a closed mesh does not touch it. A planar mesh is a true one that keeps its z. The
+        factories throw ompl::Exception for sizes that are not positive and finite (a ball's radius may be zero: a
+        point). */
     class Shape
     {
     public:
@@ -31,7 +34,9 @@ namespace ompl_certificates
             /// A cylinder about the origin, along z.
             CYLINDER,
             /// A convex polygon or polytope.
-            POLYTOPE
+            POLYTOPE,
+            /// A triangle mesh.
+            MESH
         };
 
         /** \brief A disc (\e dimension 2) or a sphere (3) */
@@ -51,6 +56,11 @@ namespace ompl_certificates
 
         /** \brief The convex hull of points of the plane (\e dimension 2; z is ignored) or of space (3), see convexHull() */
         static Shape polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points);
+
+        /** \brief The surface of a mesh, for the plane (\e dimension 2) or for space (3)
+            \throws ompl::Exception if it is null
+            Cost: that of FCL's hierarchy of boxes, n log n for n triangles. */
+        static Shape mesh(unsigned int dimension, TriangleMeshPtr mesh);
 
         /** \brief What this shape is */
         Kind getKind() const
@@ -82,8 +92,15 @@ namespace ompl_certificates
             return hull_.get();
         }
 
-        /** \brief Signed distance from \e point, in the shape's frame, to the shape: exact, negative inside. Takes a few
-            nanoseconds; linear in the number of faces of a polytope. */
+        /** \brief The triangles of a MESH; else nullptr */
+        const TriangleMesh *getMesh() const
+        {
+            return mesh_.get();
+        }
+
+        /** \brief Signed distance from \e point, in the shape's frame, to the shape: exact, negative inside. A mesh has no
+            inside; for a planar one it is the distance to its projection into the plane. Takes a few nanoseconds;
+            linear in the number of faces of a polytope and of the triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
         /** \brief The smallest box along the axes of the shape's frame that contains the shape */
@@ -113,6 +130,7 @@ namespace ompl_certificates
         double radius_;
         Eigen::Vector3d size_;
         std::shared_ptr<const ConvexHull> hull_;
+        TriangleMeshPtr mesh_;
         std::shared_ptr<fcl::CollisionGeometryd> geometry_;
     };
 }

@@ -1,0 +1,29 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_HEIGHTS_
+#define OMPL_CERTIFICATES_GEOMETRY_HEIGHTS_
+
+#include <algorithm>
+#include <limits>
+
+namespace ompl_certificates
+{
+    /** \brief A range of z, in the scene's length unit: how far up and down a planar body reaches. All heights by default. */
+    struct Heights
+    {
+        double low{-std::numeric_limits<double>::infinity()};
+        double high{std::numeric_limits<double>::infinity()};
+
+        /** \brief The smallest range that contains both */
+        Heights unitedWith(const Heights &other) const
+        {
+            return {std::min(low, other.low), std::max(high, other.high)};
+        }
+
+        /** \brief What both have in common; low > high if nothing */
+        Heights intersectedWith(const Heights &other) const
+        {
+            return {std::max(low, other.low), std::min(high, other.high)};
+        }
+    };
+}
+
+#endif

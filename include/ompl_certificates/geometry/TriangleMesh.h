@@ -1,0 +1,72 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
+#define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A triangle soup in its own frame, in the scene's length unit. Cannot change and is shared by pointer.
+
+        Open, duplicated and degenerate triangles are normal input. Degenerate ones, which have practically no area (see
+        isDegenerate()), are kept but never collide and have no clearance: FCL's test of two triangles is undefined for
+        them, and what they touch is touched by their neighbors. */
+    class TriangleMesh
+    {
+    public:
+        /** \brief Indices of three vertices */
+        using Triangle = std::array<std::uint32_t, 3>;
+
+        /** \brief A mesh of the given triangles
+            \throws ompl::Exception if there is no triangle, if all are degenerate, if an index is out of range, or if a
+            vertex is not finite (or so large that areas are not) */
+        TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles);
+
+        /** \brief The vertices, in the given order */
+        const std::vector<Eigen::Vector3d> &getVertices() const
+        {
+            return vertices_;
+        }
+
+        /** \brief The triangles, in the given order */
+        const std::vector<Triangle> &getTriangles() const
+        {
+            return triangles_;
+        }
+
+        /** \brief The corners of a triangle */
+        std::array<Eigen::Vector3d, 3> getCorners(std::size_t triangle) const
+        {
+            const Triangle &corners = triangles_[triangle];
+            return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
+        }
+
+        /** \brief The smallest box along the axes that contains all triangles */
+        const Eigen::AlignedBox3d &getBounds() const
+        {
+            return bounds_;
+        }
+
+        /** \brief Whether a triangle is lower than a hundred-millionth of the largest distance of a corner from the origin,
+            where the direction of its normal drowns in rounding */
+        bool isDegenerate(std::size_t triangle) const;
+
+        /** \brief Whether it encloses a volume: after welding equal vertices and dropping triangles with two equal
+            corners, each edge has exactly two triangles. Cost: n log n for n triangles, each time. */
+        bool isClosed() const;
+
+    private:
+        std::vector<Eigen::Vector3d> vertices_;
+        std::vector<Triangle> triangles_;
+        Eigen::AlignedBox3d bounds_;
+        double leastHeight_{0.0};
+    };
+
+    /** \brief A shared pointer to a mesh */
+    using TriangleMeshPtr = std::shared_ptr<const TriangleMesh>;
+}
+
+#endif

@@ -1,0 +1,92 @@
+#include "ompl_certificates/geometry/TriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** The largest coordinate whose fourth power is finite, with something to spare */
+        constexpr double LARGEST_COORDINATE = 1e75;
+
+        /** For each vertex the first one in some order that is at the same place */
+        std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3d> &vertices)
+        {
+            std::vector<std::uint32_t> order(vertices.size());
+            std::iota(order.begin(), order.end(), 0U);
+            const auto before = [&vertices](std::uint32_t i, std::uint32_t j)
+            {
+                const Eigen::Vector3d &a = vertices[i], &b = vertices[j];
+                return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+            };
+            std::sort(order.begin(), order.end(), before);
+            std::vector<std::uint32_t> welded(vertices.size());
+            for (std::size_t i = 0; i < order.size(); ++i)
+            {
+                const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+                welded[order[i]] = same ? welded[order[i - 1]] : order[i];
+            }
+            return welded;
+        }
+    }
+
+    TriangleMesh::TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles)
+      : vertices_(std::move(vertices)), triangles_(std::move(triangles))
+    {
+        if (triangles_.empty())
+            throw ompl::Exception("A mesh needs at least one triangle");
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            if (!(vertices_[i].cwiseAbs().maxCoeff() <= LARGEST_COORDINATE))
+                throw ompl::Exception("Vertex " + std::to_string(i) + " of a mesh is not finite or too large");
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i)
+            for (const std::uint32_t corner : triangles_[i])
+            {
+                if (corner >= vertices_.size())
+                    throw ompl::Exception("Triangle " + std::to_string(i) + " of a mesh has vertex " +
+                                          std::to_string(corner) + ", but there are only " +
+                                          std::to_string(vertices_.size()));
+                bounds_.extend(vertices_[corner]);
+                farthest = std::max(farthest, vertices_[corner].norm());
+            }
+        leastHeight_ = 1e-8 * farthest;
+        std::size_t degenerate = 0;
+        while (degenerate < triangles_.size() && isDegenerate(degenerate))
+            ++degenerate;
+        if (degenerate == triangles_.size())
+            throw ompl::Exception("None of the " + std::to_string(triangles_.size()) +
+                                  " triangles of a mesh has an area");
+    }
+
+    bool TriangleMesh::isDegenerate(std::size_t triangle) const
+    {
+        const auto [a, b, c] = getCorners(triangle);
+        const double longest =
+            std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+        return !((b - a).cross(c - a).norm() > leastHeight_ * longest);
+    }
+
+    bool TriangleMesh::isClosed() const
+    {
+        const std::vector<std::uint32_t> welded = weld(vertices_);
+        using Edge = std::pair<std::uint32_t, std::uint32_t>;
+        std::vector<Edge> edges;
+        edges.reserve(3 * triangles_.size());
+        for (const Triangle &triangle : triangles_)
+        {
+            const std::uint32_t a = welded[triangle[0]], b = welded[triangle[1]], c = welded[triangle[2]];
+            if (a == b || b == c || c == a)
+                continue;
+            for (const auto &[from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
+                edges.push_back(std::minmax(from, to));
+        }
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t i = 0; i < edges.size(); i += 2)
+            if (i + 1 == edges.size() || edges[i] != edges[i + 1] || (i + 2 < edges.size() && edges[i] == edges[i + 2]))
+                return false;
+        return !edges.empty();
+    }
+}

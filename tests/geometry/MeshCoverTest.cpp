@@ -1,0 +1,67 @@
+#include "support/RandomMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
+    void cut(Random &random, const Cover &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    {
+        const Cover::Node &node = cover.getNodes()[index];
+        if (node.childCount == 0 || random.chance(wholeChance))
+            balls.push_back(node.ball);
+        else
+            for (std::uint32_t child = 0; child < node.childCount; ++child)
+                cut(random, cover, node.firstChild + child, wholeChance, balls);
+    }
+
+    bool contains(const std::vector<Ball> &balls, const Eigen::Vector3d &point)
+    {
+        for (const Ball &ball : balls)
+            if ((point - ball.center).norm() <= ball.radius * (1.0 + 1e-11))
+                return true;
+        return false;
+    }
+}
+
+class MeshCover : public testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(MeshCover, ContainsEveryTriangleAtEveryCut)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const TriangleMeshPtr mesh = randomMesh(random, random.logUniform(1e-3, 1e4));
+        const Body body = meshBody(GetParam(), mesh);
+        for (const double wholeChance : {1.0, 0.0, 0.2, 0.5})
+        {
+            std::vector<Ball> balls;
+            cut(random, body.getCover(), 0, wholeChance, balls);
+            for (const Ball &ball : balls)
+                if (GetParam() == 2)
+                {
+                    ASSERT_EQ(ball.center.z(), 0.0);
+                }
+            const auto check = [&](Eigen::Vector3d point)
+            {
+                if (GetParam() == 2)
+                    point.z() = 0.0;
+                ASSERT_TRUE(contains(balls, point)) << point.transpose() << ", " << balls.size() << " balls";
+            };
+            for (int i = 0; i < 60; ++i)
+                check(pointOf(random, *mesh, random.below(mesh->getTriangles().size())));
+            for (const auto &triangle : mesh->getTriangles())
+                check(mesh->getVertices()[triangle[random.below(3)]]);
+            if (HasFatalFailure())
+                return;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, MeshCover, testing::Values(2U, 3U));

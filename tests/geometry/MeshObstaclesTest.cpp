@@ -1,0 +1,222 @@
+#include "support/RandomBodies.h"
+#include "support/RandomMeshes.h"
+
+#include "ompl_certificates/geometry/FclObstacles.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    /** FCL's own model of a mesh, as a user makes it */
+    template <typename Box = fcl::OBBRSSd>
+    std::shared_ptr<fcl::BVHModel<Box>> modelOf(const TriangleMesh &mesh)
+    {
+        auto model = std::make_shared<fcl::BVHModel<Box>>();
+        std::vector<fcl::Triangle> triangles;
+        for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            if (const auto &t = mesh.getTriangles()[i]; !mesh.isDegenerate(i))
+                triangles.emplace_back(t[0], t[1], t[2]);
+        model->beginModel();
+        model->addSubModel(std::vector<fcl::Vector3d>(mesh.getVertices()), triangles);
+        model->endModel();
+        return model;
+    }
+
+    bool fclCollides(const fcl::BVHModel<fcl::OBBRSSd> &a, const Pose &poseA, const fcl::BVHModel<fcl::OBBRSSd> &b,
+                     const Pose &poseB)
+    {
+        const fcl::CollisionRequestd request;
+        fcl::CollisionResultd result;
+        return fcl::collide(&a, poseA, &b, poseB, request, result) > 0;
+    }
+
+    std::vector<PlacedBody> randomMeshObstacles(Random &random, unsigned int dimension, double unit,
+                                                double primitiveChance)
+    {
+        std::vector<PlacedBody> bodies;
+        for (unsigned int count = 1 + random.below(6); count > 0; --count)
+        {
+            const double size = unit * random.logUniform(0.3, 3.0);
+            bodies.push_back({random.chance(primitiveChance) ? randomBody(random, dimension, size)
+                                                             : meshBody(dimension, randomMesh(random, size)),
+                              random.pose(dimension, 3.0 * unit)});
+        }
+        return bodies;
+    }
+
+    /** A pose at which the body is near the surface of an obstacle */
+    Pose nearPose(Random &random, const FclObstacles &obstacles, const Body &body, double unit)
+    {
+        Pose pose = random.pose(body.getDimension(), 4.0 * unit);
+        const auto &[obstacle, place] = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
+        const auto surfacePoint = [&random](const Body &of) -> Eigen::Vector3d
+        {
+            const auto &part = of.getParts()[random.below(of.getParts().size())];
+            const TriangleMesh *mesh = part.shape.getMesh();
+            return part.pose * (mesh ? pointOf(random, *mesh, random.below(mesh->getTriangles().size()))
+                                     : pointOf(random, part.shape));
+        };
+        if (random.chance(0.7))
+            pose.translation() += place * surfacePoint(obstacle) - pose * surfacePoint(body) +
+                                  random.point(3, unit * random.logUniform(1e-7, 1.0));
+        if (body.getDimension() == 2)
+            pose.translation().z() = 0.0;
+        return pose;
+    }
+
+    bool apart(const FclObstacles &obstacles, const Body &body, const Pose &pose)
+    {
+        const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+        for (const auto &node : body.getCover().getNodes())
+            if (node.childCount == 0 && obstacles.clearance(pose * node.ball.center) <= node.ball.radius + margin)
+                return false;
+        return true;
+    }
+}
+
+class MeshObstacles : public testing::TestWithParam<unsigned int>
+{
+protected:
+    template <typename Test>
+    void forMany(unsigned int count, double primitiveChance, const Test &test)
+    {
+        for (unsigned int seed = 0; seed < scaled(count); ++seed)
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            Random random(seed);
+            const double unit = std::pow(10.0, random.below(8)) * 1e-3;
+            const FclObstacles obstacles(GetParam(), randomMeshObstacles(random, GetParam(), unit, primitiveChance));
+            test(random, obstacles, unit);
+            if (HasFatalFailure())
+                return;
+        }
+    }
+};
+
+TEST_P(MeshObstacles, HaveTheVerdictOfFclsOwnModels)
+{
+    unsigned int colliding = 0, checks = 0;
+    forMany(100, 0.0,
+            [&](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const TriangleMeshPtr mesh = randomMesh(random, unit);
+                const Body body = meshBody(GetParam(), mesh);
+                const auto model = modelOf(*mesh);
+                std::vector<std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>>> models;
+                for (const auto &obstacle : obstacles.getBodies())
+                    models.push_back(modelOf(*obstacle.body.getParts()[0].shape.getMesh()));
+                for (int i = 0; i < 100; ++i)
+                {
+                    const Pose pose = nearPose(random, obstacles, body, unit);
+                    bool expected = false;
+                    for (std::size_t k = 0; k < models.size(); ++k)
+                        expected = expected || fclCollides(*models[k], obstacles.getBodies()[k].pose, *model, pose);
+                    ASSERT_EQ(obstacles.collides(body, pose), expected) << i;
+                    colliding += expected;
+                    ++checks;
+                }
+            });
+    EXPECT_GT(colliding, checks / 10);
+    EXPECT_LT(colliding, checks - checks / 10);
+}
+
+TEST_P(MeshObstacles, HaveTheClearanceOfTheirNearestTriangle)
+{
+    forMany(150, GetParam() == 3 ? 0.3 : 0.0,
+            [](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                for (int i = 0; i < 50; ++i)
+                {
+                    const Eigen::Vector3d point = random.point(obstacles.getDimension(), 5.0 * unit);
+                    double nearest = std::numeric_limits<double>::infinity();
+                    for (const auto &[body, pose] : obstacles.getBodies())
+                        nearest = std::min(nearest, body.signedDistance(pose.inverse() * point));
+                    ASSERT_NEAR(obstacles.clearance(point), nearest, 1e-9 * unit);
+                }
+            });
+}
+
+TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
+{
+    unsigned int free = 0;
+    forMany(300, GetParam() == 3 ? 0.3 : 0.0,
+            [&](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const bool primitive = GetParam() == 3 && random.chance(0.3);
+                const Body body =
+                    primitive ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
+                for (int i = 0; i < 30; ++i)
+                {
+                    const Pose pose = nearPose(random, obstacles, body, unit);
+                    if (apart(obstacles, body, pose))
+                    {
+                        ASSERT_FALSE(obstacles.collides(body, pose)) << pose.matrix();
+                        ++free;
+                    }
+                }
+            });
+    EXPECT_GT(free, scaled(300));
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, MeshObstacles, testing::Values(2U, 3U));
+
+TEST(MeshObstacles, DoNotTouchWhatIsWhollyInside)
+{
+    const FclObstacles hollow(3, {{Body::mesh(boxMesh({10, 10, 10}))}});
+    EXPECT_FALSE(hollow.collides(Body::mesh(boxMesh({1, 1, 1})), Pose::Identity()));
+    EXPECT_FALSE(hollow.collides(Body::sphere(1.0), Pose::Identity()));
+    EXPECT_FALSE(hollow.collides(Body::box(1.0, 2.0, 3.0), Pose::Identity()));
+    EXPECT_TRUE(hollow.collides(Body::sphere(1.0), poseAt({5, 0, 0})));
+    EXPECT_DOUBLE_EQ(hollow.clearance({0, 0, 1}), 4.0);
+    const FclObstacles solid(3, {{Body::box(1.0, 1.0, 1.0)}});
+    EXPECT_FALSE(solid.collides(Body::mesh(boxMesh({10, 10, 10})), Pose::Identity()));
+    EXPECT_TRUE(solid.collides(Body::mesh(boxMesh({0.1, 0.1, 0.1})), Pose::Identity()));
+    EXPECT_TRUE(FclObstacles(3, {{Body::mesh(boxMesh({1, 1, 1}))}}).collides(Body::sphere(5.0), Pose::Identity()));
+}
+
+TEST(MeshObstacles, CountInThePlaneWhereTheRobotsReach)
+{
+    // A wall from z = 0 to 10 under a roof that is wider
+    const std::vector<PlacedBody> bodies{{Body::planarMesh(boxMesh({1, 10, 10}, {0, 0, 5}))},
+                                         {Body::planarMesh(boxMesh({20, 20, 1}, {0, 0, 12}))}};
+    const Body robot = Body::planarMesh(boxMesh({1, 1, 2}, {0, 0, 3}));
+    const FclObstacles obstacles(2, bodies, robot.getHeights());
+    EXPECT_DOUBLE_EQ(obstacles.clearance({3, 0, 0}), 2.5);
+    EXPECT_FALSE(obstacles.collides(robot, planarPose(1.1, 0.0)));
+    EXPECT_TRUE(obstacles.collides(robot, planarPose(0.9, 0.0)));
+    EXPECT_DOUBLE_EQ(FclObstacles(2, bodies).clearance({3, 0, 0}), 0.0);
+    // Inside the wall, away from its four sides
+    EXPECT_DOUBLE_EQ(obstacles.clearance({0.1, 0, 0}), 0.4);
+}
+
+TEST(MeshObstacles, AreMadeOfFclsModels)
+{
+    Pose pose = planarPose(1.0, 2.0, 0.5);
+    pose.translation().z() = 3.0;
+    const auto mesh = boxMesh({1, 2, 3});
+    using Objects = std::vector<std::shared_ptr<fcl::CollisionObjectd>>;
+    const Objects objects{std::make_shared<fcl::CollisionObjectd>(modelOf(*mesh), pose),
+                          std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::OBBd>(*mesh), pose)};
+    for (const unsigned int dimension : {2U, 3U})
+        for (const auto &object : objects)
+        {
+            const FclObstacles obstacles(Objects{object}, dimension);
+            ASSERT_EQ(obstacles.getBodies().size(), 1U);
+            EXPECT_TRUE(obstacles.getBodies()[0].body == meshBody(dimension, mesh));
+            EXPECT_TRUE(obstacles.getBodies()[0].pose.isApprox(pose));
+        }
+    Pose lying = pose;
+    lying.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    objects[0]->setTransform(lying);
+    EXPECT_NO_THROW(FclObstacles{objects});
+    EXPECT_THROW(FclObstacles(objects, 2), ompl::Exception);
+    const auto boxes = std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::AABBd>(*mesh), pose);
+    EXPECT_THROW(FclObstacles(Objects{boxes}), ompl::Exception);
+}

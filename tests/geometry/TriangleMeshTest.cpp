@@ -1,0 +1,123 @@
+#include "support/RandomMeshes.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    using Triangles = std::vector<TriangleMesh::Triangle>;
+
+    const std::vector<Eigen::Vector3d> CORNERS{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+    TriangleMesh without(const TriangleMesh &mesh, std::size_t count)
+    {
+        Triangles triangles = mesh.getTriangles();
+        triangles.resize(triangles.size() - count);
+        return {mesh.getVertices(), triangles};
+    }
+}
+
+TEST(TriangleMesh, RefusesWhatIsNoMesh)
+{
+    EXPECT_THROW(TriangleMesh({}, {}), ompl::Exception);
+    EXPECT_THROW(TriangleMesh(CORNERS, {}), ompl::Exception);
+    EXPECT_THROW(TriangleMesh(CORNERS, {{0, 1, 4}}), ompl::Exception);
+    EXPECT_THROW(TriangleMesh(CORNERS, {{0, 1, 2}, {0, 1, 4000000000U}}), ompl::Exception);
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200})
+    {
+        auto vertices = CORNERS;
+        vertices[2].y() = bad;
+        EXPECT_THROW(TriangleMesh(vertices, {{0, 1, 2}}), ompl::Exception);
+    }
+    EXPECT_THROW(TriangleMesh(CORNERS, {{0, 1, 1}, {2, 2, 2}}), ompl::Exception);
+    EXPECT_THROW(TriangleMesh({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}), ompl::Exception);
+    EXPECT_THROW(Body::mesh(nullptr), ompl::Exception);
+    EXPECT_THROW(Body::planarMesh(nullptr), ompl::Exception);
+    Pose tilted = Pose::Identity();
+    tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    EXPECT_THROW(Body({{Shape::mesh(2, boxMesh({1, 1, 1})), tilted}}), ompl::Exception);
+}
+
+TEST(TriangleMesh, KeepsWhatItIsGiven)
+{
+    const TriangleMesh mesh(CORNERS, {{0, 1, 2}, {0, 1, 1}, {2, 1, 0}});
+    EXPECT_EQ(mesh.getVertices(), CORNERS);
+    EXPECT_EQ(mesh.getTriangles(), (Triangles{{0, 1, 2}, {0, 1, 1}, {2, 1, 0}}));
+    EXPECT_FALSE(mesh.isDegenerate(0));
+    EXPECT_TRUE(mesh.isDegenerate(1));
+    EXPECT_FALSE(mesh.isDegenerate(2));
+    // The fourth vertex has no triangle.
+    EXPECT_EQ(mesh.getBounds().max(), Eigen::Vector3d(1, 1, 0));
+}
+
+TEST(TriangleMesh, IsClosedIfEachEdgeHasTwoTriangles)
+{
+    for (const auto &mesh : {boxMesh({1, 2, 3}), ballMesh(5)})
+    {
+        EXPECT_TRUE(mesh->isClosed());
+        // One triangle missing, or one twice; not one of the flat ones at the pole of the ball
+        EXPECT_FALSE(without(*mesh, mesh->getTriangles().size() / 2 - 1).isClosed());
+        Triangles twice = mesh->getTriangles();
+        twice.push_back(twice[twice.size() / 2]);
+        EXPECT_FALSE(TriangleMesh(mesh->getVertices(), twice).isClosed());
+        // Each triangle with corners of its own, as in an STL file, and one without area
+        std::vector<Eigen::Vector3d> corners;
+        Triangles own;
+        for (const auto &triangle : mesh->getTriangles())
+        {
+            for (const auto vertex : triangle)
+                corners.push_back(mesh->getVertices()[vertex]);
+            const auto last = static_cast<std::uint32_t>(corners.size());
+            own.push_back({last - 3, last - 2, last - 1});
+        }
+        own.push_back({0, 0, 1});
+        EXPECT_TRUE(TriangleMesh(corners, own).isClosed());
+    }
+    EXPECT_FALSE(TriangleMesh(CORNERS, {{0, 1, 2}}).isClosed());
+    EXPECT_TRUE(TriangleMesh(CORNERS, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}).isClosed());
+}
+
+TEST(TriangleMesh, BodiesAreEqualIfTheirMeshesAre)
+{
+    const Body body = Body::mesh(boxMesh({1, 2, 3}));
+    EXPECT_TRUE(body == Body::mesh(boxMesh({1, 2, 3})));
+    EXPECT_FALSE(body == Body::mesh(boxMesh({1, 2, 4})));
+    EXPECT_FALSE(body == Body::planarMesh(boxMesh({1, 2, 3})));
+    EXPECT_FALSE(body == Body::box(1, 2, 3));
+}
+
+TEST(TriangleMesh, BodiesReachAsFarAsTheirVertices)
+{
+    EXPECT_DOUBLE_EQ(Body::mesh(boxMesh({2, 4, 4})).getReach(), 3.0);
+    EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({6, 8, 4})).getReach(), 5.0);
+    const Body planar = Body::planarMesh(boxMesh({6, 8, 4}, {0, 0, 1}));
+    EXPECT_EQ(planar.getHeights().low, -1.0);
+    EXPECT_EQ(planar.getHeights().high, 3.0);
+    EXPECT_EQ(planar.getDimension(), 2U);
+    EXPECT_TRUE(std::isinf(Body::mesh(boxMesh({2, 4, 4})).getHeights().low));
+    EXPECT_TRUE(std::isinf(Body::disc(1.0).getHeights().high));
+    Pose lifted = planarPose(1.0, 2.0, 0.5);
+    lifted.translation().z() = 10.0;
+    const Body two(
+        {{Shape::mesh(2, boxMesh({1, 1, 2})), lifted}, {Shape::mesh(2, boxMesh({1, 1, 1})), Pose::Identity()}});
+    EXPECT_EQ(two.getHeights().low, -0.5);
+    EXPECT_EQ(two.getHeights().high, 11.0);
+    EXPECT_EQ(two.getCover().getRoot().center.z(), 0.0);
+    const Body mixed({{Shape::mesh(2, boxMesh({1, 1, 2})), lifted}, {Shape::ball(2, 1.0), Pose::Identity()}});
+    EXPECT_TRUE(std::isinf(mixed.getHeights().low));
+    EXPECT_TRUE(std::isinf(mixed.getHeights().high));
+}
+
+TEST(TriangleMesh, HasNoInside)
+{
+    const Body body = Body::mesh(boxMesh({2, 2, 2}));
+    EXPECT_DOUBLE_EQ(body.signedDistance({0, 0, 0.25}), 0.75);
+    EXPECT_DOUBLE_EQ(body.signedDistance({0, 0, 3}), 2.0);
+    EXPECT_TRUE(body.getCore().empty());
+    EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({2, 2, 2})).signedDistance({0, 0, 0}), 0.0);
+    EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({2, 2, 2})).signedDistance({4, 5, 0}), 5.0);
+}
