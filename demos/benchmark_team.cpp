@@ -4,6 +4,7 @@
 //     ompl_benchmark_statistics scene.log -d scene.db
 
 #include "common/CommandLine.h"
+#include "common/PlannerFactory.h"
 #include "common/TeamBenchmark.h"
 
 #include "ompl_certificates/scene/TextFile.h"
@@ -26,6 +27,7 @@ namespace
         std::vector<std::string> scenes;
         std::string planners{"RRTConnect"};
         std::string methods;
+        std::string nearest{"kdtree"};
         unsigned int runs{10};
         double seconds{5.0};
         std::uint32_t seed{1};
@@ -40,6 +42,9 @@ namespace
         app.add_option("--planners", options.planners, "Planners: names of OMPL's classes, separated by commas")
             ->capture_default_str();
         app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
+        app.add_option("--nearest", options.nearest, "What planners look for near states in")
+            ->check(CLI::IsMember(demos::nearestNames()))
+            ->capture_default_str();
         app.add_option("--runs", options.runs, "Runs of each planner with each method")
             ->check(demos::countUpTo(1000000ull))
             ->capture_default_str();
@@ -118,10 +123,10 @@ namespace
     void printTable(const std::string &scene, const std::vector<Run> &runs, const std::vector<std::string> &planners,
                     const std::vector<Method> &methods)
     {
-        const auto fields = {&Run::checkingSeconds, &Run::seconds, &Run::states, &Run::cost};
-        std::printf("\n%s: medians, and multiples of those of %s\n%-24s%-10s %11s %11s %11s %11s %11s\n", scene.c_str(),
-                    nameOf(methods.front()).c_str(), "planner", "method", "checking s", "total s", "states", "cost",
-                    "solved %");
+        const auto fields = {&Run::checkingSeconds, &Run::nearestSeconds, &Run::seconds, &Run::states, &Run::cost};
+        std::printf("\n%s: medians, and multiples of those of %s\n%-24s%-10s %11s %11s %11s %11s %11s %11s\n",
+                    scene.c_str(), nameOf(methods.front()).c_str(), "planner", "method", "checking s", "nearest s",
+                    "total s", "states", "cost", "solved %");
         for (const std::string &planner : planners)
             for (const Method method : methods)
             {
@@ -148,6 +153,7 @@ namespace
         std::vector<Method> methods;
         for (const std::string &name : listOf("--methods", options.methods))
             methods.push_back(methodOf(name));
+        const NearestStructure nearest = nearestStructureOf(options.nearest);
         // The standard method is the one to compare with.
         std::stable_sort(methods.begin(), methods.end(),
                          [](Method a, Method b) { return a == Method::STANDARD && b != Method::STANDARD; });
@@ -162,12 +168,12 @@ namespace
             scenes.emplace_back(file);
             scenes.back().validate();
             // What cannot be planned for shows here, before hours have passed.
-            demos::TeamBenchmark(scenes.back(), planners, methods, options.seed);
+            demos::TeamBenchmark(scenes.back(), planners, methods, nearest, options.seed);
         }
 
         for (std::size_t i = 0; i < scenes.size(); ++i)
         {
-            demos::TeamBenchmark benchmark(scenes[i], planners, methods, options.seed);
+            demos::TeamBenchmark benchmark(scenes[i], planners, methods, nearest, options.seed);
             ompl::tools::Benchmark::Request request(options.seconds, 4096.0, options.runs);
             request.displayProgress = isatty(STDOUT_FILENO) != 0;
             request.saveConsoleOutput = false;

@@ -20,6 +20,7 @@ ROWS = [
     ("certificates", "checks.certificates"),
     ("seconds, total", "seconds.total"),
     ("seconds, checking", "seconds.checking"),
+    ("seconds, nearest", "seconds.nearest"),
 ]
 
 

@@ -1,5 +1,6 @@
 #include "common/PlannerFactory.h"
 
+#include "ompl_certificates/team/PlannerNeighbors.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
@@ -184,6 +185,14 @@ namespace demos
         if (informed.count(name) == 0)
             return nullptr;
         return std::make_shared<ompl_certificates::TeamPathLength>(si);
+    }
+
+    std::vector<std::string> nearestNames()
+    {
+        std::vector<std::string> names;
+        for (const auto structure : ompl_certificates::allNearestStructures())
+            names.push_back(nameOf(structure));
+        return names;
     }
 
     void setParameter(ob::Planner &planner, const std::string &key, const std::string &value)

@@ -25,6 +25,9 @@ namespace demos
     ompl::base::OptimizationObjectivePtr makeObjective(const std::string &name,
                                                        const ompl::base::SpaceInformationPtr &si);
 
+    /** \brief The names of what a planner can look for near states in; see ompl_certificates::NearestStructure */
+    std::vector<std::string> nearestNames();
+
     /** \brief Set a parameter of \e planner
         \throws ompl::Exception if the planner has none of that name (the message lists those it has), or refuses the
         value */

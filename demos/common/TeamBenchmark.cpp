@@ -2,6 +2,7 @@
 
 #include "common/PlannerFactory.h"
 
+#include <cmath>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
 #include <ompl/util/String.h>
@@ -30,14 +31,14 @@ namespace demos
     }
 
     TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners,
-                                 const std::vector<Method> &methods, std::uint32_t seed)
-      : TeamBenchmark(scene, planners, makeHost(scene), methods, seed)
+                                 const std::vector<Method> &methods, NearestStructure nearest, std::uint32_t seed)
+      : TeamBenchmark(scene, planners, makeHost(scene), methods, nearest, seed)
     {
     }
 
     TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners, const TeamSetupPtr &host,
-                                 const std::vector<Method> &methods, std::uint32_t seed)
-      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), seed_(seed)
+                                 const std::vector<Method> &methods, NearestStructure nearest, std::uint32_t seed)
+      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), nearest_(nearest), seed_(seed)
     {
         const ObstaclesPtr obstacles = scene.makeObstacles();
         for (const Method method : methods_)
@@ -62,12 +63,15 @@ namespace demos
         si->setStateValidityChecker(setup.getTeamChecker());
         si->setMotionValidator(setup.getSpaceInformation()->getMotionValidator());
 
+        const auto clock = std::make_shared<NearestClock>();
+        const auto timed = std::make_shared<bool>(false);
         const ob::PlannerPtr planner = demos::makePlanner(entry.planner, si,
-                                                          [this, &setup]
+                                                          [this, &setup, clock, timed]
                                                           {
                                                               counts_ = setup.getStatistics().getCounts();
                                                               checkingSeconds_ =
                                                                   setup.getStatistics().getCheckingSeconds();
+                                                              nearestSeconds_ = *timed ? clock->getSeconds() : NAN;
                                                               certificates_ = certificatesOf(setup);
                                                           });
         planner->setName(entry.planner + "[" + nameOf(methods_[entry.method]) + "]");
@@ -86,6 +90,9 @@ namespace demos
         problem->clearSolutionPaths();
         planner->setProblemDefinition(problem);
         planner->setup();
+        if (nearest_ == NearestStructure::KD_TREE)
+            useKdTree(*planner);
+        *timed = timeNearest(*planner, clock);
         return planner;
     }
 
@@ -103,7 +110,7 @@ namespace demos
         setup.getSpaceInformation()->getMotionValidator()->resetMotionCounter();
         setup.getStatistics().reset();
         counts_ = CheckCounts();
-        checkingSeconds_ = 0.0;
+        checkingSeconds_ = nearestSeconds_ = 0.0;
         certificates_ = 0;
     }
 
@@ -126,6 +133,8 @@ namespace demos
         for (const auto &[name, count] : counts)
             run[std::string(name) + " INTEGER"] = std::to_string(count);
         run["time_in_checking REAL"] = ompl::toString(checkingSeconds_);
+        if (!std::isnan(nearestSeconds_))
+            run["time_in_nearest REAL"] = ompl::toString(nearestSeconds_);
 
         const auto number = [&run](const std::string &name)
         {
@@ -134,7 +143,7 @@ namespace demos
         };
         const bool solved = number("solved BOOLEAN") == 1.0;
         runs_.push_back({entries_[active_].planner, methods_[entries_[active_].method], solved, checkingSeconds_,
-                         number("time REAL"),
+                         nearestSeconds_, number("time REAL"),
                          solved ? number("solution length REAL") : std::numeric_limits<double>::quiet_NaN(),
                          number("graph states INTEGER")});
     }

@@ -23,13 +23,15 @@ namespace demos
             std::string planner;
             ompl_certificates::Method method;
             bool solved;
-            double checkingSeconds, seconds, cost, states;
+            double checkingSeconds, nearestSeconds, seconds, cost, states;
         };
 
-        /** \brief A benchmark of all \e planners with all \e methods; run i is seeded with \e seed + i.
+        /** \brief A benchmark of all \e planners with all \e methods, with \e nearest for their near states; run i is
+            seeded with \e seed + i.
             \throws ompl::Exception if there is no such planner, or it cannot plan for the scene */
         TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
-                      const std::vector<ompl_certificates::Method> &methods, std::uint32_t seed);
+                      const std::vector<ompl_certificates::Method> &methods,
+                      ompl_certificates::NearestStructure nearest, std::uint32_t seed);
 
         /** \brief All runs so far */
         const std::vector<Run> &getRuns() const
@@ -47,7 +49,8 @@ namespace demos
 
         TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
                       const ompl_certificates::TeamSetupPtr &host,
-                      const std::vector<ompl_certificates::Method> &methods, std::uint32_t seed);
+                      const std::vector<ompl_certificates::Method> &methods,
+                      ompl_certificates::NearestStructure nearest, std::uint32_t seed);
 
         ompl::base::PlannerPtr makePlanner(const Entry &entry);
         void prepareRun(const ompl::base::PlannerPtr &planner);
@@ -58,13 +61,14 @@ namespace demos
         ompl_certificates::TeamSetupPtr host_;
         std::vector<ompl_certificates::TeamSetupPtr> lenders_;
         std::vector<ompl_certificates::Method> methods_;
+        ompl_certificates::NearestStructure nearest_;
         std::uint32_t seed_;
         std::vector<Entry> entries_;
         std::size_t active_{0};
 
         /** What was measured when solve() returned: OMPL goes on to check the solution */
         ompl_certificates::CheckCounts counts_;
-        double checkingSeconds_{0.0};
+        double checkingSeconds_{0.0}, nearestSeconds_{0.0};
         std::size_t certificates_{0};
         std::vector<Run> runs_;
     };

@@ -80,6 +80,8 @@ namespace ompl_certificates
                           {"motion_samples_skipped", checks.motionSamplesSkipped},
                           {"certificates", certificates}};
         json["seconds"] = {{"total", totalSeconds}, {"checking", checkingSeconds}};
+        json["seconds"]["nearest"] =
+            nearestSeconds >= 0.0 ? nlohmann::ordered_json(nearestSeconds) : nlohmann::ordered_json(nullptr);
         // Names come from users: what is not UTF-8 is replaced, not an error at the end of a long run.
         return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }

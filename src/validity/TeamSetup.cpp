@@ -74,4 +74,11 @@ namespace ompl_certificates
         }
         setStateValidityChecker(checker_);
     }
+
+    void TeamSetup::setup()
+    {
+        SimpleSetup::setup();
+        if (nearestStructure_ == NearestStructure::KD_TREE)
+            useKdTree(*planner_);
+    }
 }

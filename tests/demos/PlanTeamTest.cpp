@@ -69,6 +69,8 @@ TEST_F(PlanTeam, writesWhatIsAskedFor)
     EXPECT_GT(report_.at("cost").get<double>(), 11.0);
     EXPECT_GT(report_.at("tree").at("states").get<int>(), 2);
     EXPECT_LE(report_.at("seconds").at("checking").get<double>(), report_.at("seconds").at("total").get<double>());
+    EXPECT_GT(report_.at("seconds").at("nearest").get<double>(), 0.0);
+    EXPECT_LE(report_.at("seconds").at("nearest").get<double>(), report_.at("seconds").at("total").get<double>());
 }
 
 TEST_F(PlanTeam, countsAddUpUnderEveryMethodAndMotionCheck)

@@ -152,12 +152,15 @@ namespace ompl_certificates
                   "robot_poses certified_free certified_colliding exact exact_colliding "
                   "clearance_queries pair_poses pair_exact motions motion_samples "
                   "motion_samples_skipped certificates ");
-        EXPECT_EQ(keysOf(json["seconds"]), "total checking ");
+        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest ");
+        EXPECT_TRUE(json["seconds"]["nearest"].is_null());
         EXPECT_TRUE(json["cost"].is_null());
         EXPECT_EQ(json["seed"], 18446744073709551615u);
         EXPECT_EQ(json["checks"]["robot_poses"], 7);
         EXPECT_EQ(fileCount(), 1u);
 
+        report.nearestSeconds = 0.5;
+        EXPECT_EQ(nlohmann::json::parse(report.toJson())["seconds"]["nearest"], 0.5);
         report.solved = true;
         report.cost = 2.5;
         EXPECT_EQ(nlohmann::json::parse(report.toJson())["cost"], 2.5);

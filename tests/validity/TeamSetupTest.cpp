@@ -1,5 +1,6 @@
 #include "support/Checkers.h"
 
+#include "ompl_certificates/team/PlannerKdTree.h"
 #include "ompl_certificates/validity/Basic.h"
 #include "ompl_certificates/validity/Partial.h"
 #include "ompl_certificates/validity/SharedProjection.h"
@@ -7,6 +8,9 @@
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -19,6 +23,59 @@ namespace
     {
         return std::make_shared<FclObstacles>(dimension, std::vector<PlacedBody>{});
     }
+
+    /** RRT that shows what it looks for near states in */
+    struct OpenRrt : ompl::geometric::RRT
+    {
+        using RRT::RRT;
+
+        template <template <typename> class Structure>
+        bool uses() const
+        {
+            return dynamic_cast<const Structure<Motion *> *>(nn_.get()) != nullptr;
+        }
+    };
+}
+
+TEST(TeamSetup, GivesItsPlannerAKdTreeUnlessToldOtherwise)
+{
+    const auto team = teamOfDiscs();
+    const auto planner = [&](TeamSetup &setup)
+    {
+        ob::ScopedState<> start(team), goal(team);
+        start = std::vector<double>{0.0, 0.0, 3.0, 0.0, -3.0, 0.0};
+        goal = std::vector<double>{0.0, 3.0, 3.0, 3.0, -3.0, 3.0};
+        setup.setStartAndGoalStates(start, goal);
+        const auto rrt = std::make_shared<OpenRrt>(setup.getSpaceInformation());
+        setup.setPlanner(rrt);
+        return rrt;
+    };
+    TeamSetup standard(team, noObstacles(2));
+    const auto first = planner(standard);
+    standard.setup();
+    EXPECT_TRUE(first->uses<PlannerKdTree>());
+    EXPECT_TRUE(standard.solve(1.0));
+    EXPECT_TRUE(first->uses<PlannerKdTree>());
+    const auto second = planner(standard);  // the next planner gets one, too
+    standard.setup();
+    EXPECT_TRUE(second->uses<PlannerKdTree>());
+
+    TeamSetup gnat(team, noObstacles(2));
+    gnat.setNearestStructure(NearestStructure::GNAT);
+    const auto stock = planner(gnat);
+    gnat.setup();
+    EXPECT_TRUE(stock->uses<ompl::NearestNeighborsGNATNoThreadSafety>());
+
+    TeamSetup chosen(team, noObstacles(2));
+    const auto linear = planner(chosen);
+    linear->setNearestNeighbors<ompl::NearestNeighborsLinear>();
+    chosen.setup();
+    EXPECT_TRUE(linear->uses<ompl::NearestNeighborsLinear>());
+
+    EXPECT_EQ(allNearestStructures().front(), NearestStructure::KD_TREE);
+    for (const NearestStructure structure : allNearestStructures())
+        EXPECT_EQ(nearestStructureOf(nameOf(structure)), structure);
+    EXPECT_THROW(nearestStructureOf("best"), ompl::Exception);
 }
 
 TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)

@@ -60,6 +60,10 @@ namespace ompl_certificates
         /** \brief The time spent in checks, in seconds */
         double checkingSeconds{0.0};
 
+        /** \brief The time spent in looking for near states, in seconds; negative if it was not measured, which is null in
+            JSON. See timeNearest(). */
+        double nearestSeconds{-1.0};
+
         /** \brief Set the numbers of the tree, and its digest, from \e data */
         void setTree(const ompl::base::PlannerData &data);
 

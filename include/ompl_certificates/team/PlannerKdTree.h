@@ -4,6 +4,7 @@
 #include "ompl_certificates/team/StateKdTree.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <ompl/datastructures/NearestNeighbors.h>
@@ -76,16 +77,18 @@ namespace ompl_certificates
         }
     }
 
-    /** \brief A kd-tree for OMPL's planners, to be used in a team's state space:
+    /** \brief A kd-tree for OMPL's planners. TeamSetup gives it to its planner; useKdTree() gives it to any, and in a
+        team's space a planner also takes it by itself:
 
             planner->setNearestNeighbors<ompl_certificates::PlannerKdTree>();
 
         It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster; the more robots,
         the more of a planner's time that is. Of equal distances the element that was added first comes first.
 
-        It learns the space from the first state added, and steps aside where it cannot know what a distance is:
-        - elements without a state (PRM, LazyPRM and SPARStwo store vertex numbers) and states of another space than
-          TeamStateSpace are left to GNAT, unless the space is given to the constructor;
+        If it is not told, it learns the space from the first state added. It steps aside where it cannot know what a
+        distance is:
+        - elements that do not show a state (the vertices of PRM, LazyPRM, SPARS and SPARStwo) and states of another space
+          than TeamStateSpace are left to GNAT, unless states and space are given to the constructor;
         - so are distance functions that are not the space's distance, which the first few elements show, and states that
           are not of the space (an angle out of its range, a coordinate that is not a number);
         - a distance that is not even symmetric is left to a linear search, as GNAT's answers would be wrong.
@@ -99,12 +102,22 @@ namespace ompl_certificates
         using typename ompl::NearestNeighbors<_T>::DistanceFunction;
         using ompl::NearestNeighbors<_T>::add;
 
-        /** \brief Find the space when the first state is added */
-        PlannerKdTree() = default;
+        /** \brief The state of an element */
+        using StateFunction = std::function<const ompl::base::State *(const _T &)>;
 
-        /** \brief For states of \e space: a team, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these. Other spaces are
-            left to GNAT. */
-        explicit PlannerKdTree(ompl::base::StateSpacePtr space) : space_(std::move(space))
+        /** \brief Find the space when the first state is added */
+        PlannerKdTree() : PlannerKdTree(nullptr)
+        {
+        }
+
+        /** \brief For states of \e space: a team, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these. Elements of other
+            spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do not show their
+            state need \e stateOf. */
+        explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
+                               std::shared_ptr<ompl::NearestNeighbors<_T>> other = nullptr)
+          : space_(std::move(space))
+          , stateFunction_(std::move(stateOf))
+          , gnat_(other ? std::move(other) : std::make_shared<ompl::NearestNeighborsGNAT<_T>>())
         {
         }
 
@@ -132,7 +145,7 @@ namespace ompl_certificates
         void clear() override
         {
             tree_.reset();
-            gnat_.clear();
+            gnat_->clear();
             linear_.clear();
             other_ = nullptr;
             elements_.clear();
@@ -145,7 +158,7 @@ namespace ompl_certificates
             if (tree_ && tree_->size() < TRIALS)
                 test(data);
             if (tree_ && !tree_->add(stateOf(data)))
-                stepAside(gnat_);
+                stepAside(*gnat_);
             if (other_)
                 other_->add(data);
             else
@@ -210,9 +223,9 @@ namespace ompl_certificates
         /** Among so many elements the planner's distance is compared with the space's. */
         static constexpr std::size_t TRIALS = 8;
 
-        static const ompl::base::State *stateOf(const _T &data)
+        const ompl::base::State *stateOf(const _T &data) const
         {
-            return detail::stateOf(data, detail::Prefer<5>());
+            return stateFunction_ ? stateFunction_(data) : detail::stateOf(data, detail::Prefer<5>());
         }
 
         /** Decide where elements go, now that there is one to learn the space from. */
@@ -220,15 +233,15 @@ namespace ompl_certificates
         {
             const auto *state = stateOf(data);
             const ompl::base::StateSpace *space = space_.get();
-            const auto *teamState = dynamic_cast<const TeamStateSpace::StateType *>(state);
-            if (!space && teamState)
+            // CForest's planners believe to be in a space of its own, which wraps the true one.
+            if (const auto *teamState = dynamic_cast<const TeamStateSpace::StateType *>(state))
                 space = teamState->getSpace();
             if (state && space)
                 tree_ = std::make_unique<StateKdTree>(*space);
             if (tree_ && tree_->isUseful())
                 trialSpace_ = space;
             else
-                stepAside(gnat_);
+                stepAside(*gnat_);
         }
 
         /** Step aside if distances between \e data and the elements are not the space's. */
@@ -240,7 +253,7 @@ namespace ompl_certificates
                 if (distance != this->distFun_(element, data))
                     return stepAside(linear_);
                 if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
-                    return stepAside(gnat_);
+                    return stepAside(*gnat_);
             }
         }
 
@@ -273,12 +286,13 @@ namespace ompl_certificates
         }
 
         ompl::base::StateSpacePtr space_;
+        StateFunction stateFunction_;
         /** Of the elements in the tree; alive as long as their states are */
         const ompl::base::StateSpace *trialSpace_{nullptr};
         std::unique_ptr<StateKdTree> tree_;
-        /** Made even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
+        /** There even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
             get, and with them the tree that is grown, do not depend on which structure the planner was given. */
-        ompl::NearestNeighborsGNAT<_T> gnat_;
+        std::shared_ptr<ompl::NearestNeighbors<_T>> gnat_;
         ompl::NearestNeighborsLinear<_T> linear_;
         /** The one of them that has the elements, if the tree has not */
         ompl::NearestNeighbors<_T> *other_{nullptr};

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_SETUP_
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_SETUP_
 
+#include "ompl_certificates/team/PlannerNeighbors.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <ompl/geometric/SimpleSetup.h>
@@ -31,7 +32,8 @@ namespace ompl_certificates
         \throws ompl::Exception that lists the names if there is none */
     Method methodOf(const std::string &name);
 
-    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place. */
+    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place, and the
+        planner's tree in a PlannerKdTree. */
     class TeamSetup : public ompl::geometric::SimpleSetup
     {
     public:
@@ -41,6 +43,17 @@ namespace ompl_certificates
         TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
                   Method method = Method::SHARED_PROJECTION,
                   CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+
+        /** \brief Choose what the planner looks for near states in; to be called before setup(). By default it is a
+            PlannerKdTree, which finds what a GNAT finds: trees are the same, but may differ where distances are exactly
+            equal. A structure of another class than OMPL's GNATs that the planner was given is kept. */
+        void setNearestStructure(NearestStructure structure)
+        {
+            nearestStructure_ = structure;
+        }
+
+        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
+        void setup() override;
 
         /** \brief The team */
         const TeamStateSpace &getTeam() const
@@ -68,6 +81,7 @@ namespace ompl_certificates
 
     private:
         std::shared_ptr<TeamValidityChecker> checker_;
+        NearestStructure nearestStructure_{NearestStructure::KD_TREE};
     };
 
     /** \brief A shared pointer to a team's setup */
