@@ -48,6 +48,8 @@ namespace
             SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
             const unsigned int validCount = validator->getValidMotionCount();
             const unsigned int invalidCount = validator->getInvalidMotionCount();
+            // Not as it was allocated: what is there may be no number, which equals nothing.
+            scene.team->copyState(state.get(), from.get());
             const auto before = realsOf(*scene.team, state.get());
             std::pair<ob::State *, double> lastValid{state.get(), -7.0}, timeOnly{nullptr, -7.0};
             // In both orders, so that either overload may be the one that finds nothing known yet.
