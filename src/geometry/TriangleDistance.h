@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -16,6 +17,32 @@ namespace ompl_certificates
         if (along >= length)
             return (p - segment).squaredNorm();
         return (p - along / length * segment).squaredNorm();
+    }
+
+    /** \brief The point of a triangle that is nearest to \e point, or one about as near */
+    inline Eigen::Vector3d nearestOfTriangle(const Eigen::Vector3d &point, const Eigen::Vector3d &a,
+                                             const Eigen::Vector3d &b, const Eigen::Vector3d &c)
+    {
+        const Eigen::Vector3d normal = (b - a).cross(c - a);
+        const double squaredArea = normal.squaredNorm();
+        if (squaredArea > 0.0)
+        {
+            const Eigen::Vector3d foot = point - normal.dot(point - a) / squaredArea * normal;
+            if (normal.dot((b - a).cross(foot - a)) >= 0.0 && normal.dot((c - b).cross(foot - b)) >= 0.0 &&
+                normal.dot((a - c).cross(foot - c)) >= 0.0)
+                return foot;
+        }
+        Eigen::Vector3d nearest = a;
+        for (const auto &[from, to] : {std::make_pair(&a, &b), std::make_pair(&b, &c), std::make_pair(&c, &a)})
+        {
+            const Eigen::Vector3d edge = *to - *from;
+            const double length = edge.squaredNorm();
+            const double along = length > 0.0 ? std::clamp(edge.dot(point - *from) / length, 0.0, 1.0) : 0.0;
+            const Eigen::Vector3d candidate = *from + along * edge;
+            if ((candidate - point).squaredNorm() < (nearest - point).squaredNorm())
+                nearest = candidate;
+        }
+        return nearest;
     }
 
     /** \brief Squared distance of \e point to a triangle; also to one without area */

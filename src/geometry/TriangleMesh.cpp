@@ -9,8 +9,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** The largest coordinate whose fourth power is finite, with something to spare */
-        constexpr double LARGEST_COORDINATE = 1e75;
+        /** Squares of larger ones would not fit into the single precision of a TriangleTree. */
+        constexpr double LARGEST_COORDINATE = 1e15;
 
         /** For each vertex the first one in some order that is at the same place */
         std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3d> &vertices)
@@ -52,7 +52,7 @@ namespace ompl_certificates
                 bounds_.extend(vertices_[corner]);
                 farthest = std::max(farthest, vertices_[corner].norm());
             }
-        leastHeight_ = 1e-8 * farthest;
+        leastHeight_ = 1e-7 * farthest;
         std::size_t degenerate = 0;
         while (degenerate < triangles_.size() && isDegenerate(degenerate))
             ++degenerate;
@@ -67,6 +67,19 @@ namespace ompl_certificates
         const double longest =
             std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
         return !((b - a).cross(c - a).norm() > leastHeight_ * longest);
+    }
+
+    const TriangleTree &TriangleMesh::getTree() const
+    {
+        std::call_once(once_,
+                       [this]
+                       {
+                           for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+                               if (!isDegenerate(i))
+                                   tree_.add(getCorners(i), i);
+                           tree_.build();
+                       });
+        return tree_;
     }
 
     bool TriangleMesh::isClosed() const

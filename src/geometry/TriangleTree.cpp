@@ -9,74 +9,127 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::uint32_t LEAF_SIZE = 2;
-    }
+        /** Pays for the rounding of squared distances in single precision */
+        constexpr float SHRINK = 1.0F - 2e-6F;
 
-    void TriangleTree::build()
-    {
-        nodes_.clear();
-        if (!triangles_.empty())
-            buildNode(0, static_cast<std::uint32_t>(triangles_.size()));
-    }
+        /** The squares of larger coordinates do not fit into single precision. */
+        constexpr double FARTHEST = 1e18;
 
-    std::uint32_t TriangleTree::buildNode(std::uint32_t first, std::uint32_t count)
-    {
-        const auto index = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        const auto centerOf = [](const Corners &t) -> Eigen::Vector3d { return (t[0] + t[1] + t[2]) / 3.0; };
-        Eigen::AlignedBox3d box, centers;
-        for (std::uint32_t i = first; i < first + count; ++i)
+        /** Whether \e triangle is nearer than \e nearest, a squared distance, which is then lowered */
+        bool lowerToDistance(const TriangleTree::Facet &triangle, const Eigen::Vector3d &point, double &nearest)
         {
-            for (const auto &corner : triangles_[i])
-                box.extend(corner);
-            centers.extend(centerOf(triangles_[i]));
+            const auto &[a, b, c] = triangle.corners;
+            const Eigen::Vector3d ap = point - a;
+            const double height = triangle.normal.dot(ap);
+            if (height * height >= nearest)
+                return false;
+            const Eigen::Vector3d ab = b - a, bc = c - b, ca = a - c, bp = point - b, cp = point - c;
+            double squared;
+            if (triangle.normal.dot(ab.cross(ap)) >= 0.0 && triangle.normal.dot(bc.cross(bp)) >= 0.0 &&
+                triangle.normal.dot(ca.cross(cp)) >= 0.0 && triangle.normal.squaredNorm() > 0.5)
+                squared = height * height;
+            else
+                squared = std::min({squaredDistanceToSegment(ap, ab), squaredDistanceToSegment(bp, bc),
+                                    squaredDistanceToSegment(cp, ca)});
+            if (!(squared < nearest))
+                return false;
+            nearest = squared;
+            return true;
         }
-        nodes_[index].box = box;
-        nodes_[index].first = first;
-        nodes_[index].count = count;
-        if (count > LEAF_SIZE)
-        {
-            Eigen::Index axis;
-            centers.sizes().maxCoeff(&axis);
-            const auto begin = triangles_.begin() + first;
-            std::nth_element(begin, begin + count / 2, begin + count,
-                             [&](const Corners &a, const Corners &b) { return centerOf(a)[axis] < centerOf(b)[axis]; });
-            buildNode(first, count / 2);
-            nodes_[index].right = buildNode(first + count / 2, count - count / 2);
-        }
-        return index;
     }
 
-    double TriangleTree::distance(const Eigen::Vector3d &point, double limit) const
+    void TriangleTree::add(const Corners &corners, std::uint32_t name)
     {
-        if (nodes_.empty() || limit <= 0.0)
+        triangles_.emplace_back(corners);
+        names_.push_back(name);
+    }
+
+    Eigen::AlignedBox3d TriangleTree::getBounds() const
+    {
+        Eigen::AlignedBox3d bounds;
+        if (!nodes_.empty())
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const auto &low = nodes_[0].low[axis], &high = nodes_[0].high[axis];
+                bounds.min()[axis] = origin_[axis] + *std::min_element(low, low + 4);
+                bounds.max()[axis] = origin_[axis] + *std::max_element(high, high + 4);
+            }
+        return bounds;
+    }
+
+    double TriangleTree::distance(const Eigen::Vector3d &point, double limit, std::uint32_t *nearest) const
+    {
+        if (nearest)
+            *nearest = NONE;
+        if (nodes_.empty() || !(limit > 0.0))
             return limit;
-        double nearest = limit * limit;
-        search(0, point, nearest);
-        return std::min(limit, std::sqrt(nearest));
-    }
-
-    void TriangleTree::search(std::uint32_t index, const Eigen::Vector3d &point, double &nearest) const
-    {
-        const Node &node = nodes_[index];
-        if (node.right == 0)
+        double lowest = limit * limit;
+        if (!((point - origin_).cwiseAbs().maxCoeff() < FARTHEST))
         {
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-                nearest = std::min(
-                    nearest, squaredDistanceToTriangle(point, triangles_[i][0], triangles_[i][1], triangles_[i][2]));
-            return;
+            for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+                if (lowerToDistance(triangles_[i], point, lowest) && nearest)
+                    *nearest = i;
+            return std::min(limit, std::sqrt(lowest));
         }
-        std::uint32_t near = index + 1, far = node.right;
-        double nearBound = nodes_[near].box.squaredExteriorDistance(point);
-        double farBound = nodes_[far].box.squaredExteriorDistance(point);
-        if (farBound < nearBound)
+        struct Open
         {
-            std::swap(near, far);
-            std::swap(nearBound, farBound);
+            float bound;
+            std::uint32_t child;
+        };
+        std::uint32_t found = NONE;
+        const Eigen::Vector3f p = (point - origin_).cast<float>();
+        Open stack[STACK_SIZE];
+        std::size_t open = 0;
+        std::uint32_t current = 0;
+        for (;;)
+        {
+            if (isLeaf(current))
+            {
+                const std::uint32_t first = firstOf(current), end = first + countOf(current);
+                for (std::uint32_t i = first; i < end; ++i)
+                    if (lowerToDistance(triangles_[i], point, lowest))
+                        found = i;
+            }
+            else
+            {
+                const Node &node = nodes_[current];
+                float bounds[4];
+                for (int k = 0; k < 4; ++k)
+                {
+                    float sum = 0.0F;
+                    for (int axis = 0; axis < 3; ++axis)
+                    {
+                        const float below = node.low[axis][k] - p[axis], above = p[axis] - node.high[axis][k];
+                        float outside = below > above ? below : above;
+                        outside = outside > 0.0F ? outside : 0.0F;
+                        sum += outside * outside;
+                    }
+                    bounds[k] = sum * SHRINK;
+                }
+                // The nearest is put on the stack last.
+                Open *const begin = stack + open;
+                for (int k = 0; k < 4; ++k)
+                    if (bounds[k] < lowest)
+                    {
+                        Open *place = stack + open++;
+                        for (; place != begin && place[-1].bound < bounds[k]; --place)
+                            *place = place[-1];
+                        *place = {bounds[k], node.child[k]};
+                    }
+            }
+            do
+            {
+                if (open == 0)
+                {
+                    if (found == NONE)
+                        return limit;
+                    if (nearest)
+                        *nearest = found;
+                    return std::sqrt(lowest);
+                }
+                --open;
+            } while (!(stack[open].bound < lowest));
+            current = stack[open].child;
         }
-        if (nearBound < nearest)
-            search(near, point, nearest);
-        if (farBound < nearest)
-            search(far, point, nearest);
     }
 }

@@ -1,7 +1,4 @@
-#include "support/RandomBodies.h"
-#include "support/RandomMeshes.h"
-
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "support/MeshObstacles.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
@@ -35,49 +32,6 @@ namespace
         const fcl::CollisionRequestd request;
         fcl::CollisionResultd result;
         return fcl::collide(&a, poseA, &b, poseB, request, result) > 0;
-    }
-
-    std::vector<PlacedBody> randomMeshObstacles(Random &random, unsigned int dimension, double unit,
-                                                double primitiveChance)
-    {
-        std::vector<PlacedBody> bodies;
-        for (unsigned int count = 1 + random.below(6); count > 0; --count)
-        {
-            const double size = unit * random.logUniform(0.3, 3.0);
-            bodies.push_back({random.chance(primitiveChance) ? randomBody(random, dimension, size)
-                                                             : meshBody(dimension, randomMesh(random, size)),
-                              random.pose(dimension, 3.0 * unit)});
-        }
-        return bodies;
-    }
-
-    /** A pose at which the body is near the surface of an obstacle */
-    Pose nearPose(Random &random, const FclObstacles &obstacles, const Body &body, double unit)
-    {
-        Pose pose = random.pose(body.getDimension(), 4.0 * unit);
-        const auto &[obstacle, place] = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
-        const auto surfacePoint = [&random](const Body &of) -> Eigen::Vector3d
-        {
-            const auto &part = of.getParts()[random.below(of.getParts().size())];
-            const TriangleMesh *mesh = part.shape.getMesh();
-            return part.pose * (mesh ? pointOf(random, *mesh, random.below(mesh->getTriangles().size()))
-                                     : pointOf(random, part.shape));
-        };
-        if (random.chance(0.7))
-            pose.translation() += place * surfacePoint(obstacle) - pose * surfacePoint(body) +
-                                  random.point(3, unit * random.logUniform(1e-7, 1.0));
-        if (body.getDimension() == 2)
-            pose.translation().z() = 0.0;
-        return pose;
-    }
-
-    bool apart(const FclObstacles &obstacles, const Body &body, const Pose &pose)
-    {
-        const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
-        for (const auto &node : body.getCover().getNodes())
-            if (node.childCount == 0 && obstacles.clearance(pose * node.ball.center) <= node.ball.radius + margin)
-                return false;
-        return true;
     }
 }
 
@@ -155,7 +109,7 @@ TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
                 for (int i = 0; i < 30; ++i)
                 {
                     const Pose pose = nearPose(random, obstacles, body, unit);
-                    if (apart(obstacles, body, pose))
+                    if (isCertifiedFree(obstacles, body, pose))
                     {
                         ASSERT_FALSE(obstacles.collides(body, pose)) << pose.matrix();
                         ++free;

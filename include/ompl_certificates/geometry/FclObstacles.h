@@ -47,6 +47,17 @@ namespace ompl_certificates
 
         double clearance(const Eigen::Vector3d &point) const override;
 
+        /** \brief The parts are triangles; NO_PART where a primitive is nearest. */
+        double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
+
+        /** \brief Knows of bodies of meshes among meshes in nearly all cases, of others only that meshes among them cross. Takes
+            0.1 to 20 µs, mostly a tenth of what collides() takes; nothing is allocated, FCL is not asked. */
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
+
+        /** \brief Looks for a triangle of the body that crosses triangle \e part of the obstacles, or for a point of the
+            triangle inside a primitive of the body. Takes 0.05 to 0.5 µs. */
+        bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
+
         double getTolerance() const override
         {
             return tolerance_;
@@ -55,7 +66,7 @@ namespace ompl_certificates
         /** \brief True if there are at most 16 shapes and no meshes */
         bool isClearanceCheap() const override
         {
-            return clearances_.size() <= 16 && triangles_.size() == 0;
+            return clearances_.size() <= 16 && surface_.size() == 0;
         }
 
         /** \brief The obstacles that these were made of */
@@ -68,8 +79,23 @@ namespace ompl_certificates
         /** \brief Fill the broadphase and the clearance tree from bodies_ */
         void build();
 
-        /** \brief Add what counts of a mesh at \e pose to triangles_ */
+        /** \brief Add what counts of a mesh at \e pose to surface_ */
         void addTriangles(const TriangleMesh &mesh, const Pose &pose);
+
+        /** \brief Fill outlines_ from surface_ */
+        void project();
+
+        /** \brief The tree that clearances are found in */
+        const TriangleTree &clearanceTriangles() const
+        {
+            return dimension_ == 2 ? outlines_ : surface_;
+        }
+
+        /** \brief What a quick test of \e body leaves to the exact check */
+        double marginOf(const Body &body) const
+        {
+            return tolerance_ + EXACT_CHECK_TOLERANCE * body.getReach();
+        }
 
         unsigned int dimension_;
         Heights heights_;
@@ -77,7 +103,12 @@ namespace ompl_certificates
         std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
         std::unique_ptr<fcl::DynamicAABBTreeCollisionManagerd> manager_;
         ClearanceTree clearances_;
-        TriangleTree triangles_;
+
+        /** \brief The triangles of the meshes; an ObstaclePart is a position in it */
+        TriangleTree surface_;
+
+        /** \brief In the plane: what the robots can touch of surface_, projected, by its position there */
+        TriangleTree outlines_;
         double tolerance_{0.0};
     };
 }

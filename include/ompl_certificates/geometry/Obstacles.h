@@ -4,10 +4,18 @@
 #include "ompl_certificates/geometry/Body.h"
 #include "ompl_certificates/geometry/Pose.h"
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace ompl_certificates
 {
+    /** \brief The number of a part of the obstacles, such as a triangle, in an order of the obstacles' own */
+    using ObstaclePart = std::uint32_t;
+
+    /** \brief No part, or one that is not known */
+    constexpr ObstaclePart NO_PART = std::numeric_limits<ObstaclePart>::max();
+
     /** \brief What the robots must not touch: an exact check for bodies, and the clearance of points.
 
         Derive from this class to plan among obstacles of another kind, such as a distance field. All methods are called
@@ -28,6 +36,28 @@ namespace ompl_certificates
 
             It must be 1-Lipschitz: the clearances of two points differ by no more than their distance. */
         virtual double clearance(const Eigen::Vector3d &point) const = 0;
+
+        /** \brief clearance(), and which part of the obstacles is nearest
+            \param part set to that part, or to NO_PART where that is not known */
+        virtual double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+        {
+            part = NO_PART;
+            return clearance(point);
+        }
+
+        /** \brief A quick answer to collides() where there is one: NO and YES are sure to be what collides() says.
+            \param hit if not null and the answer is YES: set to a part that the body touches, or to NO_PART */
+        virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
+        {
+            return Touching::UNKNOWN;
+        }
+
+        /** \brief Whether \e body at \e pose is sure to collide() because of \e part alone, such as one that it touched
+            nearby: cheaper than touches(). False where that is not known. */
+        virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
+        {
+            return false;
+        }
 
         /** \brief The ε of every clearance, in the scene's length unit: a ball with more clearance than its radius plus ε is
             found free by collides(), and one with less than its radius minus ε is found colliding. It pays for rounding

@@ -1,10 +1,13 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
 
+#include "ompl_certificates/geometry/TriangleTree.h"
+
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace ompl_certificates
@@ -22,7 +25,7 @@ namespace ompl_certificates
 
         /** \brief A mesh of the given triangles
             \throws ompl::Exception if there is no triangle, if all are degenerate, if an index is out of range, or if a
-            vertex is not finite (or so large that areas are not) */
+            coordinate is not finite or larger than 10^15 */
         TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles);
 
         /** \brief The vertices, in the given order */
@@ -50,19 +53,24 @@ namespace ompl_certificates
             return bounds_;
         }
 
-        /** \brief Whether a triangle is lower than a hundred-millionth of the largest distance of a corner from the origin,
-            where the direction of its normal drowns in rounding */
+        /** \brief Whether a triangle is lower than a ten-millionth of the largest distance of a corner from the origin: the
+            rounding of mesh files, which mostly have single precision */
         bool isDegenerate(std::size_t triangle) const;
 
         /** \brief Whether it encloses a volume: after welding equal vertices and dropping triangles with two equal
             corners, each edge has exactly two triangles. Cost: n log n for n triangles, each time. */
         bool isClosed() const;
 
+        /** \brief A tree over the triangles that are not degenerate, in the mesh's frame; made when first asked for */
+        const TriangleTree &getTree() const;
+
     private:
         std::vector<Eigen::Vector3d> vertices_;
         std::vector<Triangle> triangles_;
         Eigen::AlignedBox3d bounds_;
         double leastHeight_{0.0};
+        mutable std::once_flag once_;
+        mutable TriangleTree tree_;
     };
 
     /** \brief A shared pointer to a mesh */

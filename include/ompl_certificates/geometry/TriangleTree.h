@@ -1,29 +1,92 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 
-#include <Eigen/Geometry>
+#include "ompl_certificates/geometry/Pose.h"
+
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace ompl_certificates
 {
-    /** \brief A tree of boxes over triangles that finds the distance of a point to the nearest of them. */
+    /** \brief What a quick test can say of two surfaces */
+    enum class Touching
+    {
+        /// They are farther apart than the margin.
+        NO,
+        /// They are about to touch, or just touch: an exact check must tell.
+        UNKNOWN,
+        /// They cross each other, and still do if one of them moves by the margin.
+        YES
+    };
+
+    /** \brief A tree of boxes over triangles: finds the triangle nearest to a point, and whether triangles cross others.
+
+        Each node holds the boxes of four children, in single precision and rounded outwards; triangles are looked at in
+        double precision. Uses about 140 bytes for a triangle. No method but add() and build() changes anything. */
     class TriangleTree
     {
     public:
-        /** \brief Add the triangle with the given corners; it may have no area. Call build() after the last. */
-        void add(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c)
-        {
-            triangles_.push_back({a, b, c});
-        }
+        using Corners = std::array<Eigen::Vector3d, 3>;
 
-        /** \brief Build the tree. Cost: n log n for n triangles. */
+        /** \brief A triangle and its unit normal, which is zero if it has no area */
+        struct Facet
+        {
+            Corners corners;
+            Eigen::Vector3d normal;
+
+            explicit Facet(const Corners &c) : corners(c), normal((c[1] - c[0]).cross(c[2] - c[0]).stableNormalized())
+            {
+            }
+
+            /** \brief The facet at another pose */
+            Facet(const Facet &other, const Pose &pose)
+              : corners{pose * other.corners[0], pose * other.corners[1], pose * other.corners[2]}
+              , normal(pose.linear() * other.normal)
+            {
+            }
+        };
+
+        /** \brief Says that there is no triangle */
+        static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+
+        /** \brief Add a triangle; it may have no area. Call build() after the last.
+            \param name what the caller knows it by; several may have the same */
+        void add(const Corners &corners, std::uint32_t name);
+
+        /** \brief Build the tree: puts the triangles in an order of its own, and drops those that are there twice. Cost:
+            n log n for n triangles, some 0.1 s for 10^5. */
         void build();
 
         /** \brief The distance of \e point to the nearest triangle, or \e limit if that is not larger. Cost: logarithmic in
-            the number of triangles, unless many are about equally far. */
-        double distance(const Eigen::Vector3d &point, double limit) const;
+            the number of triangles, unless many are about equally far.
+            \param nearest if not null: the position of the nearest triangle, or NONE if \e limit is not larger */
+        double distance(const Eigen::Vector3d &point, double limit, std::uint32_t *nearest = nullptr) const;
+
+        /** \brief Whether \e triangle, in the frame of this tree, crosses one of the tree's, which must all have an area */
+        Touching touches(const Facet &triangle, double margin) const;
+
+        /** \brief Whether a triangle of \e other crosses one of this tree; all must have an area
+            \param pose from the frame of \e other to the frame of this tree
+            \param hit if not null and the answer is YES: the position of the triangle of this tree */
+        Touching touches(const TriangleTree &other, const Pose &pose, double margin,
+                         std::uint32_t *hit = nullptr) const;
+
+        /** \brief The triangle at a position, from 0 to size() - 1 */
+        const Facet &getTriangle(std::uint32_t position) const
+        {
+            return triangles_[position];
+        }
+
+        /** \brief A box along the axes that contains all triangles, a little larger than it need be; empty if there are none */
+        Eigen::AlignedBox3d getBounds() const;
+
+        /** \brief What the caller called the triangle at a position */
+        std::uint32_t getName(std::uint32_t position) const
+        {
+            return names_[position];
+        }
 
         /** \brief The number of triangles */
         std::size_t size() const
@@ -32,25 +95,46 @@ namespace ompl_certificates
         }
 
     private:
-        using Corners = std::array<Eigen::Vector3d, 3>;
+        friend class TriangleTreeBuilder;
 
-        /** A node: an inner one has its left child next to it and its right one at \e right; a leaf has right == 0 and
-            its triangles from \e first on. */
-        struct Node
+        /** \brief Four boxes, relative to origin_. A box that is not there is inside out and infinite. */
+        struct alignas(16) Node
         {
-            Eigen::AlignedBox3d box;
-            std::uint32_t right{0};
-            std::uint32_t first{0};
-            std::uint32_t count{0};
+            float low[3][4];
+            float high[3][4];
+            std::uint32_t child[4];
         };
 
-        std::uint32_t buildNode(std::uint32_t first, std::uint32_t count);
+        /** A child is another node, or a leaf: the flag, the index of its first triangle, and their number less one. */
+        static constexpr std::uint32_t LEAF = 0x80000000U;
+        static constexpr unsigned int COUNT_BITS = 2;
+        static constexpr std::uint32_t MOST_TRIANGLES = LEAF >> COUNT_BITS;
 
-        /** \brief Lower \e nearest, a squared distance, to that of the triangles below a node */
-        void search(std::uint32_t index, const Eigen::Vector3d &point, double &nearest) const;
+        static bool isLeaf(std::uint32_t child)
+        {
+            return (child & LEAF) != 0;
+        }
 
-        std::vector<Corners> triangles_;
+        static std::uint32_t firstOf(std::uint32_t leaf)
+        {
+            return (leaf & ~LEAF) >> COUNT_BITS;
+        }
+
+        static std::uint32_t countOf(std::uint32_t leaf)
+        {
+            return (leaf & ((1U << COUNT_BITS) - 1)) + 1;
+        }
+
+        /** \brief A stack of this size holds what is open anywhere in a tree: three children a level, and no more levels */
+        static constexpr std::size_t STACK_SIZE = 256;
+
+        Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};
+
+        /** \brief The largest coordinate of a corner, relative to origin_ */
+        double extent_{0.0};
         std::vector<Node> nodes_;
+        std::vector<Facet> triangles_;
+        std::vector<std::uint32_t> names_;
     };
 }
 
