@@ -7,8 +7,8 @@
 #include "common/PlannerFactory.h"
 #include "common/TeamBenchmark.h"
 
+#include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/scene/TextFile.h"
-#include "ompl_certificates/scene/YamlScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +25,11 @@ namespace
     struct Options
     {
         std::vector<std::string> scenes;
-        std::string planners{"RRTConnect"};
+        std::string planners;
         std::string methods;
         std::string nearest{"kdtree"};
-        unsigned int runs{10};
-        double seconds{5.0};
+        unsigned int runs{0};
+        double seconds{0.0};
         std::uint32_t seed{1};
         std::string log;
     };
@@ -38,19 +38,19 @@ namespace
     {
         for (const Method method : allMethods())
             options.methods += (options.methods.empty() ? "" : ",") + nameOf(method);
-        app.add_option("SCENE", options.scenes, "Scene files (YAML)")->required();
+        app.add_option("SCENE", options.scenes, "Scene files: YAML, or .cfg files of OMPL.app")->required();
         app.add_option("--planners", options.planners, "Planners: names of OMPL's classes, separated by commas")
-            ->capture_default_str();
+            ->default_str("those of a .cfg file, else RRTConnect");
         app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
         app.add_option("--nearest", options.nearest, "What planners look for near states in")
             ->check(CLI::IsMember(demos::nearestNames()))
             ->capture_default_str();
         app.add_option("--runs", options.runs, "Runs of each planner with each method")
             ->check(demos::countUpTo(1000000ull))
-            ->capture_default_str();
+            ->default_str("that of a .cfg file, else 10");
         app.add_option("--time", options.seconds, "Time for each run, in seconds")
             ->check(demos::positiveNumber())
-            ->capture_default_str();
+            ->default_str("that of a .cfg file, else 5");
         app.add_option("--seed", options.seed, "Seed of the first run; each further one adds 1")
             ->check(demos::countUpTo(4000000000ull))
             ->capture_default_str();
@@ -79,6 +79,39 @@ namespace
         const std::filesystem::path log(options.log);
         const std::string name = log.stem().string() + "_" + std::filesystem::path(scene).stem().string();
         return (log.parent_path() / (name + log.extension().string())).string();
+    }
+
+    /** A scene and what of its benchmark the options left open */
+    struct Task
+    {
+        std::unique_ptr<Scene> scene;
+        std::vector<demos::PlannerChoice> planners;
+        ompl::tools::Benchmark::Request request;
+    };
+
+    Task readTask(const Options &options, const std::string &file)
+    {
+        Task task{loadScene(file), {}, {}};
+        task.scene->validate();
+        task.planners =
+            demos::choosePlanners(*task.scene, options.planners.empty() ? std::vector<std::string>()
+                                                                        : listOf("--planners", options.planners));
+        ompl::tools::Benchmark::Request &request = task.request;
+        request = ompl::tools::Benchmark::Request(5.0, 4096.0, 10);
+        if (const auto *cfg = dynamic_cast<const OmplAppScene *>(task.scene.get()))
+        {
+            request.maxTime = cfg->getTimeLimit().value_or(request.maxTime);
+            request.maxMem = cfg->getMemoryLimit().value_or(request.maxMem);
+            request.runCount = cfg->getRunCount().value_or(request.runCount);
+        }
+        if (options.seconds > 0.0)
+            request.maxTime = options.seconds;
+        if (options.runs > 0)
+            request.runCount = options.runs;
+        request.displayProgress = isatty(STDOUT_FILENO) != 0;
+        request.saveConsoleOutput = false;
+        request.simplify = false;
+        return task;
     }
 
     using Run = demos::TeamBenchmark::Run;
@@ -120,16 +153,17 @@ namespace
     }
 
     /** Medians over the runs: of the first method as they are, of the others as multiples of those */
-    void printTable(const std::string &scene, const std::vector<Run> &runs, const std::vector<std::string> &planners,
-                    const std::vector<Method> &methods)
+    void printTable(const std::string &scene, const std::vector<Run> &runs,
+                    const std::vector<demos::PlannerChoice> &planners, const std::vector<Method> &methods)
     {
         const auto fields = {&Run::checkingSeconds, &Run::nearestSeconds, &Run::seconds, &Run::states, &Run::cost};
         std::printf("\n%s: medians, and multiples of those of %s\n%-24s%-10s %11s %11s %11s %11s %11s %11s\n",
                     scene.c_str(), nameOf(methods.front()).c_str(), "planner", "method", "checking s", "nearest s",
                     "total s", "states", "cost", "solved %");
-        for (const std::string &planner : planners)
+        for (const demos::PlannerChoice &choice : planners)
             for (const Method method : methods)
             {
+                const std::string &planner = choice.title;
                 std::printf("%-24s%-10s", planner.c_str(), nameOf(method).c_str());
                 for (const auto field : fields)
                 {
@@ -149,7 +183,6 @@ namespace
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const std::vector<std::string> planners = listOf("--planners", options.planners);
         std::vector<Method> methods;
         for (const std::string &name : listOf("--methods", options.methods))
             methods.push_back(methodOf(name));
@@ -162,30 +195,28 @@ namespace
         for (const std::string &file : options.scenes)
             logs.emplace_back("--log", logOf(options, file));
         demos::checkOutputs(logs, options.scenes);
-        std::vector<YamlScene> scenes;
+        std::vector<Task> tasks;
         for (const std::string &file : options.scenes)
         {
-            scenes.emplace_back(file);
-            scenes.back().validate();
+            tasks.push_back(readTask(options, file));
             // What cannot be planned for shows here, before hours have passed.
-            demos::TeamBenchmark(scenes.back(), planners, methods, nearest, options.seed);
+            demos::TeamBenchmark(*tasks.back().scene, tasks.back().planners, methods, nearest, options.seed);
         }
 
-        for (std::size_t i = 0; i < scenes.size(); ++i)
+        for (std::size_t i = 0; i < tasks.size(); ++i)
         {
-            demos::TeamBenchmark benchmark(scenes[i], planners, methods, nearest, options.seed);
-            ompl::tools::Benchmark::Request request(options.seconds, 4096.0, options.runs);
-            request.displayProgress = isatty(STDOUT_FILENO) != 0;
-            request.saveConsoleOutput = false;
-            request.simplify = false;
-            benchmark.benchmark(request);
+            const Task &task = tasks[i];
+            for (const std::string &note : task.scene->getNotes())
+                std::printf("note: %s: %s\n", task.scene->getName().c_str(), note.c_str());
+            demos::TeamBenchmark benchmark(*task.scene, task.planners, methods, nearest, options.seed);
+            benchmark.benchmark(task.request);
             if (!logs[i].second.empty())
             {
                 std::ostringstream log;
                 benchmark.saveResultsToStream(log);
                 writeTextFile(logs[i].second, log.str());
             }
-            printTable(scenes[i].getName(), benchmark.getRuns(), planners, methods);
+            printTable(task.scene->getName(), benchmark.getRuns(), task.planners, methods);
             std::fflush(stdout);
         }
         return demos::SOLVED;

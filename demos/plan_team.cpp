@@ -6,13 +6,13 @@
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Limit.h"
-#include "common/PlannerFactory.h"
+#include "common/PlannerChoice.h"
 #include "common/ProgressBar.h"
 
 #include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/scene/ScenePicture.h"
 #include "ompl_certificates/scene/TextFile.h"
-#include "ompl_certificates/scene/YamlScene.h"
 
 #include <cstdio>
 #include <iostream>
@@ -27,11 +27,11 @@ namespace
     struct Options
     {
         std::string scene;
-        std::string planner{"RRTConnect"};
+        std::string planner;
         std::string method{"shared"};
         std::string motion{"discrete"};
         std::string nearest{"kdtree"};
-        double seconds{10.0};
+        double seconds{0.0};
         std::uint64_t iterations{0};
         std::uint32_t seed{1};
         std::string range;
@@ -46,8 +46,11 @@ namespace
         for (const Method method : allMethods())
             methods.push_back(nameOf(method));
 
-        app.add_option("SCENE", options.scene, "Scene file (YAML)")->required();
-        app.add_option("--planner", options.planner, "Planner: the name of OMPL's class")->capture_default_str();
+        app.add_option("SCENE", options.scene, "Scene file: YAML, or a .cfg file of OMPL.app")->required();
+        app.add_option("--planner", options.planner,
+                       "Planner: the name of OMPL's class. Where a .cfg file has the same planner, its parameters are "
+                       "used")
+            ->default_str("the first of a .cfg file, else RRTConnect");
         app.add_option("--method", options.method, "How checks are saved")
             ->check(CLI::IsMember(methods))
             ->capture_default_str();
@@ -59,7 +62,7 @@ namespace
             ->capture_default_str();
         auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
                          ->check(demos::positiveNumber())
-                         ->capture_default_str();
+                         ->default_str("that of a .cfg file, else 10");
         app.add_option(
                "--iterations", options.iterations,
                "Plan for that many evaluations of the termination condition instead: one per iteration for most "
@@ -82,9 +85,10 @@ namespace
         app.footer("Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input.");
     }
 
-    ob::PlannerPtr makePlanner(const Options &options, const ob::SpaceInformationPtr &si)
+    ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,
+                               const ob::SpaceInformationPtr &si)
     {
-        const ob::PlannerPtr planner = demos::makePlanner(options.planner, si);
+        const ob::PlannerPtr planner = demos::makePlanner(choice, si);
         const auto set = [&planner](const std::string &option, const std::string &key, const std::string &value)
         {
             try
@@ -211,19 +215,26 @@ namespace
         picture.write(options.picture);
     }
 
-    int run(const Options &options)
+    int run(Options options)
     {
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const YamlScene scene(options.scene);
-        scene.validate();
+        const std::unique_ptr<Scene> scene = loadScene(options.scene);
+        scene->validate();
+        std::vector<std::string> named;
+        if (!options.planner.empty())
+            named.push_back(options.planner);
+        const demos::PlannerChoice choice = demos::choosePlanners(*scene, named).front();
+        const auto *cfg = dynamic_cast<const OmplAppScene *>(scene.get());
+        if (options.seconds == 0.0)
+            options.seconds = cfg ? cfg->getTimeLimit().value_or(10.0) : 10.0;
         const Method method = methodOf(options.method);
         const TeamSetupPtr setup =
-            scene.makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
-                                                                   : CertificateMotionValidator::DISCRETE);
-        setup->setPlanner(makePlanner(options, setup->getSpaceInformation()));
-        if (const auto objective = demos::makeObjective(options.planner, setup->getSpaceInformation()))
+            scene->makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
+                                                                    : CertificateMotionValidator::DISCRETE);
+        setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
+        if (const auto objective = demos::makeObjective(choice.planner, setup->getSpaceInformation()))
             setup->setOptimizationObjective(objective);
         demos::checkOutputs({{"--picture", options.picture}, {"--path", options.path}, {"--report", options.report}},
                             {options.scene});
@@ -231,12 +242,12 @@ namespace
         setup->getStatistics().reset();
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
-            for (const std::string &note : scene.getNotes())
+            for (const std::string &note : scene->getNotes())
                 std::cout << "note: " << note << std::endl;
 
         PlanReport report;
-        report.scene = scene.getName();
-        report.planner = options.planner;
+        report.scene = scene->getName();
+        report.planner = choice.planner;
         report.method = options.method;
         report.motion = options.motion;
         report.seed = options.seed;
@@ -253,7 +264,7 @@ namespace
                 std::puts("interrupted: this is what was found so far");
             print(report, *setup);
         }
-        write(options, scene, *setup, report, tree);
+        write(options, *scene, *setup, report, tree);
         if (!options.quiet && !options.path.empty() && !report.solved)
             std::printf("no path was written to %s\n", options.path.c_str());
         return report.solved ? demos::SOLVED : demos::NOT_SOLVED;

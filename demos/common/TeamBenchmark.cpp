@@ -1,7 +1,5 @@
 #include "common/TeamBenchmark.h"
 
-#include "common/PlannerFactory.h"
-
 #include <cmath>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
@@ -30,14 +28,15 @@ namespace demos
         }
     }
 
-    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners,
+    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<PlannerChoice> &planners,
                                  const std::vector<Method> &methods, NearestStructure nearest, std::uint32_t seed)
       : TeamBenchmark(scene, planners, makeHost(scene), methods, nearest, seed)
     {
     }
 
-    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<std::string> &planners, const TeamSetupPtr &host,
-                                 const std::vector<Method> &methods, NearestStructure nearest, std::uint32_t seed)
+    TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<PlannerChoice> &planners,
+                                 const TeamSetupPtr &host, const std::vector<Method> &methods, NearestStructure nearest,
+                                 std::uint32_t seed)
       : Benchmark(*host, scene.getName()), host_(host), methods_(methods), nearest_(nearest), seed_(seed)
     {
         const ObstaclesPtr obstacles = scene.makeObstacles();
@@ -46,7 +45,7 @@ namespace demos
                 std::static_pointer_cast<TeamStateSpace>(host_->getStateSpace()), obstacles, method));
         addExperimentParameter("robots", "INTEGER", std::to_string(scene.getMembers().size()));
         addExperimentParameter("obstacles", "INTEGER", std::to_string(scene.getObstacles().size()));
-        for (const std::string &planner : planners)
+        for (const PlannerChoice &planner : planners)
             for (std::size_t method = 0; method < methods_.size(); ++method)
             {
                 entries_.push_back({planner, method});
@@ -74,7 +73,7 @@ namespace demos
                                                               nearestSeconds_ = *timed ? clock->getSeconds() : NAN;
                                                               certificates_ = certificatesOf(setup);
                                                           });
-        planner->setName(entry.planner + "[" + nameOf(methods_[entry.method]) + "]");
+        planner->setName(entry.planner.title + "[" + nameOf(methods_[entry.method]) + "]");
         const auto add = [&planner](const std::string &name, const std::function<std::uint64_t()> &count)
         { addProgressProperty(*planner, name + " INTEGER", [count] { return std::to_string(count()); }); };
         const Statistics &statistics = setup.getStatistics();
@@ -86,7 +85,7 @@ namespace demos
 
         // The objective differs between planners, so it is set whenever the planner does.
         const ob::ProblemDefinitionPtr &problem = host_->getProblemDefinition();
-        problem->setOptimizationObjective(makeObjective(entry.planner, si));
+        problem->setOptimizationObjective(makeObjective(entry.planner.planner, si));
         problem->clearSolutionPaths();
         planner->setProblemDefinition(problem);
         planner->setup();
@@ -142,7 +141,7 @@ namespace demos
             return entry == run.end() ? std::numeric_limits<double>::quiet_NaN() : std::stod(entry->second);
         };
         const bool solved = number("solved BOOLEAN") == 1.0;
-        runs_.push_back({entries_[active_].planner, methods_[entries_[active_].method], solved, checkingSeconds_,
+        runs_.push_back({entries_[active_].planner.title, methods_[entries_[active_].method], solved, checkingSeconds_,
                          nearestSeconds_, number("time REAL"),
                          solved ? number("solution length REAL") : std::numeric_limits<double>::quiet_NaN(),
                          number("graph states INTEGER")});

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_TEAM_BENCHMARK_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_TEAM_BENCHMARK_
 
+#include "common/PlannerChoice.h"
+
 #include "ompl_certificates/scene/Scene.h"
 
 #include <ompl/tools/benchmark/Benchmark.h>
@@ -17,7 +19,7 @@ namespace demos
     class TeamBenchmark : public ompl::tools::Benchmark
     {
     public:
-        /** \brief What the table at the end needs of one run */
+        /** \brief What the table at the end needs of one run; \e planner is its title */
         struct Run
         {
             std::string planner;
@@ -29,7 +31,7 @@ namespace demos
         /** \brief A benchmark of all \e planners with all \e methods, with \e nearest for their near states; run i is
             seeded with \e seed + i.
             \throws ompl::Exception if there is no such planner, or it cannot plan for the scene */
-        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
+        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<PlannerChoice> &planners,
                       const std::vector<ompl_certificates::Method> &methods,
                       ompl_certificates::NearestStructure nearest, std::uint32_t seed);
 
@@ -43,11 +45,11 @@ namespace demos
         /** \brief A planner and the number of a method. Entries stand in the order of planners_. */
         struct Entry
         {
-            std::string planner;
+            PlannerChoice planner;
             std::size_t method;
         };
 
-        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<std::string> &planners,
+        TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<PlannerChoice> &planners,
                       const ompl_certificates::TeamSetupPtr &host,
                       const std::vector<ompl_certificates::Method> &methods,
                       ompl_certificates::NearestStructure nearest, std::uint32_t seed);

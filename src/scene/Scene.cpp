@@ -82,7 +82,18 @@ namespace ompl_certificates
 
     std::shared_ptr<FclObstacles> Scene::makeObstacles() const
     {
-        return std::make_shared<FclObstacles>(getDimension(), obstacles_);
+        return std::make_shared<FclObstacles>(getDimension(), obstacles_, getHeights());
+    }
+
+    Heights Scene::getHeights() const
+    {
+        if (members_.empty())
+            return Heights();
+        Heights heights = members_.front().robot->getBodies().front().getHeights();
+        for (const Member &member : members_)
+            for (const Body &body : member.robot->getBodies())
+                heights = heights.unitedWith(body.getHeights());
+        return heights;
     }
 
     ob::ScopedState<> Scene::makeState(const TeamStateSpacePtr &team, std::vector<double> Member::*coordinates) const
@@ -132,7 +143,7 @@ namespace ompl_certificates
         const auto describeObstacle = [&](const Body &body, const Pose &pose) -> std::string
         {
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
-                if (FclObstacles(getDimension(), {obstacles_[i]}).collides(body, pose))
+                if (FclObstacles(getDimension(), {obstacles_[i]}, getHeights()).collides(body, pose))
                     return "environment.obstacles[" + std::to_string(i) + "]";
             return "an obstacle";
         };

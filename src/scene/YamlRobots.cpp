@@ -146,7 +146,7 @@ namespace ompl_certificates
         return bounds;
     }
 
-    void readRobot(const YamlNode &node, Scene &scene)
+    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes)
     {
         const unsigned int dimension = scene.getDimension();
         const YamlNode typeNode = node.at("type");
@@ -186,12 +186,12 @@ namespace ompl_certificates
         else if (type == "rigid")
         {
             layout = readSpace(node.at("space"), dimension);
-            member.robot = makeRigid(name, layout, readBody(node, dimension), bounds);
+            member.robot = makeRigid(name, layout, readBody(node, dimension, meshes), bounds);
         }
         else
-            member.robot =
-                std::make_shared<CarWithTrailer>(name, readShape(node.at("car"), 2), readShape(node.at("trailer"), 2),
-                                                 node.at("hitch_length").positive(), bounds);
+            member.robot = std::make_shared<CarWithTrailer>(name, readShape(node.at("car"), 2, meshes),
+                                                            readShape(node.at("trailer"), 2, meshes),
+                                                            node.at("hitch_length").positive(), bounds);
         if (node.has("weight"))
             member.weight = node.at("weight").positive();
         const std::size_t velocities = known ? known->velocities : 0;

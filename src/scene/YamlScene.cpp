@@ -60,11 +60,12 @@ namespace ompl_certificates
                     root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
                 scene.setResolution(resolution);
             }
+            YamlMeshes meshes(source);
             if (environment.has("obstacles"))
                 for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
-                    scene.addObstacle(readObstacle(obstacle, dimension));
+                    scene.addObstacle(readObstacle(obstacle, dimension, meshes));
             for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
-                readRobot(robot, scene);
+                readRobot(robot, scene, meshes);
             return scene;
         }
     }

@@ -99,21 +99,23 @@ namespace ompl_certificates
         }
 
         /** A shape of any type, as a body at a pose; \e placed tells whether its center must be given. */
-        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, bool placed, bool inCompound);
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
+                              bool inCompound);
 
-        std::vector<Body::Part> readParts(const YamlNode &list, unsigned int dimension)
+        std::vector<Body::Part> readParts(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes)
         {
             std::vector<Body::Part> parts;
             for (const YamlNode &item : list.items(1, MAX_SHAPES))
             {
-                const PlacedBody placed = readPlaced(item, dimension, false, true);
+                const PlacedBody placed = readPlaced(item, dimension, meshes, false, true);
                 for (const Body::Part &part : placed.body.getParts())
                     parts.push_back({part.shape, placed.pose * part.pose});
             }
             return parts;
         }
 
-        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, bool placed, bool inCompound)
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
+                              bool inCompound)
         {
             const bool planar = dimension == 2;
             const YamlNode typeNode = node.at("type");
@@ -147,21 +149,31 @@ namespace ompl_certificates
             if (type == "compound" && !inCompound)
             {
                 allowKeys(node, dimension, {"shapes"});
-                return {Body(readParts(node.at("shapes"), dimension)), readPose(node, dimension, false)};
+                return {Body(readParts(node.at("shapes"), dimension, meshes)), readPose(node, dimension, false)};
+            }
+            if (type == "mesh")
+            {
+                // In the plane a turn other than about z is one of the mesh, before it is placed.
+                std::vector<std::string> own{"file", "scale", "reference"};
+                if (planar)
+                    own.insert(own.end(), {"rotation", "quaternion"});
+                allowKeys(node, dimension, own);
+                const Eigen::Matrix3d rotation = planar ? readRotation(node) : Eigen::Matrix3d::Identity();
+                return {meshes.read(node, dimension, rotation), readPose(node, dimension, false)};
             }
             const std::string known =
-                planar ? "box, disc, capsule, polygon" : "box, sphere, capsule, cylinder, polytope";
+                planar ? "box, disc, capsule, polygon, mesh" : "box, sphere, capsule, cylinder, polytope, mesh";
             typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") + " in " +
                           std::to_string(dimension) + " dimensions, not '" + type + "'");
         }
     }
 
-    PlacedBody readObstacle(const YamlNode &node, unsigned int dimension)
+    PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
     {
-        return readPlaced(node, dimension, true, false);
+        return readPlaced(node, dimension, meshes, true, false);
     }
 
-    Body readShape(const YamlNode &node, unsigned int dimension)
+    Body readShape(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
     {
         // A point robot is the paper's simplest; as an obstacle a point would be missed by every discrete check.
         if (node.at("type").text() == "point")
@@ -169,7 +181,7 @@ namespace ompl_certificates
             node.allow({"type"});
             return dimension == 2 ? Body::disc(0.0) : Body::sphere(0.0);
         }
-        const PlacedBody placed = readPlaced(node, dimension, false, false);
+        const PlacedBody placed = readPlaced(node, dimension, meshes, false, false);
         if (placed.pose.matrix() == Pose::Identity().matrix())
             return placed.body;
         std::vector<Body::Part> parts = placed.body.getParts();
@@ -178,12 +190,12 @@ namespace ompl_certificates
         return Body(parts);
     }
 
-    Body readBody(const YamlNode &node, unsigned int dimension)
+    Body readBody(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
     {
         if (node.has("shape") && node.has("shapes"))
             node.at("shapes").fail("give either shape or shapes");
         if (node.has("shapes"))
-            return Body(readParts(node.at("shapes"), dimension));
-        return readShape(node.at("shape"), dimension);
+            return Body(readParts(node.at("shapes"), dimension, meshes));
+        return readShape(node.at("shape"), dimension, meshes);
     }
 }

@@ -1,19 +1,20 @@
 #ifndef OMPL_CERTIFICATES_SCENE_YAML_SHAPES_
 #define OMPL_CERTIFICATES_SCENE_YAML_SHAPES_
 
+#include "YamlMeshes.h"
 #include "YamlNode.h"
 #include "ompl_certificates/geometry/Body.h"
 
 namespace ompl_certificates
 {
     /** \brief The obstacle that \e node describes, in a workspace of \e dimension */
-    PlacedBody readObstacle(const YamlNode &node, unsigned int dimension);
+    PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
 
     /** \brief The body of a robot: what \e node has under shape or under shapes */
-    Body readBody(const YamlNode &node, unsigned int dimension);
+    Body readBody(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
 
     /** \brief A body of the one shape that \e node describes */
-    Body readShape(const YamlNode &node, unsigned int dimension);
+    Body readShape(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
 }
 
 #endif

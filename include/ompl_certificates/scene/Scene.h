@@ -114,7 +114,12 @@ namespace ompl_certificates
         /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots. */
         TeamStateSpacePtr makeTeam() const;
 
-        /** \brief The obstacles, to be checked by FCL */
+        /** \brief How far up and down the robots of a planar scene reach; see Body::getHeights(). All heights if there is
+            no robot, or one of primitives. */
+        Heights getHeights() const;
+
+        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getHeights() reaches
+            */
         std::shared_ptr<FclObstacles> makeObstacles() const;
 
         /** \brief The start of all robots, as a state of \e team, which makeTeam() made */

@@ -1,0 +1,86 @@
+#include "common/PlannerChoice.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <ompl/util/Exception.h>
+#include <set>
+
+namespace demos
+{
+    namespace
+    {
+        std::string lowerCase(std::string text)
+        {
+            std::transform(text.begin(), text.end(), text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            return text;
+        }
+
+        /** The class that OMPL.app's files call \e type: its name in lower case, but for a few */
+        std::string classOf(const std::string &type)
+        {
+            static const std::map<std::string, std::string> others{{"aps", "AnytimePathShortening"},
+                                                                   {"bkpiece", "BKPIECE1"},
+                                                                   {"kpiece", "KPIECE1"},
+                                                                   {"lbkpiece", "LBKPIECE1"},
+                                                                   {"spars2", "SPARStwo"}};
+            if (const auto other = others.find(type); other != others.end())
+                return other->second;
+            const std::vector<std::string> names = plannerNames();
+            const auto name = std::find_if(names.begin(), names.end(),
+                                           [&type](const std::string &known) { return lowerCase(known) == type; });
+            return name == names.end() ? std::string() : *name;
+        }
+    }
+
+    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::Scene &scene,
+                                              const std::vector<std::string> &names)
+    {
+        std::vector<PlannerChoice> known, chosen;
+        if (const auto *cfg = dynamic_cast<const ompl_certificates::OmplAppScene *>(&scene))
+            for (const auto &planner : cfg->getPlanners())
+            {
+                const std::string source = scene.getSource() + ": [planner] " + planner.type;
+                const std::string name = classOf(planner.type);
+                if (name.empty())
+                    throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve");
+                known.push_back({name, planner.title.empty() ? name : planner.title, planner.parameters, source});
+            }
+        for (const std::string &name : names)
+        {
+            const std::size_t before = chosen.size();
+            std::copy_if(known.begin(), known.end(), std::back_inserter(chosen),
+                         [&name](const PlannerChoice &choice) { return choice.planner == name; });
+            if (chosen.size() == before)
+                chosen.push_back({name, name, {}, ""});
+        }
+        if (names.empty())
+            chosen = known.empty() ? std::vector<PlannerChoice>{{"RRTConnect", "RRTConnect", {}, ""}} : known;
+        std::set<std::string> titles;
+        for (PlannerChoice &choice : chosen)
+        {
+            const std::string wanted = choice.title;
+            for (int number = 2; !titles.insert(choice.title).second; ++number)
+                choice.title = wanted + " " + std::to_string(number);
+        }
+        return chosen;
+    }
+
+    ompl::base::PlannerPtr makePlanner(const PlannerChoice &choice, const ompl::base::SpaceInformationPtr &si,
+                                       const SolveEvent &afterSolve)
+    {
+        const ompl::base::PlannerPtr planner = makePlanner(choice.planner, si, afterSolve);
+        for (const auto &[key, value] : choice.parameters)
+            try
+            {
+                setParameter(*planner, key, value);
+            }
+            catch (const std::exception &exception)
+            {
+                throw ompl::Exception(choice.source, exception.what());
+            }
+        return planner;
+    }
+}

@@ -1,0 +1,42 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
+
+#include "common/PlannerFactory.h"
+
+#include "ompl_certificates/scene/OmplAppScene.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demos
+{
+    /** \brief A planner and its parameters, as a command line or a .cfg file of OMPL.app chooses it */
+    struct PlannerChoice
+    {
+        /** \brief The name of OMPL's class */
+        std::string planner;
+
+        /** \brief What tells it from others in tables and logs */
+        std::string title;
+
+        /** \brief Parameters and their values */
+        std::vector<std::pair<std::string, std::string>> parameters;
+
+        /** \brief What complaints about parameters begin with, such as a file and its section */
+        std::string source;
+    };
+
+    /** \brief The planners of these names, with the parameters that \e scene has for them if it is a .cfg file, which may
+        give one several times. Without names those of the .cfg file, else RRTConnect. Titles that are taken get a number.
+        \throws ompl::Exception that names the file, the section and the key if the file has a planner that is unknown */
+    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::Scene &scene,
+                                              const std::vector<std::string> &names);
+
+    /** \brief The planner of that choice, with its parameters
+        \throws ompl::Exception as makePlanner() and setParameter() do */
+    ompl::base::PlannerPtr makePlanner(const PlannerChoice &choice, const ompl::base::SpaceInformationPtr &si,
+                                       const SolveEvent &afterSolve = SolveEvent());
+}
+
+#endif

@@ -1,0 +1,228 @@
+#include "ompl_certificates/scene/MeshFile.h"
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        constexpr std::uintmax_t MAX_BYTES = 512u << 20u;
+        constexpr std::size_t MAX_TRIANGLES = 5000000, MAX_NODES = 1000000;
+        constexpr double MAX_COORDINATE = 1e9;
+
+        [[noreturn]] void fail(const std::string &file, const std::string &complaint)
+        {
+            std::string line = complaint;
+            for (char &c : line)
+                if (static_cast<unsigned char>(c) < ' ')
+                    c = ' ';
+            throw ompl::Exception(file.empty() ? "''" : file, line);
+        }
+
+        std::string lowerCase(std::string text)
+        {
+            std::transform(text.begin(), text.end(), text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            return text;
+        }
+
+        /** Counts that a file states of itself, such as "element vertex 8" of PLY and count="8" of COLLADA, are what
+            Assimp allocates memory for before it reads on. Each thing counted takes at least a byte. */
+        void checkCounts(const std::string &file, std::ifstream &stream, std::uintmax_t bytes, const std::string &kind)
+        {
+            const std::string mark = kind == ".ply" ? "element " : " count=";
+            std::string line;
+            // PLY may go on in binary, as one line without end.
+            for (std::string part; std::getline(stream, part) && part != "end_header";)
+                for (std::size_t at = part.find(mark); at != std::string::npos; at = part.find(mark, at + 1))
+                {
+                    const std::size_t digits = part.find_first_of("0123456789", at);
+                    const std::size_t end = std::min(part.find_first_not_of("0123456789", digits), part.size());
+                    if (digits == std::string::npos)
+                        continue;
+                    const std::string count = part.substr(digits, end - digits);
+                    if (count.size() > 15 || std::stoull(count) > bytes)
+                        fail(file, "says that it has " + count.substr(0, 30) + " of something, in " +
+                                       std::to_string(bytes) + " bytes");
+                }
+        }
+
+        void checkFile(const std::string &file)
+        {
+            std::error_code error;
+            if (fs::is_directory(file, error))
+                fail(file, "is a directory, not a mesh");
+            const std::string kind = lowerCase(fs::path(file).extension().string());
+            const std::array<std::string, 4> known{".dae", ".stl", ".obj", ".ply"};
+            if (std::find(known.begin(), known.end(), kind) == known.end())
+                fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");
+            errno = 0;
+            std::ifstream stream(file, std::ios::binary);
+            if (!stream)
+                fail(file,
+                     std::string("cannot be read") + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+            const std::uintmax_t bytes = fs::file_size(file, error);
+            if (error)
+                fail(file, "is not a regular file");
+            if (bytes > MAX_BYTES)
+                fail(file, "is larger than " + std::to_string(MAX_BYTES >> 20u) + " MB");
+            if (bytes == 0)
+                fail(file, "is empty");
+            if (kind == ".ply" || kind == ".dae")
+                checkCounts(file, stream, bytes, kind);
+        }
+
+        Eigen::Affine3d toEigen(const aiMatrix4x4 &matrix)
+        {
+            Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+            for (unsigned int row = 0; row < 3; ++row)
+                for (unsigned int column = 0; column < 4; ++column)
+                    transform(row, column) = static_cast<double>(matrix[row][column]);
+            return transform;
+        }
+
+        /** Call \e visit with each mesh of \e scene and where a node places it. */
+        template <typename Visit>
+        void forEachMesh(const std::string &file, const aiScene &scene, const Visit &visit)
+        {
+            std::vector<std::pair<const aiNode *, Eigen::Affine3d>> open{
+                {scene.mRootNode, Eigen::Affine3d::Identity()}};
+            for (std::size_t count = 0; !open.empty(); ++count)
+            {
+                if (count > MAX_NODES)
+                    fail(file, "has more than " + std::to_string(MAX_NODES) + " nodes");
+                const auto [node, parent] = open.back();
+                open.pop_back();
+                const Eigen::Affine3d transform = parent * toEigen(node->mTransformation);
+                for (unsigned int i = 0; i < node->mNumMeshes; ++i)
+                    visit(*scene.mMeshes[node->mMeshes[i]], transform);
+                for (unsigned int i = 0; i < node->mNumChildren; ++i)
+                    open.emplace_back(node->mChildren[i], transform);
+            }
+        }
+
+        Eigen::Vector3d pointOf(const aiVector3D &vertex)
+        {
+            return {static_cast<double>(vertex.x), static_cast<double>(vertex.y), static_cast<double>(vertex.z)};
+        }
+
+        /** The triangles of \e scene; equal vertices become one */
+        TriangleMeshPtr extract(const std::string &file, const aiScene &scene)
+        {
+            std::vector<Eigen::Vector3d> vertices;
+            std::vector<TriangleMesh::Triangle> triangles;
+            std::map<std::array<double, 3>, std::uint32_t> numbers;
+            const auto numberOf = [&](const Eigen::Vector3d &point)
+            {
+                if (!point.allFinite() || point.cwiseAbs().maxCoeff() > MAX_COORDINATE)
+                    fail(file, "has a vertex whose coordinates are not finite numbers of at most 1e9");
+                const auto [entry, added] =
+                    numbers.try_emplace({point.x(), point.y(), point.z()}, static_cast<std::uint32_t>(vertices.size()));
+                if (added)
+                    vertices.push_back(point);
+                return entry->second;
+            };
+            forEachMesh(file, scene,
+                        [&](const aiMesh &mesh, const Eigen::Affine3d &transform)
+                        {
+                            for (unsigned int i = 0; i < mesh.mNumFaces; ++i)
+                            {
+                                const aiFace &face = mesh.mFaces[i];
+                                if (face.mNumIndices != 3)
+                                    continue;
+                                TriangleMesh::Triangle triangle;
+                                for (unsigned int k = 0; k < 3; ++k)
+                                    triangle[k] = numberOf(transform * pointOf(mesh.mVertices[face.mIndices[k]]));
+                                triangles.push_back(triangle);
+                                if (triangles.size() > MAX_TRIANGLES)
+                                    fail(file, "has more than " + std::to_string(MAX_TRIANGLES) + " triangles");
+                            }
+                        });
+            if (triangles.empty())
+                fail(file, "has no triangles");
+            return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
+        }
+
+        Eigen::Vector3d meanOf(const std::string &file, const aiScene &scene)
+        {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            std::size_t count = 0;
+            forEachMesh(file, scene,
+                        [&](const aiMesh &mesh, const Eigen::Affine3d &transform)
+                        {
+                            for (unsigned int i = 0; i < mesh.mNumVertices; ++i)
+                                sum += transform * pointOf(mesh.mVertices[i]);
+                            count += mesh.mNumVertices;
+                        });
+            const Eigen::Vector3d mean = sum / static_cast<double>(count);
+            if (!mean.allFinite())
+                fail(file, "has a vertex whose coordinates are not finite");
+            return mean;
+        }
+
+        Body makeBody(unsigned int dimension, TriangleMeshPtr mesh)
+        {
+            return dimension == 2 ? Body::planarMesh(std::move(mesh)) : Body::mesh(std::move(mesh));
+        }
+    }
+
+    MeshFile::MeshFile(const std::string &file) : name_(file)
+    {
+        checkFile(file);
+        try
+        {
+            Assimp::Importer importer;
+            const aiScene *scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
+            if (!scene || !scene->mRootNode)
+                fail(file, std::string("is not a mesh that can be read: ") + importer.GetErrorString());
+            mesh_ = extract(file, *scene);
+            // The same steps as OMPL.app's, which move vertices a little: for the mean alone.
+            scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_JoinIdenticalVertices |
+                                                 aiProcess_OptimizeGraph);
+            if (!scene)
+                fail(file, std::string("is not a mesh that can be read: ") + importer.GetErrorString());
+            mean_ = meanOf(file, *scene);
+        }
+        catch (const ompl::Exception &)
+        {
+            throw;
+        }
+        catch (const std::exception &exception)
+        {
+            fail(file, std::string("is not a mesh that can be read: ") + exception.what());
+        }
+    }
+
+    TriangleMeshPtr MeshFile::transformed(const Eigen::Affine3d &transform) const
+    {
+        std::vector<Eigen::Vector3d> vertices = mesh_->getVertices();
+        for (Eigen::Vector3d &vertex : vertices)
+            vertex = transform * vertex;
+        return std::make_shared<TriangleMesh>(std::move(vertices), mesh_->getTriangles());
+    }
+
+    Body MeshFile::makeObstacle(unsigned int dimension) const
+    {
+        return makeBody(dimension, mesh_);
+    }
+
+    Body MeshFile::makeRobot(unsigned int dimension) const
+    {
+        const Eigen::Vector3d reference(mean_.x(), mean_.y(), dimension == 2 ? 0.0 : mean_.z());
+        return makeBody(dimension, transformed(Eigen::Affine3d(Eigen::Translation3d(-reference))));
+    }
+}
