@@ -1,11 +1,11 @@
 #include "ompl_certificates/geometry/FclObstacles.h"
 
 #include "FclBodies.h"
+#include "Prisms.h"
 #include "TriangleDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fcl/narrowphase/collision.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -15,13 +15,6 @@ namespace ompl_certificates
         /** The tolerance of FCL's checks of meshes, relative to their sizes: the triangles that are just not degenerate
             have normals that are known to about this. */
         constexpr double MESH_TOLERANCE = 2e-7;
-
-        fcl::CollisionObjectd makeObject(const Body::Part &part, const Pose &bodyPose)
-        {
-            Pose pose = bodyPose * part.pose;
-            pose.translation() *= Shape::FCL_SCALE;
-            return {part.shape.getCollisionGeometry(), pose};
-        }
 
         /** What a triangle has between two heights */
         std::vector<Eigen::Vector3d> between(const TriangleTree::Corners &triangle, double low, double high)
@@ -44,19 +37,6 @@ namespace ompl_certificates
             }
             return outline;
         }
-
-        bool stopAtFirstContact(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *data)
-        {
-            // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape.
-            fcl::CollisionRequestd request;
-            request.gjk_tolerance =
-                1e-6 * std::min(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
-            fcl::CollisionResultd result;
-            if (fcl::collide(a, b, request, result) == 0)
-                return false;
-            *static_cast<bool *>(data) = true;
-            return true;
-        }
     }
 
     FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const Heights &heights)
@@ -78,11 +58,16 @@ namespace ompl_certificates
         build();
     }
 
+    FclObstacles::~FclObstacles() = default;
+
     void FclObstacles::build()
     {
         if (dimension_ != 2 && dimension_ != 3)
             throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension_));
-        manager_ = std::make_unique<fcl::DynamicAABBTreeCollisionManagerd>();
+        shapes_ = std::make_unique<Broadphase>();
+        planarMeshes_ = std::make_unique<Broadphase>();
+        robotPrisms_ = std::make_unique<RobotPrisms>();
+        obstaclePrisms_ = std::make_unique<ObstaclePrisms>();
         double largest = 0.0, largestMesh = 0.0, farthest = 0.0;
         for (const auto &[body, pose] : bodies_)
         {
@@ -94,8 +79,8 @@ namespace ompl_certificates
             for (const auto &part : body.getParts())
             {
                 const Pose partPose = pose * part.pose;
-                objects_.push_back(std::make_unique<fcl::CollisionObjectd>(makeObject(part, pose)));
-                manager_->registerObject(objects_.back().get());
+                Broadphase &broadphase = dimension_ == 2 && part.shape.getMesh() ? *planarMeshes_ : *shapes_;
+                broadphase.add(part.shape.getCollisionGeometry(), partPose);
                 if (const TriangleMesh *mesh = part.shape.getMesh())
                     addTriangles(*mesh, partPose);
                 else
@@ -106,7 +91,8 @@ namespace ompl_certificates
                 farthest = std::max(farthest, partPose.translation().norm());
             }
         }
-        manager_->setup();
+        shapes_->setup();
+        planarMeshes_->setup();
         clearances_.build();
         surface_.build();
         if (dimension_ == 2)
@@ -117,17 +103,37 @@ namespace ompl_certificates
 
     bool FclObstacles::collides(const Body &body, const Pose &pose) const
     {
-        bool hit = false;
-        for (const auto &part : body.getParts())
+        return std::any_of(body.getParts().begin(), body.getParts().end(),
+                           [&](const Body::Part &part)
+                           {
+                               const Pose partPose = pose * part.pose;
+                               return dimension_ == 2 ? collidesInPlane(part, partPose)
+                                                      : shapes_->collides(part.shape.getCollisionGeometry(), partPose);
+                           });
+    }
+
+    bool FclObstacles::collidesInPlane(const Body::Part &part, const Pose &partPose) const
+    {
+        if (const TriangleMesh *mesh = part.shape.getMesh())
         {
-            if (dimension_ == 2 && (part.shape.getMesh() ? clearances_.size() : surface_.size()) > 0)
-                throw ompl::Exception("Planar meshes and planar primitives do not go together yet");
-            fcl::CollisionObjectd object = makeObject(part, pose);
-            manager_->collide(&object, &hit, stopAtFirstContact);
-            if (hit)
+            if (!planarMeshes_->isEmpty() && planarMeshes_->collides(part.shape.getCollisionGeometry(), partPose))
                 return true;
+            if (shapes_->isEmpty())
+                return false;
+            // The prisms are about the plane z = 0.
+            const double low = mesh->getBounds().min().z(), high = mesh->getBounds().max().z();
+            Pose lowered = partPose;
+            lowered.translation().z() = -0.5 * (low + high);
+            const double extent = part.shape.getBounds().sizes().maxCoeff();
+            return obstaclePrisms_->get(bodies_, 2.0 * extent).collides(part.shape.getCollisionGeometry(), lowered);
         }
-        return false;
+        if (!shapes_->isEmpty() && shapes_->collides(part.shape.getCollisionGeometry(), partPose))
+            return true;
+        if (planarMeshes_->isEmpty() || meshHeights_.low > meshHeights_.high)
+            return false;
+        const double height = meshHeights_.high - meshHeights_.low,
+                     middle = 0.5 * (meshHeights_.low + meshHeights_.high);
+        return robotPrisms_->get(part.shape, height).collides(*planarMeshes_, partPose, middle);
     }
 
     void FclObstacles::addTriangles(const TriangleMesh &mesh, const Pose &pose)
@@ -145,9 +151,14 @@ namespace ompl_certificates
 
     void FclObstacles::project()
     {
-        // A little more than the robots reach, so that rounding leaves nothing out.
-        const double slack =
-            EXACT_CHECK_TOLERANCE * (surface_.getBounds().sizes().norm() + 1e-3 * std::abs(heights_.low));
+        if (surface_.size() == 0)
+            return;
+        const Eigen::AlignedBox3d bounds = surface_.getBounds();
+        const double size = bounds.sizes().maxCoeff();
+        // A little more than the robots reach, so that rounding leaves nothing out; prisms reach still a little farther.
+        const double slack = EXACT_CHECK_TOLERANCE * size;
+        meshHeights_ = Heights{heights_.low - 2.0 * slack, heights_.high + 2.0 * slack}.intersectedWith(
+            {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
         for (std::uint32_t i = 0; i < surface_.size(); ++i)
         {
             const auto &corners = surface_.getTriangle(i).corners;

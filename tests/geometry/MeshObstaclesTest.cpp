@@ -83,7 +83,7 @@ TEST_P(MeshObstacles, HaveTheVerdictOfFclsOwnModels)
 
 TEST_P(MeshObstacles, HaveTheClearanceOfTheirNearestTriangle)
 {
-    forMany(150, GetParam() == 3 ? 0.3 : 0.0,
+    forMany(150, 0.3,
             [](Random &random, const FclObstacles &obstacles, double unit)
             {
                 for (int i = 0; i < 50; ++i)
@@ -100,10 +100,10 @@ TEST_P(MeshObstacles, HaveTheClearanceOfTheirNearestTriangle)
 TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
 {
     unsigned int free = 0;
-    forMany(300, GetParam() == 3 ? 0.3 : 0.0,
+    forMany(300, 0.3,
             [&](Random &random, const FclObstacles &obstacles, double unit)
             {
-                const bool primitive = GetParam() == 3 && random.chance(0.3);
+                const bool primitive = random.chance(0.3);
                 const Body body =
                     primitive ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
                 for (int i = 0; i < 30; ++i)
@@ -117,6 +117,68 @@ TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
                 }
             });
     EXPECT_GT(free, scaled(300));
+}
+
+TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
+{
+    unsigned int byCore = 0, bySurface = 0;
+    forMany(300, 0.3,
+            [&](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const Body body = random.chance(0.5) ? randomBody(random, GetParam(), unit)
+                                                     : meshBody(GetParam(), randomMesh(random, unit));
+                const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+                for (int i = 0; i < 30; ++i)
+                {
+                    const Pose pose = nearPose(random, obstacles, body, unit);
+                    if (obstacles.collides(body, pose))
+                    {
+                        ++bySurface;
+                        continue;
+                    }
+                    for (const Ball &ball : body.getCore())
+                        ASSERT_GE(obstacles.clearance(pose * ball.center), ball.radius - margin) << pose.matrix();
+                    for (int k = 0; k < 20; ++k)
+                    {
+                        Eigen::Vector3d point = pose * surfacePointOf(random, body);
+                        if (GetParam() == 2)
+                            point.z() = 0.0;
+                        ASSERT_GE(obstacles.clearance(point), -margin) << pose.matrix();
+                    }
+                    ++byCore;
+                }
+            });
+    EXPECT_GT(byCore, scaled(300));
+    EXPECT_GT(bySurface, scaled(300));
+}
+
+TEST_P(MeshObstacles, HoldForBodiesFarSmallerThanTheirTriangles)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double unit = std::pow(10.0, random.below(8)) * 1e-3;
+        const FclObstacles obstacles(GetParam(), {{meshBody(GetParam(), randomMesh(random, 1000.0 * unit)),
+                                                   random.pose(GetParam(), 300.0 * unit)}});
+        const Body body =
+            random.chance(0.7) ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
+        const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+        for (int i = 0; i < 50; ++i)
+        {
+            const Pose pose = nearPose(random, obstacles, body, unit);
+            const bool collides = obstacles.collides(body, pose);
+            if (isCertifiedFree(obstacles, body, pose))
+            {
+                ASSERT_FALSE(collides) << pose.matrix();
+            }
+            for (const Ball &ball : body.getCore())
+                if (obstacles.clearance(pose * ball.center) < ball.radius - margin)
+                {
+                    ASSERT_TRUE(collides) << pose.matrix();
+                }
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimension, MeshObstacles, testing::Values(2U, 3U));
@@ -173,4 +235,37 @@ TEST(MeshObstacles, AreMadeOfFclsModels)
     EXPECT_THROW(FclObstacles(objects, 2), ompl::Exception);
     const auto boxes = std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::AABBd>(*mesh), pose);
     EXPECT_THROW(FclObstacles(Objects{boxes}), ompl::Exception);
+}
+
+TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
+{
+    // A wall about x = 0 from z = 100 to 110, and robots that are primitives: discs, boxes, capsules, polygons, points
+    const FclObstacles wall(2, {{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}});
+    const std::vector<Body> robots{Body::disc(1.0), Body::box(2.0, 0.5), Body::planarCapsule(0.25, 1.5),
+                                   Body::convexPolygon({{-1, -1}, {1, 0}, {-1, 1}})};
+    for (const Body &robot : robots)
+    {
+        EXPECT_TRUE(wall.collides(robot, planarPose(1.99, 0.0)));
+        EXPECT_FALSE(wall.collides(robot, planarPose(2.01, 0.0)));
+    }
+    EXPECT_TRUE(wall.collides(robots[2], planarPose(1.24, 0.0, M_PI / 2)));
+    EXPECT_FALSE(wall.collides(robots[2], planarPose(1.26, 0.0, M_PI / 2)));
+    EXPECT_TRUE(wall.collides(Body::disc(0.0), planarPose(0.9, 0.0)));
+    EXPECT_FALSE(wall.collides(Body::disc(0.0), planarPose(1.1, 0.0)));
+    // The wall has a roof, seen from above.
+    EXPECT_TRUE(wall.collides(Body::disc(0.1), planarPose(0.0, 0.0)));
+    // Turned around: primitives as obstacles of a mesh far above the plane
+    const Body mesh = Body::planarMesh(boxMesh({2, 2, 10}, {0, 0, 105}));
+    for (const Body &obstacle : robots)
+    {
+        const FclObstacles obstacles(2, {{obstacle}});
+        EXPECT_TRUE(obstacles.collides(mesh, planarPose(1.99, 0.0)));
+        EXPECT_FALSE(obstacles.collides(mesh, planarPose(2.01, 0.0)));
+        // A higher mesh later
+        EXPECT_TRUE(obstacles.collides(Body::planarMesh(boxMesh({2, 2, 1000})), planarPose(1.99, 0.0)));
+    }
+    // Robots below the wall
+    const FclObstacles above(2, {{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}}, {0.0, 1.0});
+    EXPECT_FALSE(above.collides(Body::disc(1.0), planarPose(0.0, 0.0)));
+    EXPECT_TRUE(std::isinf(above.clearance({0.0, 0.0, 0.0})));
 }

@@ -30,8 +30,12 @@ namespace ompl_certificates
         {
             const auto &part = body.getParts()[random.below(body.getParts().size())];
             const TriangleMesh *mesh = part.shape.getMesh();
-            return part.pose * (mesh ? pointOf(random, *mesh, random.below(mesh->getTriangles().size()))
-                                     : pointOf(random, part.shape));
+            if (!mesh)
+                return part.pose * pointOf(random, part.shape);
+            std::size_t triangle = random.below(mesh->getTriangles().size());
+            while (mesh->isDegenerate(triangle))
+                triangle = (triangle + 1) % mesh->getTriangles().size();
+            return part.pose * pointOf(random, *mesh, triangle);
         }
 
         /** \brief A pose that is mostly such that the body just touches an obstacle, or nearly */

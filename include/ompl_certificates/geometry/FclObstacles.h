@@ -6,18 +6,25 @@
 #include "ompl_certificates/geometry/Obstacles.h"
 #include "ompl_certificates/geometry/TriangleTree.h"
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/narrowphase/collision_object.h>
 #include <memory>
 #include <vector>
 
 namespace ompl_certificates
 {
+    class Broadphase;
+    class ObstaclePrisms;
+    class RobotPrisms;
+
     /** \brief Obstacles made of primitives and meshes, checked by FCL: a broadphase tree of their boxes and an exact check of
         each pair of shapes that the boxes do not separate.
 
         Among primitives an exact check takes some 0.1 to 1 µs for up to thousands of them, a clearance 0.02 to 0.5 µs.
-        Of meshes with meshes an exact check takes 2 to 60 µs, a clearance about 1 µs. */
+        Of meshes with meshes an exact check takes 2 to 60 µs, a clearance about 1 µs.
+
+        Planar meshes have true heights: two of them touch where they do so in space. A planar primitive stands for an
+        upright prism without end, as an obstacle and as a robot, and is checked against meshes as one that is high
+        enough. */
     class FclObstacles : public Obstacles
     {
     public:
@@ -37,6 +44,8 @@ namespace ompl_certificates
             \throws ompl::Exception if an object is null, of another kind, or not upright in a planar workspace */
         explicit FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                               unsigned int dimension = 3, const Heights &heights = {});
+
+        ~FclObstacles() override;
 
         unsigned int getDimension() const override
         {
@@ -82,6 +91,9 @@ namespace ompl_certificates
         /** \brief Add what counts of a mesh at \e pose to surface_ */
         void addTriangles(const TriangleMesh &mesh, const Pose &pose);
 
+        /** \brief collides() for a part of a planar body at \e partPose */
+        bool collidesInPlane(const Body::Part &part, const Pose &partPose) const;
+
         /** \brief Fill outlines_ from surface_ */
         void project();
 
@@ -100,8 +112,15 @@ namespace ompl_certificates
         unsigned int dimension_;
         Heights heights_;
         std::vector<PlacedBody> bodies_;
-        std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
-        std::unique_ptr<fcl::DynamicAABBTreeCollisionManagerd> manager_;
+
+        /** \brief All shapes; in the plane the primitives, and the meshes are in the other one */
+        std::unique_ptr<Broadphase> shapes_;
+        std::unique_ptr<Broadphase> planarMeshes_;
+
+        /** \brief What planarMeshes_ have in common with the robots' heights */
+        Heights meshHeights_;
+        std::unique_ptr<RobotPrisms> robotPrisms_;
+        std::unique_ptr<ObstaclePrisms> obstaclePrisms_;
         ClearanceTree clearances_;
 
         /** \brief The triangles of the meshes; an ObstaclePart is a position in it */

@@ -1,0 +1,138 @@
+#include "Prisms.h"
+
+#include <cmath>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
+
+namespace ompl_certificates
+{
+    std::shared_ptr<fcl::CollisionGeometryd> makeConvex(const ConvexHull &hull, double prismHeight)
+    {
+        auto vertices = std::make_shared<std::vector<fcl::Vector3d>>(hull.vertices);
+        auto faces = std::make_shared<std::vector<int>>();
+        int faceCount = 0;
+        const auto addFace = [&](const std::vector<std::size_t> &corners)
+        {
+            faces->push_back(static_cast<int>(corners.size()));
+            for (const std::size_t corner : corners)
+                faces->push_back(static_cast<int>(corner));
+            ++faceCount;
+        };
+        if (prismHeight > 0.0)
+        {
+            const std::size_t n = hull.vertices.size();
+            const Eigen::Vector3d up(0.0, 0.0, 0.5 * prismHeight);
+            std::vector<std::size_t> top, bottom;
+            for (std::size_t i = 0; i < n; ++i)
+            {
+                (*vertices)[i] = hull.vertices[i] - up;
+                vertices->push_back(hull.vertices[i] + up);
+                bottom.push_back(n - 1 - i);
+                top.push_back(n + i);
+            }
+            addFace(bottom);
+            addFace(top);
+            for (std::size_t i = 0; i < n; ++i)
+                addFace({i, (i + 1) % n, n + (i + 1) % n, n + i});
+        }
+        else
+            for (const auto &face : hull.faces)
+                addFace(face.vertices);
+        for (auto &vertex : *vertices)
+            vertex *= Shape::FCL_SCALE;
+        return std::make_shared<fcl::Convexd>(vertices, faceCount, faces);
+    }
+
+    Prism::Prism(const Shape &shape, double height) : isCapsule_(shape.getKind() == Shape::Kind::CAPSULE)
+    {
+        constexpr double scale = Shape::FCL_SCALE;
+        const auto add = [this](std::shared_ptr<fcl::CollisionGeometryd> geometry, double x)
+        {
+            geometry->computeLocalAABB();
+            pieces_.push_back({std::move(geometry), poseAt({x, 0.0, 0.0})});
+        };
+        const auto cylinderAt = [&](double x)
+        { add(std::make_shared<fcl::Cylinderd>(scale * shape.getRadius(), scale * height), x); };
+        const Eigen::Vector3d &size = shape.getSize();
+        switch (shape.getKind())
+        {
+            case Shape::Kind::BOX:
+                add(std::make_shared<fcl::Boxd>(scale * size.x(), scale * size.y(), scale * height), 0.0);
+                break;
+            case Shape::Kind::CAPSULE:
+                add(std::make_shared<fcl::Boxd>(scale * size.z(), scale * 2.0 * shape.getRadius(), scale * height),
+                    0.0);
+                cylinderAt(-0.5 * size.z());
+                cylinderAt(0.5 * size.z());
+                break;
+            case Shape::Kind::POLYTOPE:
+                add(makeConvex(*shape.getHull(), height), 0.0);
+                break;
+            default:
+                cylinderAt(0.0);
+                break;
+        }
+    }
+
+    Pose Prism::uprightPose(const Pose &partPose) const
+    {
+        if (!isCapsule_)
+            return partPose;
+        // A capsule's segment lies along its z axis, which the part's pose has laid into the plane.
+        const Eigen::Vector3d along = partPose.linear().col(2);
+        return planarPose(partPose.translation().x(), partPose.translation().y(), std::atan2(along.y(), along.x()));
+    }
+
+    bool Prism::collides(const Broadphase &others, const Pose &partPose, double lift) const
+    {
+        Pose pose = uprightPose(partPose);
+        pose.translation().z() += lift;
+        return std::any_of(pieces_.begin(), pieces_.end(),
+                           [&](const Piece &piece) { return others.collides(piece.geometry, pose * piece.pose); });
+    }
+
+    void Prism::addTo(Broadphase &others, const Pose &partPose) const
+    {
+        for (const Piece &piece : pieces_)
+            others.add(piece.geometry, uprightPose(partPose) * piece.pose);
+    }
+
+    const Prism &RobotPrisms::get(const Shape &shape, double height) const
+    {
+        const auto find = [&](const Entry *entry)
+        {
+            while (entry && entry->key != shape.getCollisionGeometry())
+                entry = entry->next;
+            return entry;
+        };
+        if (const Entry *known = find(first_.load(std::memory_order_acquire)))
+            return known->prism;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const Entry *first = first_.load(std::memory_order_relaxed);
+        if (const Entry *known = find(first))
+            return known->prism;
+        entries_.push_front({shape.getCollisionGeometry(), Prism(shape, height), first});
+        first_.store(&entries_.front(), std::memory_order_release);
+        return entries_.front().prism;
+    }
+
+    const Broadphase &ObstaclePrisms::get(const std::vector<PlacedBody> &bodies, double height) const
+    {
+        const auto suffices = [height](const Entry *entry) { return entry && entry->height >= height; };
+        if (const Entry *known = highest_.load(std::memory_order_acquire); suffices(known))
+            return known->broadphase;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (const Entry *known = highest_.load(std::memory_order_relaxed); suffices(known))
+            return known->broadphase;
+        Entry &entry = entries_.emplace_front();
+        entry.height = height;
+        for (const auto &[body, pose] : bodies)
+            for (const auto &part : body.getParts())
+                if (!part.shape.getMesh())
+                    Prism(part.shape, height).addTo(entry.broadphase, pose * part.pose);
+        entry.broadphase.setup();
+        highest_.store(&entry, std::memory_order_release);
+        return entry.broadphase;
+    }
+}
