@@ -1,7 +1,9 @@
 #include "ompl_certificates/certificates/CertificateTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace ompl_certificates
@@ -10,7 +12,31 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** A cell is not divided below this fraction of the root's: more certificates there go into the leaf's next bucket. */
+        constexpr float FLOAT_INF = std::numeric_limits<float>::infinity();
+
+        using FloatPair = std::array<float, 2>;
+
+        std::uint64_t packed(const FloatPair &pair)
+        {
+            std::uint64_t word;
+            std::memcpy(&word, pair.data(), sizeof(word));
+            return word;
+        }
+
+        FloatPair unpacked(std::uint64_t word)
+        {
+            FloatPair pair;
+            std::memcpy(pair.data(), &word, sizeof(word));
+            return pair;
+        }
+
+        float roundUp(double value)
+        {
+            const auto nearest = static_cast<float>(value);
+            return static_cast<double>(nearest) < value ? std::nextafter(nearest, FLOAT_INF) : nearest;
+        }
+
+        /** A cell is not divided below this fraction of the root's: more certificates there go into the bucket's next one. */
         constexpr double SMALLEST_CELL = 1e-9;
     }
 
@@ -24,15 +50,18 @@ namespace ompl_certificates
 
     void CertificateTree::clear()
     {
-        nodes_.clear();
         buckets_.clear();
+        forks_.clear();
+        boxes_.clear();
         store_.clear();
-        nodes_.append();
+        roots_.clear();
         buckets_.append();
-        rootCell_.setEmpty();
+        forks_.append();
+        boxes_.append();
+        root_ = roots_.append();
+        roots_[root_].place = newBucket(NONE) | UNDIVIDED;
         stored_ = 0;
         live_ = 0;
-        root_ = newLeaf(NONE);
     }
 
     void CertificateTree::setDistanceFunction(const DistanceFunction & /*distFun*/)
@@ -40,54 +69,72 @@ namespace ompl_certificates
         throw ompl::Exception("A certificate tree measures Euclidean distance; it takes no other distance function");
     }
 
-    CertificateTree::Index CertificateTree::newLeaf(Index parent)
+    CertificateTree::Index CertificateTree::newBucket(Index fork)
     {
-        const Index leaf = nodes_.append();
-        Node &node = nodes_[leaf];
-        node.parent.store(parent, std::memory_order_relaxed);
-        for (int side = 0; side < 2; ++side)
+        const Index index = buckets_.append();
+        buckets_[index].fork.store(fork, std::memory_order_relaxed);
+        return index;
+    }
+
+    CertificateTree::Index CertificateTree::newFork(Index bucket, Index parent)
+    {
+        const Index fork = forks_.append();
+        forks_[fork].bucket.store(bucket, std::memory_order_relaxed);
+        forks_[fork].parent.store(parent, std::memory_order_relaxed);
+        for (auto &axis : boxes_[boxes_.append()].bound)
+            for (Bound &bound : axis)
+                for (auto &pair : bound)
+                    pair.store(packed({-FLOAT_INF, -FLOAT_INF}), std::memory_order_relaxed);
+        return fork;
+    }
+
+    void CertificateTree::raise(Bound &bound, unsigned int child, float value)
+    {
+        FloatPair pair = unpacked(bound[child / 2].load(std::memory_order_relaxed));
+        if (!(value > pair[child % 2]))
+            return;
+        pair[child % 2] = value;
+        bound[child / 2].store(packed(pair), std::memory_order_relaxed);
+    }
+
+    void CertificateTree::extend(Index fork, unsigned int child, const Certificate &certificate)
+    {
+        for (int axis = 0; axis < dimension_; ++axis)
         {
-            node.highest[side].store(-INF, std::memory_order_relaxed);
-            node.lowest[side].store(INF, std::memory_order_relaxed);
+            const double c = certificate.point[axis], d = certificate.clearance;
+            auto &bounds = boxes_[fork].bound[axis];
+            raise(bounds[0], child, roundUp(c + d));
+            raise(bounds[1], child, roundUp(d - c));
+            raise(bounds[2], child, roundUp(c - d));
+            raise(bounds[3], child, roundUp(-c - d));
         }
-        return leaf;
     }
 
-    void CertificateTree::setChildren(Index index, std::uint32_t axis, double split, Index low, Index high)
+    void CertificateTree::extendByPlace(Index fork, unsigned int child, Index place)
     {
-        Node &node = nodes_[index];
-        node.axis = axis;
-        node.split = split;
-        // Readers ask for the first child first: with it they see all the rest.
-        node.child[1].store(high, std::memory_order_relaxed);
-        node.child[0].store(low, std::memory_order_release);
+        for (Index at = bucketAt(place); at != NONE; at = buckets_[at].next)
+            for (std::uint32_t i = 0; i < buckets_[at].count; ++i)
+                extend(fork, child, store_[buckets_[at].index[i]].certificate);
+        if (isFork(place))
+            for (int axis = 0; axis < dimension_; ++axis)
+                for (int which = 0; which < 4; ++which)
+                    for (const auto &pair : boxes_[place].bound[axis][which])
+                        for (const float value : unpacked(pair))
+                            raise(boxes_[fork].bound[axis][which], child, value);
     }
 
-    void CertificateTree::noteClearance(Node &node, int side, double clearance)
+    void CertificateTree::append(Index first, CertificateIndex index, const Certificate &certificate)
     {
-        if (clearance > node.highest[side].load(std::memory_order_relaxed))
-            node.highest[side].store(clearance, std::memory_order_relaxed);
-        if (clearance < node.lowest[side].load(std::memory_order_relaxed))
-            node.lowest[side].store(clearance, std::memory_order_relaxed);
-    }
-
-    void CertificateTree::noteCertificate(Node &node, CertificateIndex index)
-    {
-        const CertificateIndex known = node.largest.load(std::memory_order_relaxed);
-        if (known == NO_CERTIFICATE || !(store_[known].certificate.clearance >= store_[index].certificate.clearance))
-            node.largest.store(index, std::memory_order_release);
-    }
-
-    void CertificateTree::append(Index leaf, CertificateIndex index, const Certificate &certificate)
-    {
-        std::atomic<Index> *link = &nodes_[leaf].bucket;
-        for (Index at = link->load(std::memory_order_relaxed);
-             at != NONE && buckets_[at].count.load(std::memory_order_relaxed) == BUCKET_SIZE;
-             at = link->load(std::memory_order_relaxed))
-            link = &buckets_[at].next;
-        if (link->load(std::memory_order_relaxed) == NONE)
-            link->store(buckets_.append(), std::memory_order_release);
-        Bucket &bucket = buckets_[link->load(std::memory_order_relaxed)];
+        Index at = first;
+        while (buckets_[at].count == BUCKET_SIZE && buckets_[at].next != NONE)
+            at = buckets_[at].next;
+        if (buckets_[at].count == BUCKET_SIZE)
+        {
+            const Index next = newBucket(NONE);
+            buckets_[at].next.store(next, std::memory_order_release);
+            at = next;
+        }
+        Bucket &bucket = buckets_[at];
         const std::uint32_t i = bucket.count.load(std::memory_order_relaxed);
         bucket.x[i] = certificate.point.x();
         bucket.y[i] = certificate.point.y();
@@ -95,134 +142,135 @@ namespace ompl_certificates
         bucket.clearance[i] = certificate.clearance;
         bucket.index[i] = index;
         bucket.count.store(i + 1, std::memory_order_release);
-        noteCertificate(nodes_[leaf], index);
-    }
-
-    std::vector<CertificateIndex> CertificateTree::contents(Index leaf) const
-    {
-        std::vector<CertificateIndex> all;
-        for (Index at = nodes_[leaf].bucket.load(std::memory_order_acquire); at != NONE;)
-        {
-            const Bucket &bucket = buckets_[at];
-            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
-            all.insert(all.end(), bucket.index, bucket.index + count);
-            at = bucket.next.load(std::memory_order_acquire);
-        }
-        return all;
+        store_[index].bucket.store(first, std::memory_order_release);
     }
 
     void CertificateTree::chooseFirstCell()
     {
+        const Root &old = roots_[root_];
+        const Bucket &bucket = buckets_[bucketAt(old.place)];
         Eigen::AlignedBox3d box;
-        for (const CertificateIndex index : contents(root_))
-            box.extend(store_[index].certificate.point);
+        for (std::uint32_t i = 0; i < bucket.count; ++i)
+            box.extend(store_[bucket.index[i]].certificate.point);
+        if (box.sizes().maxCoeff() == 0.0)
+            return;
         // Wide enough for the walls to differ, however far from the origin they are.
         const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-        const double side = std::max(box.sizes().maxCoeff(), 1e-12 * farthest);
-        if (box.sizes().maxCoeff() > 0.0)
-            rootCell_ = {box.center().array() - side, box.center().array() + side};
+        const double wanted = std::max(2.0 * box.sizes().maxCoeff(), 1e-12 * farthest);
+        const double extent = std::exp2(std::ceil(std::log2(wanted)) + 1.0), grid = extent / 16.0;
+        const Eigen::Vector3d low = ((box.center().array() - 0.5 * extent) / grid).floor() * grid;
+        const Index root = roots_.append();
+        roots_[root].low = low;
+        roots_[root].high = low.array() + extent;
+        roots_[root].place.store(old.place, std::memory_order_relaxed);
+        root_.store(root, std::memory_order_release);
     }
 
-    double CertificateTree::smallestCell() const
+    double CertificateTree::smallestCell(const Eigen::AlignedBox3d &cell) const
     {
         // Nor is a cell divided that is too small, that far from the origin, to have a middle.
-        const double farthest = rootCell_.min().cwiseAbs().cwiseMax(rootCell_.max().cwiseAbs()).maxCoeff();
-        return std::max(SMALLEST_CELL * rootCell_.sizes().maxCoeff(),
+        const double farthest = cell.min().cwiseAbs().cwiseMax(cell.max().cwiseAbs()).maxCoeff();
+        return std::max(SMALLEST_CELL * cell.sizes().maxCoeff(),
                         4.0 * std::numeric_limits<double>::epsilon() * farthest);
     }
 
     void CertificateTree::growRootTo(const Eigen::Vector3d &point)
     {
-        while (!rootCell_.contains(point))
+        const auto isInside = [&](const Eigen::AlignedBox3d &cell)
         {
-            std::uint32_t axis = 0;
-            while (point[axis] >= rootCell_.min()[axis] && point[axis] <= rootCell_.max()[axis])
-                ++axis;
-            const bool below = point[axis] < rootCell_.min()[axis];
-            const double split = below ? rootCell_.min()[axis] : rootCell_.max()[axis];
-            const double side = rootCell_.sizes()[axis];
-            (below ? rootCell_.min() : rootCell_.max())[axis] += below ? -side : side;
-
-            const Index old = root_, root = newLeaf(NONE), added = newLeaf(root);
-            Node &node = nodes_[root];
-            const int oldSide = below ? 1 : 0;
-            for (int child = 0; child < 2; ++child)
-                // An empty child knows no clearances: its highest is the lowest there is.
-                if (nodes_[old].child[0] != NONE && nodes_[old].lowest[child] <= nodes_[old].highest[child])
-                {
-                    noteClearance(node, oldSide, nodes_[old].highest[child]);
-                    noteClearance(node, oldSide, nodes_[old].lowest[child]);
-                }
-            if (nodes_[old].child[0] == NONE)
-                for (const CertificateIndex index : contents(old))
-                    noteClearance(node, oldSide, store_[index].certificate.clearance);
-            if (const CertificateIndex largest = nodes_[old].largest; largest != NO_CERTIFICATE)
-                noteCertificate(node, largest);
-            setChildren(root, axis, split, below ? added : old, below ? old : added);
-            nodes_[old].parent.store(root, std::memory_order_release);
-            root_.store(root, std::memory_order_release);
-        }
-    }
-
-    void CertificateTree::divide(Index leaf, const Eigen::AlignedBox3d &cell)
-    {
-        std::uint32_t axis = 0;
-        cell.sizes().head(dimension_).maxCoeff(&axis);
-        const double split = cell.center()[axis];
-        const Index children[2] = {newLeaf(leaf), newLeaf(leaf)};
-        for (const CertificateIndex index : contents(leaf))
+            for (int axis = 0; axis < dimension_; ++axis)
+                if (point[axis] < cell.min()[axis] || point[axis] > cell.max()[axis])
+                    return false;
+            return true;
+        };
+        while (!isInside(roots_[root_].cell()))
         {
-            const Certificate &certificate = store_[index].certificate;
-            const int side = certificate.point[axis] < split ? 0 : 1;
-            noteClearance(nodes_[leaf], side, certificate.clearance);
-            append(children[side], index, certificate);
+            const Root &old = roots_[root_];
+            const Index place = old.place, index = roots_.append(), fork = newFork(newBucket(NONE), NONE);
+            buckets_[forks_[fork].bucket].fork.store(fork, std::memory_order_relaxed);
+            Root &root = roots_[index];
+            root.low = old.low;
+            root.high = old.high;
+            // The last two of the three axes that are divided in turns, or the two of the plane.
+            root.firstAxis = (old.firstAxis + 2 * dimension_ - 2) % dimension_;
+            unsigned int side = 0;  // that the old root comes to
+            for (int i = 0; i < 2; ++i)
+            {
+                const int axis = (root.firstAxis + i) % dimension_;
+                const double extent = old.high[axis] - old.low[axis];
+                const bool below = point[axis] < old.low[axis];
+                (below ? root.low : root.high)[axis] += below ? -extent : extent;
+                side += below ? 2U >> i : 0U;
+            }
+            extendByPlace(fork, side, place);
+            forks_[fork].child[side].store(place, std::memory_order_relaxed);
+            if (isFork(place))
+                forks_[place].parent.store(fork, std::memory_order_release);
+            else
+                buckets_[bucketAt(place)].fork.store(fork, std::memory_order_release);
+            root.place.store(fork, std::memory_order_relaxed);
+            root_.store(index, std::memory_order_release);
         }
-        setChildren(leaf, axis, split, children[0], children[1]);
-        // Only now: who starts a seeded search at a child must find its parent complete.
-        for (const Index child : children)
-            for (const CertificateIndex index : contents(child))
-                store_[index].leaf.store(child, std::memory_order_release);
     }
 
     CertificateIndex CertificateTree::insert(const Certificate &certificate)
     {
         if (!certificate.point.allFinite() || !(certificate.clearance > -INF))
             throw ompl::Exception("A certificate's point must be finite and its clearance a number, at most infinite");
+        if (dimension_ == 2 && certificate.point.z() != 0.0)
+            throw ompl::Exception("A certificate of the plane must have z = 0, not " +
+                                  std::to_string(certificate.point.z()));
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;
         // Before it is in the tree: who finds it there may ask for it by its index at once.
         stored_.store(index + 1, std::memory_order_release);
-        const auto isFull = [this](Index leaf)
-        {
-            const Index first = nodes_[leaf].bucket;
-            return first != NONE && buckets_[first].count == BUCKET_SIZE;
-        };
-        if (rootCell_.isEmpty() && isFull(root_))
+        const auto isFull = [this](Index place) { return buckets_[bucketAt(place)].count == BUCKET_SIZE; };
+        if (roots_[root_].cell().isEmpty() && isFull(roots_[root_].place))
             chooseFirstCell();
-        if (!rootCell_.isEmpty())
+        if (!roots_[root_].cell().isEmpty())
             growRootTo(certificate.point);
 
-        Index node = root_;
-        Eigen::AlignedBox3d cell = rootCell_;
-        const double smallest = rootCell_.isEmpty() ? INF : smallestCell();
-        for (;;)
+        Root &root = roots_[root_];
+        Eigen::AlignedBox3d cell = root.cell();
+        const double smallest = cell.isEmpty() ? INF : smallestCell(cell);
+        int axis = root.firstAxis;
+        Index parent = NONE;
+        for (std::atomic<Index> *link = &root.place;;)
         {
-            Node &here = nodes_[node];
-            if (here.child[0] == NONE)
+            if (*link == NONE)
             {
-                if (!isFull(node) || cell.isEmpty() || cell.sizes().head(dimension_).maxCoeff() <= smallest)
-                    break;
-                divide(node, cell);
+                const Index bucket = newBucket(parent);
+                append(bucket, index, certificate);
+                link->store(bucket | UNDIVIDED, std::memory_order_release);
+                break;
             }
-            const int side = certificate.point[here.axis] < here.split ? 0 : 1;
-            noteClearance(here, side, certificate.clearance);
-            noteCertificate(here, index);
-            (side == 0 ? cell.max() : cell.min())[here.axis] = here.split;
-            node = here.child[side];
+            const Index bucket = bucketAt(*link);
+            const bool isTooSmall = cell.isEmpty() || cell.sizes().head(dimension_).minCoeff() <= smallest;
+            if (!isFull(*link) || (!isFork(*link) && isTooSmall))
+            {
+                append(bucket, index, certificate);
+                break;
+            }
+            if (!isFork(*link))
+            {
+                const Index fork = newFork(bucket, parent);
+                link->store(fork, std::memory_order_release);
+                buckets_[bucket].fork.store(fork, std::memory_order_release);
+            }
+            parent = *link;
+            unsigned int side = 0;
+            for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)
+            {
+                const double middle = cell.center()[axis];
+                const bool above = !(certificate.point[axis] < middle);
+                side = 2 * side + (above ? 1 : 0);
+                (above ? cell.min() : cell.max())[axis] = middle;
+            }
+            // What bounds a certificate is there before it can be found.
+            extend(parent, side, certificate);
+            link = &forks_[parent].child[side];
         }
-        append(node, index, certificate);
-        store_[index].leaf.store(node, std::memory_order_release);
         live_.fetch_add(1, std::memory_order_relaxed);
         return index;
     }
@@ -237,7 +285,7 @@ namespace ompl_certificates
     std::size_t CertificateTree::bytes() const
     {
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        return sizeof(*this) + nodes_.bytes() + buckets_.bytes() + store_.bytes();
+        return sizeof(*this) + buckets_.bytes() + forks_.bytes() + boxes_.bytes() + store_.bytes();
     }
 
     void CertificateTree::list(std::vector<Certificate> &data) const

@@ -7,27 +7,160 @@
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        // What one register of the processor holds, and what comes of comparing two of them
+        using Floats = float __attribute__((vector_size(16)));
+        using Flags = std::int32_t __attribute__((vector_size(16)));
+        using Doubles = double __attribute__((vector_size(16)));
+        using LongFlags = std::int64_t __attribute__((vector_size(16)));
+        using Words = std::uint64_t __attribute__((vector_size(16)));
+
+        /** A float that is at most \e value, and not much less */
+        float roundDown(double value)
+        {
+            const auto nearest = static_cast<float>(value);
+            if (std::abs(value) < 1e38)
+                return nearest - (std::abs(nearest) * 2.4e-7F + std::numeric_limits<float>::min());
+            return static_cast<double>(nearest) > value ? std::nextafter(nearest, -INFINITY) : nearest;
+        }
+
+        Floats load(const std::atomic<std::uint64_t> (&bound)[2])
+        {
+            return reinterpret_cast<Floats>(
+                Words{bound[0].load(std::memory_order_relaxed), bound[1].load(std::memory_order_relaxed)});
+        }
+
+        /** All four children, as bits */
+        constexpr unsigned int ALL_CHILDREN = 15U;
+
+        /** The bits of a number, those of three or two numbers in turns: as many as find room */
+        template <int DIMENSION>
+        std::uint64_t spread(std::uint32_t bits)
+        {
+            std::uint64_t x = DIMENSION == 2 ? bits : bits >> 11;
+            if constexpr (DIMENSION == 2)
+            {
+                x = (x | x << 16) & 0x0000FFFF0000FFFFU;
+                x = (x | x << 8) & 0x00FF00FF00FF00FFU;
+                x = (x | x << 4) & 0x0F0F0F0F0F0F0F0FU;
+                x = (x | x << 2) & 0x3333333333333333U;
+                return (x | x << 1) & 0x5555555555555555U;
+            }
+            x = (x | x << 32) & 0x001F00000000FFFFU;
+            x = (x | x << 16) & 0x001F0000FF0000FFU;
+            x = (x | x << 8) & 0x100F00F00F00F00FU;
+            x = (x | x << 4) & 0x10C30C30C30C30C3U;
+            return (x | x << 2) & 0x1249249249249249U;
+        }
+
+        /** The sides of the divisions of a cell that a point is on, from the highest bits down, two for each fork */
+        template <int DIMENSION>
+        std::uint64_t wayTo(const Eigen::Vector3d &point, const Eigen::Vector3d &low, const Eigen::Vector3d &high,
+                            int firstAxis)
+        {
+            std::uint64_t way = 0;
+            for (int i = 0; i < DIMENSION; ++i)
+            {
+                const int axis = firstAxis + i < DIMENSION ? firstAxis + i : firstAxis + i - DIMENSION;
+                const double part = (point[axis] - low[axis]) / (high[axis] - low[axis]);
+                const auto bits = static_cast<std::uint32_t>(std::min(std::max(0.0, part) * 0x1p32, 0xFFFFFFFFp0));
+                way = way << 1 | spread<DIMENSION>(bits);
+            }
+            return DIMENSION == 2 ? way : way << 1;
+        }
+
+        Doubles both(double value)
+        {
+            return Doubles{value, value};
+        }
+    }
+
+    template <int DIMENSION>
     struct CertificateTree::CoverSearch
     {
+        explicit CoverSearch(const BallQuery &theQuery) : query(theQuery)
+        {
+            for (int axis = 0; axis < DIMENSION; ++axis)
+            {
+                const double c = query.center[axis];
+                const double needed[4] = {c + query.freeRadius, query.freeRadius - c, c - query.collidingRadius,
+                                          -c - query.collidingRadius};
+                for (int i = 0; i < 4; ++i)
+                {
+                    const float bound = roundDown(needed[i]);
+                    exceeded[axis][i] = Floats{bound, bound, bound, bound};
+                }
+            }
+        }
+
+        /** Below which children there may be a certificate that proves the query, as bits */
+        unsigned int among(const Boxes &boxes) const
+        {
+            Flags free{-1, -1, -1, -1}, colliding{-1, -1, -1, -1};
+            for (int axis = 0; axis < DIMENSION; ++axis)
+            {
+                free &= exceeded[axis][0] < load(boxes.bound[axis][0]);
+                free &= exceeded[axis][1] < load(boxes.bound[axis][1]);
+                colliding &= exceeded[axis][2] < load(boxes.bound[axis][2]);
+                colliding &= exceeded[axis][3] < load(boxes.bound[axis][3]);
+            }
+            const Words either = reinterpret_cast<Words>((free | colliding) & Flags{1, 2, 4, 8});
+            const std::uint64_t halves = either[0] | either[1];
+            return static_cast<unsigned int>(halves | halves >> 32);
+        }
+
+        /** Find the certificate of a bucket that proves the query, of several the one that leaves most room: it will
+            serve the longest stretch of a motion. */
+        bool isIn(const Bucket &bucket)
+        {
+            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
+            Doubles squared[BUCKET_SIZE / 2], range[BUCKET_SIZE / 2];
+            LongFlags hits[BUCKET_SIZE / 2], any{0, 0};
+            const auto measure = [&](std::uint32_t pair, std::uint32_t first, std::uint32_t second)
+            {
+                const auto values = [&](const double *of) { return Doubles{of[first], of[second]}; };
+                const Doubles dx = values(bucket.x) - both(query.center.x()),
+                              dy = values(bucket.y) - both(query.center.y());
+                squared[pair] = dx * dx + dy * dy;
+                if constexpr (DIMENSION == 3)
+                {
+                    const Doubles dz = values(bucket.z) - both(query.center.z());
+                    squared[pair] += dz * dz;
+                }
+                // In this order: what is not a number, an infinite clearance for a ball that cannot be free, loses.
+                const Doubles colliding = both(query.collidingRadius) - values(bucket.clearance);
+                const Doubles free = values(bucket.clearance) - both(query.freeRadius);
+                range[pair] = colliding > free ? colliding : free;
+                hits[pair] = (range[pair] > 0.0) & (squared[pair] < range[pair] * range[pair]);
+                any |= hits[pair];
+            };
+            if (count == BUCKET_SIZE)
+                for (std::uint32_t pair = 0; pair < BUCKET_SIZE / 2; ++pair)
+                    measure(pair, 2 * pair, 2 * pair + 1);
+            else
+                for (std::uint32_t i = 0; i < count; i += 2)
+                    measure(i / 2, i, std::min(i + 1, count - 1));
+            if ((any[0] | any[1]) == 0)
+                return false;
+            for (std::uint32_t i = 0; i < count; ++i)
+            {
+                if (hits[i / 2][i % 2] == 0)
+                    continue;
+                const double slack = range[i / 2][i % 2] - std::sqrt(squared[i / 2][i % 2]);
+                if (slack > found.slack)
+                {
+                    const bool free = bucket.clearance[i] - query.freeRadius == range[i / 2][i % 2];
+                    found = {free ? Covering::FREE : Covering::COLLIDING, bucket.index[i], slack};
+                }
+            }
+            return found.verdict != Covering::UNKNOWN;
+        }
+
         const BallQuery &query;
-        /** The distance of the query's center from the cell under search, by axis */
-        Eigen::Vector3d offset;
+        /** What a child's bounds must exceed */
+        Floats exceeded[3][4];
         Covering found;
-
-        /** How near a certificate of these clearances must be to prove the query */
-        double range(double highest, double lowest) const
-        {
-            // In this order: what is not a number, an infinite clearance for a ball that cannot be free, loses.
-            return std::max(query.collidingRadius - lowest, highest - query.freeRadius);
-        }
-
-        /** Whether a certificate below a child, from whose cell the query is this far, may prove the query */
-        bool reaches(const Node &node, int side, double squaredDistance) const
-        {
-            const double reach = range(node.highest[side].load(std::memory_order_relaxed),
-                                       node.lowest[side].load(std::memory_order_relaxed));
-            return reach > 0.0 && squaredDistance < reach * reach;
-        }
     };
 
     Covering CertificateTree::cover(const Certificate &certificate, CertificateIndex index, const BallQuery &query)
@@ -49,131 +182,124 @@ namespace ompl_certificates
 
     Covering CertificateTree::covering(const BallQuery &query) const
     {
-        CoverSearch search{query, Eigen::Vector3d::Zero(), {}};
-        searchDown(root_.load(std::memory_order_acquire), 0.0, search);
-        return search.found;
+        return dimension_ == 2 ? coveringFromRoot<2>(query) : coveringFromRoot<3>(query);
     }
 
     Covering CertificateTree::covering(const BallQuery &query, CertificateIndex seed) const
     {
         if (seed >= stored_.load(std::memory_order_acquire))
             return covering(query);
-        CoverSearch search{query, Eigen::Vector3d::Zero(), {}};
-        Index node = store_[seed].leaf.load(std::memory_order_acquire);
-        if (node == NONE)
+        const Index bucket = store_[seed].bucket.load(std::memory_order_acquire);
+        const Index fork = bucket == NONE ? NONE : buckets_[bucket].fork.load(std::memory_order_acquire);
+        if (fork == NONE)
             return covering(query);
-        if (searchDown(node, 0.0, search))
-            return search.found;
-        for (Index parent; (parent = nodes_[node].parent.load(std::memory_order_acquire)) != NONE; node = parent)
+        return dimension_ == 2 ? coveringFromFork<2>(query, fork) : coveringFromFork<3>(query, fork);
+    }
+
+    template <int DIMENSION>
+    Covering CertificateTree::coveringFromRoot(const BallQuery &query) const
+    {
+        const Root &root = roots_[root_.load(std::memory_order_acquire)];
+        Index place = root.place.load(std::memory_order_acquire);
+        CoverSearch<DIMENSION> search(query);
+        if (!isFork(place))
         {
-            const Node &above = nodes_[parent];
-            const int side = above.child[1].load(std::memory_order_acquire) == node ? 0 : 1;  // the sibling's
-            const double beyond = query.center[above.axis] - above.split;
-            const double distance = (beyond < 0.0) == (side == 0) ? 0.0 : std::abs(beyond);
-            const double range = search.range(above.highest[side].load(std::memory_order_relaxed),
-                                              above.lowest[side].load(std::memory_order_relaxed));
-            if (distance >= range)
-                continue;
-            search.offset.setZero();
-            search.offset[above.axis] = distance;
-            if (searchDown(above.child[side].load(std::memory_order_acquire), distance * distance, search))
+            searchBuckets(bucketAt(place), search);
+            return search.found;
+        }
+        // Down to the smallest cell about the query's center, whose certificates are the likeliest, and up from there.
+        const std::uint64_t way = wayTo<DIMENSION>(query.center, root.low, root.high, root.firstAxis);
+        const auto sideAt = [way](unsigned int depth)
+        { return static_cast<unsigned int>(way >> (62 - 2 * depth)) & 3U; };
+        constexpr unsigned int deepest = 31;
+        unsigned int depth = 0;
+        Index fork = place;
+        while (isFork(place) && depth < deepest)
+        {
+            fork = place;
+            place = forks_[place].child[sideAt(depth++)].load(std::memory_order_acquire);
+        }
+        // What is looked at next, if the smallest cell has nothing, comes from memory meanwhile.
+        const Bucket &above = buckets_[bucketAt(fork)];
+        __builtin_prefetch(above.x);
+        __builtin_prefetch(above.clearance);
+        __builtin_prefetch(&boxes_[fork].bound[0]);
+        __builtin_prefetch(&boxes_[fork].bound[1]);
+        if (place != NONE && searchDown(place, ALL_CHILDREN, search))
+            return search.found;
+        while (!searchDown(fork, ALL_CHILDREN & ~(1U << sideAt(--depth)), search) && depth > 0)
+            fork = forks_[fork].parent.load(std::memory_order_acquire);
+        return search.found;
+    }
+
+    template <int DIMENSION>
+    Covering CertificateTree::coveringFromFork(const BallQuery &query, Index start) const
+    {
+        CoverSearch<DIMENSION> search(query);
+        if (searchDown(start, ALL_CHILDREN, search))
+            return search.found;
+        for (Index at = start, parent; (parent = forks_[at].parent.load(std::memory_order_acquire)) != NONE;
+             at = parent)
+        {
+            unsigned int from = 0;
+            while (forks_[parent].child[from].load(std::memory_order_acquire) != at)
+                ++from;
+            if (searchDown(parent, ALL_CHILDREN & ~(1U << from), search))
                 return search.found;
         }
         return search.found;
     }
 
-    bool CertificateTree::searchBucket(Index leaf, CoverSearch &search) const
+    template <int DIMENSION>
+    bool CertificateTree::searchBuckets(Index first, CoverSearch<DIMENSION> &search) const
     {
-        const Eigen::Vector3d &center = search.query.center;
-        for (Index at = nodes_[leaf].bucket.load(std::memory_order_acquire); at != NONE;)
-        {
-            const Bucket &bucket = buckets_[at];
-            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
-            double bestSlack = 0.0;
-            for (std::uint32_t i = 0; i < count; ++i)
-            {
-                const double dx = bucket.x[i] - center.x(), dy = bucket.y[i] - center.y(),
-                             dz = bucket.z[i] - center.z();
-                const double squared = dx * dx + dy * dy + dz * dz;
-                const double range = search.range(bucket.clearance[i], bucket.clearance[i]);
-                if (!(range > 0.0 && squared < range * range))
-                    continue;
-                // Of several, the one that leaves most room: it will serve the longest stretch of a motion.
-                const double slack = range - std::sqrt(squared);
-                if (slack > bestSlack)
-                {
-                    bestSlack = slack;
-                    const bool free = bucket.clearance[i] - search.query.freeRadius == range;
-                    search.found = {free ? Covering::FREE : Covering::COLLIDING, bucket.index[i], slack};
-                }
-            }
-            if (bestSlack > 0.0)
+        for (Index at = first; at != NONE; at = buckets_[at].next.load(std::memory_order_acquire))
+            if (search.isIn(buckets_[at]))
                 return true;
-            at = bucket.next.load(std::memory_order_acquire);
-        }
         return false;
     }
 
-    bool CertificateTree::searchDown(Index index, double squaredDistance, CoverSearch &search) const
+    template <int DIMENSION>
+    bool CertificateTree::searchDown(Index place, unsigned int children, CoverSearch<DIMENSION> &search) const
     {
-        // The far children that are yet to be searched, each with the distance of the query from its cell
+        if (searchBuckets(bucketAt(place), search))
+            return true;
+        if (!isFork(place))
+            return false;
+        // Forks on the way down, with those of their children that are yet to be searched
         struct Pending
         {
-            Index node;
-            double squaredDistance;
-            Eigen::Vector3d offset;
+            Index fork;
+            unsigned int children;
         };
         constexpr std::size_t capacity = 128;
         Pending pending[capacity];
-        std::size_t count = 0;
-        CertificateIndex tried = NO_CERTIFICATE;
-        Eigen::Vector3d offset = search.offset;
-        for (;;)
+        std::size_t depth = 0;
+        if ((children &= search.among(boxes_[place])) != 0)
+            pending[depth++] = {place, children};
+        while (depth > 0)
         {
-            const Node &node = nodes_[index];
-            const Index low = node.child[0].load(std::memory_order_acquire);
-            bool goOn = false;
-            if (low == NONE)
-            {
-                if (searchBucket(index, search))
-                    return true;
-            }
-            else
-            {
-                // The largest certificate of a subtree covers most of what any of it does.
-                const CertificateIndex largest = node.largest.load(std::memory_order_acquire);
-                if (largest != tried && largest != NO_CERTIFICATE)
-                {
-                    tried = largest;
-                    search.found = cover(store_[largest].certificate, largest, search.query);
-                    if (search.found.verdict != Covering::UNKNOWN)
-                        return true;
-                }
-                const Index high = node.child[1].load(std::memory_order_relaxed);
-                const double beyond = search.query.center[node.axis] - node.split;
-                const int near = beyond < 0.0 ? 0 : 1, far = 1 - near;
-                const double before = offset[node.axis];
-                const double squaredFar = squaredDistance - before * before + beyond * beyond;
-                if (search.reaches(node, far, squaredFar))
-                {
-                    Pending later{near == 0 ? high : low, squaredFar, offset};
-                    later.offset[node.axis] = std::abs(beyond);
-                    if (count < capacity)
-                        pending[count++] = later;
-                    else if (search.offset = later.offset; searchDown(later.node, squaredFar, search))
-                        return true;
-                }
-                if ((goOn = search.reaches(node, near, squaredDistance)))
-                    index = near == 0 ? low : high;
-            }
-            if (goOn)
+            Pending &last = pending[depth - 1];
+            const auto side = static_cast<unsigned int>(__builtin_ctz(last.children));
+            const Index child = forks_[last.fork].child[side].load(std::memory_order_acquire);
+            last.children &= last.children - 1;
+            if (last.children == 0)
+                --depth;
+            if (child == NONE)
                 continue;
-            if (count == 0)
-                return false;
-            const Pending &next = pending[--count];
-            index = next.node;
-            squaredDistance = next.squaredDistance;
-            offset = next.offset;
+            if (searchBuckets(bucketAt(child), search))
+                return true;
+            if (!isFork(child))
+                continue;
+            const unsigned int below = search.among(boxes_[child]);
+            if (below == 0)
+                continue;
+            if (depth < capacity)
+                pending[depth++] = {child, below};
+            // Cells that deep are rare: points that are very far apart in some places and close in others.
+            else if (searchDown(child, ALL_CHILDREN, search))
+                return true;
         }
+        return false;
     }
 }

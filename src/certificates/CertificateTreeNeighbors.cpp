@@ -18,7 +18,6 @@ namespace ompl_certificates
         const Eigen::Vector3d center;
         const std::size_t limit;
         double worst;  // squared
-        Eigen::Vector3d offset;
         /** The nearest so far, as a heap with the farthest on top */
         std::vector<std::pair<double, CertificateIndex>> heap;
 
@@ -40,7 +39,7 @@ namespace ompl_certificates
 
     bool CertificateTree::remove(const Certificate &data)
     {
-        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), 0.0, Eigen::Vector3d::Zero(), {}};
+        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), 0.0, {}};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
         {
@@ -50,7 +49,7 @@ namespace ompl_certificates
             // What is not a number proves nothing and is near to nothing: the place stays, the certificate is gone.
             constexpr double gone = std::numeric_limits<double>::quiet_NaN();
             stored.certificate.clearance = gone;
-            for (Index at = nodes_[stored.leaf].bucket; at != NONE; at = buckets_[at].next)
+            for (Index at = stored.bucket; at != NONE; at = buckets_[at].next)
                 for (std::uint32_t i = 0; i < buckets_[at].count; ++i)
                     if (buckets_[at].index[i] == index)
                         buckets_[at].clearance[i] = gone;
@@ -62,47 +61,51 @@ namespace ompl_certificates
 
     void CertificateTree::nearFromRoot(NearSearch &search) const
     {
-        nearDown(root_.load(std::memory_order_acquire), 0.0, search);
+        const Root &root = roots_[root_.load(std::memory_order_acquire)];
+        nearDown(root.place.load(std::memory_order_acquire), root.cell(), root.firstAxis, search);
         std::sort_heap(search.heap.begin(), search.heap.end());
     }
 
-    void CertificateTree::nearDown(Index index, double squaredDistance, NearSearch &search) const
+    void CertificateTree::nearDown(Index place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
     {
-        const Node &node = nodes_[index];
-        Index child[2];
-        child[0] = node.child[0].load(std::memory_order_acquire);
-        if (child[0] == NONE)
+        for (Index at = bucketAt(place); at != NONE; at = buckets_[at].next.load(std::memory_order_acquire))
         {
-            for (Index at = node.bucket.load(std::memory_order_acquire); at != NONE;)
+            const Bucket &bucket = buckets_[at];
+            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
+            for (std::uint32_t i = 0; i < count; ++i)
             {
-                const Bucket &bucket = buckets_[at];
-                const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
-                for (std::uint32_t i = 0; i < count; ++i)
-                {
-                    const Eigen::Vector3d point(bucket.x[i], bucket.y[i], bucket.z[i]);
-                    if (!std::isnan(bucket.clearance[i]))
-                        search.consider((point - search.center).squaredNorm(), bucket.index[i]);
-                }
-                at = bucket.next.load(std::memory_order_acquire);
+                const Eigen::Vector3d point(bucket.x[i], bucket.y[i], bucket.z[i]);
+                if (!std::isnan(bucket.clearance[i]))
+                    search.consider((point - search.center).squaredNorm(), bucket.index[i]);
             }
-            return;
         }
-        child[1] = node.child[1].load(std::memory_order_acquire);
-        const double beyond = search.center[node.axis] - node.split;
-        const int near = beyond < 0.0 ? 0 : 1;
-        nearDown(child[near], squaredDistance, search);
-        const double before = search.offset[node.axis];
-        const double squaredFar = squaredDistance - before * before + beyond * beyond;
-        if (squaredFar > search.worst)
+        if (!isFork(place))
             return;
-        search.offset[node.axis] = std::abs(beyond);
-        nearDown(child[1 - near], squaredFar, search);
-        search.offset[node.axis] = before;
+        const int axes[2] = {axis, (axis + 1) % dimension_};
+        const Eigen::Vector3d middle = cell.center();
+        const unsigned int near =
+            (search.center[axes[0]] < middle[axes[0]] ? 0U : 2U) + (search.center[axes[1]] < middle[axes[1]] ? 0U : 1U);
+        for (const unsigned int across : {0U, 1U, 2U, 3U})
+        {
+            const unsigned int side = near ^ across;
+            const Index child = forks_[place].child[side].load(std::memory_order_acquire);
+            if (child == NONE)
+                continue;
+            Eigen::AlignedBox3d part = cell;
+            for (int i = 0; i < 2; ++i)
+                ((side & (2U >> i)) != 0 ? part.min() : part.max())[axes[i]] = middle[axes[i]];
+            double squared = 0.0;
+            for (int i = 0; i < dimension_; ++i)
+                squared +=
+                    std::pow(std::max({part.min()[i] - search.center[i], search.center[i] - part.max()[i], 0.0}), 2);
+            if (squared <= search.worst)
+                nearDown(child, part, (axis + 2) % dimension_, search);
+        }
     }
 
     Certificate CertificateTree::nearest(const Certificate &data) const
     {
-        NearSearch search{data.point, 1, INF, Eigen::Vector3d::Zero(), {}};
+        NearSearch search{data.point, 1, INF, {}};
         nearFromRoot(search);
         if (search.heap.empty())
             throw ompl::Exception("No elements found in nearest neighbors data structure");
@@ -114,7 +117,7 @@ namespace ompl_certificates
         nbh.clear();
         if (k == 0)
             return;
-        NearSearch search{data.point, k, INF, Eigen::Vector3d::Zero(), {}};
+        NearSearch search{data.point, k, INF, {}};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
             nbh.push_back(store_[index].certificate);
@@ -125,8 +128,7 @@ namespace ompl_certificates
         nbh.clear();
         if (radius < 0.0)
             return;
-        NearSearch search{
-            data.point, std::numeric_limits<std::size_t>::max(), radius * radius, Eigen::Vector3d::Zero(), {}};
+        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), radius * radius, {}};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
             nbh.push_back(store_[index].certificate);

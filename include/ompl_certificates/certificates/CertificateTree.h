@@ -5,6 +5,7 @@
 #include "ompl_certificates/certificates/ChunkedArray.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <ompl/datastructures/NearestNeighbors.h>
@@ -56,9 +57,9 @@ namespace ompl_certificates
         early where that certificate is near the query.
 
         The tree divides space at the middle of its cells, so its depth is bounded by the ratio of the distances of the
-        points, in any order of insertion, and nothing is ever rebuilt: an insertion moves at most a leaf's few points.
-        Only certificates are kept, not what they cover; subtrees know the largest and smallest clearance in them, and
-        whole subtrees are passed over that reach no ball.
+        points, in any order of insertion, and nothing is ever rebuilt or moved: the first few certificates in a cell stay
+        there, later ones go to the four cells that it is divided into. Only certificates are kept, not what they cover;
+        subtrees know how far their balls reach, and are passed over where that is not far enough.
 
         Threads: any number may search while one adds; add() takes a lock, searches take none. remove() and clear() need
         the tree for themselves.
@@ -132,66 +133,115 @@ namespace ompl_certificates
 
     private:
         using Index = std::uint32_t;
-        static constexpr Index NONE = 0;  // element 0 of nodes_ and buckets_ is never used
-        static constexpr std::uint32_t BUCKET_SIZE = 8;
+        static constexpr Index NONE = 0;  // element 0 of buckets_, forks_ and boxes_ is never used
+        static constexpr std::uint32_t BUCKET_SIZE = 4;
 
-        /** \brief Coordinates and clearances of a leaf's certificates, side by side for the search */
+        /** \brief The first certificates of a cell; later ones are in the cells that it is divided into. Certificates never
+            move. Coordinates and clearances lie side by side for the search. */
         struct alignas(64) Bucket
         {
-            double x[BUCKET_SIZE], y[BUCKET_SIZE], z[BUCKET_SIZE], clearance[BUCKET_SIZE];
+            double x[BUCKET_SIZE], y[BUCKET_SIZE];
+            double clearance[BUCKET_SIZE];
             CertificateIndex index[BUCKET_SIZE];
             std::atomic<std::uint32_t> count{0};
-            /** More certificates of the same leaf, whose points lie too close to be divided */
+            /** More certificates of a cell that is too small to be divided */
             std::atomic<Index> next{NONE};
+            double z[BUCKET_SIZE];
+            /** The cell's fork, or the one above it while it is undivided */
+            std::atomic<Index> fork{NONE};
         };
 
-        /** \brief A leaf until its children are set. An inner node knows the clearances below each child. */
-        struct alignas(64) Node
+        /** \brief A cell that is divided into four, along two axes: the fork's place in its array is also that of its boxes.
+            Small, for most of a search is the way down along forks. */
+        struct alignas(32) Fork
         {
-            std::atomic<Index> child[2]{};
-            std::atomic<Index> parent{NONE};
+            /** The places of the four cells, by the high bit for the side of the first axis and the low bit for the other's */
+            std::atomic<Index> child[4]{};
             std::atomic<Index> bucket{NONE};
-            double split{0.0};
-            std::uint32_t axis{0};
-            /** The certificate with the largest clearance in the subtree: the first to try */
-            std::atomic<CertificateIndex> largest{NO_CERTIFICATE};
-            std::atomic<double> highest[2], lowest[2];
+            std::atomic<Index> parent{NONE};
+        };
+
+        /** \brief Marks the place of an undivided cell: the rest is the index of its bucket, else that of a fork */
+        static constexpr Index UNDIVIDED = Index(1) << 31;
+
+        /** \brief A float for each of four children. Two share an atomic, so that readers may load it while it grows. */
+        using Bound = std::atomic<std::uint64_t>[2];
+
+        /** \brief Bounds of the certificates below each of a node's children: by axis, the largest c + d, d - c, c - d and
+            -c - d of the points c and the clearances d, rounded up. The first two bound the balls that are free, the
+            others those that collide. */
+        struct alignas(64) Boxes
+        {
+            Bound bound[3][4];
         };
 
         struct Stored
         {
             Certificate certificate;
-            std::atomic<Index> leaf{NONE};
+            /** The bucket, or the first of the chain of buckets, that it is in */
+            std::atomic<Index> bucket{NONE};
         };
 
-        /** \brief A search for a covering certificate, and how far each axis already is from the cell */
+        /** \brief The whole tree. A new one when it has to grow beyond its cell, so that readers find place and cell in one. */
+        struct Root
+        {
+            /** A bucket or a fork */
+            std::atomic<Index> place{NONE};
+            /** Its extents are powers of two, so that halving them is exact. Empty until the first bucket is full. */
+            Eigen::Vector3d low{1.0, 1.0, 1.0}, high{0.0, 0.0, 0.0};
+            /** Where in the turns of the axes the first division of the cell is */
+            int firstAxis{0};
+
+            Eigen::AlignedBox3d cell() const
+            {
+                return {low, high};
+            }
+        };
+
+        template <int DIMENSION>
         struct CoverSearch;
         struct NearSearch;
 
-        Index newLeaf(Index parent);
-        void setChildren(Index node, std::uint32_t axis, double split, Index low, Index high);
-        void noteClearance(Node &node, int side, double clearance);
-        void noteCertificate(Node &node, CertificateIndex index);
-        void append(Index leaf, CertificateIndex index, const Certificate &certificate);
-        std::vector<CertificateIndex> contents(Index leaf) const;
-        void chooseFirstCell();
-        double smallestCell() const;
-        void growRootTo(const Eigen::Vector3d &point);
-        void divide(Index leaf, const Eigen::AlignedBox3d &cell);
+        static bool isFork(Index place)
+        {
+            return place != NONE && (place & UNDIVIDED) == 0;
+        }
 
-        bool searchBucket(Index leaf, CoverSearch &search) const;
-        bool searchDown(Index node, double squaredDistance, CoverSearch &search) const;
-        void nearDown(Index node, double squaredDistance, NearSearch &search) const;
+        /** \brief The bucket at a place other than NONE */
+        Index bucketAt(Index place) const
+        {
+            return isFork(place) ? forks_[place].bucket.load(std::memory_order_acquire) : place & ~UNDIVIDED;
+        }
+
+        Index newBucket(Index fork);
+        Index newFork(Index bucket, Index parent);
+        static void raise(Bound &bound, unsigned int child, float value);
+        void extend(Index fork, unsigned int child, const Certificate &certificate);
+        void extendByPlace(Index fork, unsigned int child, Index place);
+        void append(Index bucket, CertificateIndex index, const Certificate &certificate);
+        void chooseFirstCell();
+        double smallestCell(const Eigen::AlignedBox3d &cell) const;
+        void growRootTo(const Eigen::Vector3d &point);
+
+        template <int DIMENSION>
+        Covering coveringFromRoot(const BallQuery &query) const;
+        template <int DIMENSION>
+        Covering coveringFromFork(const BallQuery &query, Index start) const;
+        template <int DIMENSION>
+        bool searchBuckets(Index first, CoverSearch<DIMENSION> &search) const;
+        template <int DIMENSION>
+        bool searchDown(Index place, unsigned int children, CoverSearch<DIMENSION> &search) const;
+        void nearDown(Index place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const;
         void nearFromRoot(NearSearch &search) const;
 
         const int dimension_;
         mutable std::mutex insertMutex_;
-        ChunkedArray<Node> nodes_;
         ChunkedArray<Bucket> buckets_;
+        ChunkedArray<Fork> forks_;
+        ChunkedArray<Boxes> boxes_;
         ChunkedArray<Stored> store_;
-        std::atomic<Index> root_{NONE};
-        /** The root's cell; empty until a leaf had to be divided */
-        Eigen::AlignedBox3d rootCell_;
+        ChunkedArray<Root> roots_;
+        std::atomic<Index> root_{0};
         /** Certificates that were added, and those of them that were not removed */
         std::atomic<CertificateIndex> stored_{0}, live_{0};
     };
