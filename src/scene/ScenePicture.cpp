@@ -218,7 +218,7 @@ namespace ompl_certificates
         svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
                                : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
         for (const PlacedBody &obstacle : scene_.getObstacles())
-            view.draw(svg, obstacle.body, obstacle.pose);
+            view.draw(svg, obstacle.body, obstacle.pose, scene_.getHeights(), spatial ? 8 : 1);
         svg.endGroup();
 
         drawTreeAndPath(svg, view);

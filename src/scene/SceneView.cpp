@@ -1,5 +1,8 @@
 #include "SceneView.h"
 
+#include "MeshOutline.h"
+
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
@@ -38,7 +41,44 @@ namespace ompl_certificates
         return corner_ + scale_ * Eigen::Vector2d(point.x() - left_, top_ - point[up_]);
     }
 
-    void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose) const
+    void SceneView::drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const Heights &heights,
+                             int levels) const
+    {
+        // Seen from above what is higher is nearer, seen from the side what has the smaller y.
+        const int depth = 3 - up_;
+        const double sign = depth == 2 ? 1.0 : -1.0;
+        std::vector<Eigen::Vector3d> seen;
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d &vertex : mesh.getVertices())
+        {
+            const Eigen::Vector3d point = pose * vertex;
+            seen.emplace_back();
+            seen.back() << project(point), sign * point[depth];
+        }
+        for (const TriangleMesh::Triangle &triangle : mesh.getTriangles())
+            for (const std::uint32_t corner : triangle)
+                box.extend(seen[corner]);
+        // No more than what can be seen, and a little more, so that its edges are not
+        const Eigen::Vector2d edge(8.0, 8.0), low = box.min().head<2>().cwiseMax(corner_ - edge) - 0.1 * edge,
+                                              high = box.max().head<2>().cwiseMin(corner_ + size_ + edge) + 0.1 * edge;
+        if ((high - low).minCoeff() <= 0.0)
+            return;
+        MeshOutline outline(low, high, (high - low).maxCoeff() > 150.0 ? 0.5 : 0.25);
+        for (const TriangleMesh::Triangle &triangle : mesh.getTriangles())
+        {
+            const std::array<Eigen::Vector3d, 3> corners{seen[triangle[0]], seen[triangle[1]], seen[triangle[2]]};
+            const auto [lowest, highest] =
+                std::minmax({mesh.getVertices()[triangle[0]].z(), mesh.getVertices()[triangle[1]].z(),
+                             mesh.getVertices()[triangle[2]].z()});
+            if (lowest <= heights.high && highest >= heights.low)
+                outline.add(corners);
+        }
+        for (int level = 0; level < levels; ++level)
+            svg.area(outline.trace(box.min().z() + box.sizes().z() * level / levels - (level == 0 ? 1.0 : 0.0)),
+                     level == 0 ? "" : "fill-opacity='0.1' stroke-width='0.3'");
+    }
+
+    void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose, const Heights &heights, int levels) const
     {
         for (const Body::Part &part : body.getParts())
         {
@@ -48,6 +88,11 @@ namespace ompl_certificates
             {
                 // A point would not be seen.
                 svg.circle(project(place.translation()), std::max(1.5, scale_ * shape.getRadius()));
+                continue;
+            }
+            if (const TriangleMesh *mesh = shape.getMesh())
+            {
+                drawMesh(svg, *mesh, place, heights, levels);
                 continue;
             }
             std::vector<Eigen::Vector3d> points;

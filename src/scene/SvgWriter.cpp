@@ -71,6 +71,16 @@ namespace ompl_certificates
         body_ += "<polygon points='" + points(corners) + "' " + attributes + "/>\n";
     }
 
+    void SvgWriter::area(const std::vector<std::vector<Eigen::Vector2d>> &polygons, const std::string &attributes)
+    {
+        if (polygons.empty())
+            return;
+        body_ += "<path fill-rule='evenodd' stroke-linejoin='round' " + attributes + " d='";
+        for (const auto &polygon : polygons)
+            body_ += "M" + points(polygon) + "Z";
+        body_ += "'/>\n";
+    }
+
     void SvgWriter::line(const std::vector<Eigen::Vector2d> &corners, const std::string &attributes)
     {
         body_ += "<polyline points='" + points(corners) + "' fill='none' " + attributes + "/>\n";

@@ -27,6 +27,9 @@ namespace ompl_certificates
         /** \brief A closed polygon */
         void polygon(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
 
+        /** \brief Several closed polygons as one area; those inside of others are holes */
+        void area(const std::vector<std::vector<Eigen::Vector2d>> &polygons, const std::string &attributes = "");
+
         /** \brief A line through points, open at its ends */
         void line(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
 

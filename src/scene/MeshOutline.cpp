@@ -1,0 +1,180 @@
+#include "MeshOutline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr float NOTHING = -std::numeric_limits<float>::infinity();
+
+        double distanceToSegment(const Eigen::Vector2d &point, const Eigen::Vector2d &a, const Eigen::Vector2d &b)
+        {
+            const Eigen::Vector2d along = b - a;
+            const double length = along.squaredNorm();
+            const double t = length > 0.0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
+            return (a + t * along - point).norm();
+        }
+
+        /** The corners of a stretch of \e line that keep it within \e tolerance (Douglas and Peucker), its end left out */
+        void simplify(const std::vector<Eigen::Vector2d> &line, std::size_t first, std::size_t last, double tolerance,
+                      std::vector<Eigen::Vector2d> &result)
+        {
+            std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+            while (!open.empty())
+            {
+                const auto [from, to] = open.back();
+                open.pop_back();
+                double farthest = tolerance;
+                std::size_t middle = from;
+                for (std::size_t i = from + 1; i < to; ++i)
+                    if (const double distance = distanceToSegment(line[i], line[from], line[to]); distance > farthest)
+                    {
+                        farthest = distance;
+                        middle = i;
+                    }
+                if (middle == from)
+                {
+                    result.push_back(line[from]);
+                    continue;
+                }
+                open.emplace_back(middle, to);
+                open.emplace_back(from, middle);
+            }
+        }
+    }
+
+    MeshOutline::MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side)
+      : low_(low)
+      , side_(side)
+      , columns_(std::max(1, static_cast<int>(std::ceil((high.x() - low.x()) / side))))
+      , rows_(std::max(1, static_cast<int>(std::ceil((high.y() - low.y()) / side))))
+      , nearest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), NOTHING)
+    {
+    }
+
+    void MeshOutline::mark(double x, double y, float near)
+    {
+        if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_))
+            return;
+        float &cell =
+            nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+        cell = std::max(cell, near);
+    }
+
+    void MeshOutline::add(const std::array<Eigen::Vector3d, 3> &corners)
+    {
+        std::array<Eigen::Vector3d, 3> p = corners;
+        for (Eigen::Vector3d &corner : p)
+            corner.head<2>() = (corner.head<2>() - low_) / side_;
+        const Eigen::Vector3d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+        if (high.x() < 0.0 || high.y() < 0.0 || low.x() >= columns_ || low.y() >= rows_)
+            return;
+        // What is thinner than a cell has no cell's center inside: its edges are marked as well.
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Eigen::Vector3d &a = p[k];
+            const Eigen::Vector3d along = p[(k + 1) % 3] - a;
+            const double length = along.head<2>().norm();
+            const int steps = static_cast<int>(std::min(2.0 * length + 1.0, 4.0 * (columns_ + rows_)));
+            for (int i = 0; i <= steps; ++i)
+            {
+                const Eigen::Vector3d point = a + along * (static_cast<double>(i) / steps);
+                mark(point.x(), point.y(), static_cast<float>(point.z()));
+            }
+        }
+        const auto cross = [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+        { return a.x() * b.y() - a.y() * b.x(); };
+        const double area = cross(p[1] - p[0], p[2] - p[0]);
+        if (std::abs(area) < 1e-9)
+            return;
+        const int bottom = std::max(0, static_cast<int>(std::floor(low.y()))),
+                  top = std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))),
+                  left = std::max(0, static_cast<int>(std::floor(low.x()))),
+                  right = std::min(columns_ - 1, static_cast<int>(std::floor(high.x())));
+        for (int row = bottom; row <= top; ++row)
+            for (int column = left; column <= right; ++column)
+            {
+                const Eigen::Vector3d center = Eigen::Vector3d(column + 0.5, row + 0.5, 0.0) - p[0];
+                const double u = cross(center, p[2] - p[0]) / area, v = cross(p[1] - p[0], center) / area;
+                if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
+                    mark(column, row,
+                         static_cast<float>(p[0].z() + u * (p[1].z() - p[0].z()) + v * (p[2].z() - p[0].z())));
+            }
+    }
+
+    std::vector<MeshOutline::Loop> MeshOutline::trace(double level) const
+    {
+        const auto isInside = [&](int column, int row)
+        {
+            return column >= 0 && row >= 0 && column < columns_ && row < rows_ &&
+                   nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                            static_cast<std::size_t>(column)] >= static_cast<float>(level) &&
+                   nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                            static_cast<std::size_t>(column)] != NOTHING;
+        };
+        // Lines run along the sides of cells, what is inside to their left; from each corner they leave in at most two
+        // of the directions +x, +y, -x, -y, one bit each.
+        const int width = columns_ + 1;
+        std::vector<std::uint8_t> leaving(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_ + 1), 0);
+        const auto at = [&](int x, int y) -> std::uint8_t & {
+            return leaving[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+        };
+        for (int row = 0; row < rows_; ++row)
+            for (int column = 0; column < columns_; ++column)
+            {
+                if (!isInside(column, row))
+                    continue;
+                const auto set = [&](int x, int y, unsigned int direction)
+                { at(x, y) = static_cast<std::uint8_t>(at(x, y) | (1u << direction)); };
+                if (!isInside(column, row - 1))
+                    set(column, row, 0);
+                if (!isInside(column + 1, row))
+                    set(column + 1, row, 1);
+                if (!isInside(column, row + 1))
+                    set(column + 1, row + 1, 2);
+                if (!isInside(column - 1, row))
+                    set(column, row + 1, 3);
+            }
+        constexpr int STEP_X[] = {1, 0, -1, 0}, STEP_Y[] = {0, 1, 0, -1};
+        std::vector<Loop> loops;
+        for (int y = 0; y <= rows_; ++y)
+            for (int x = 0; x <= columns_; ++x)
+                while (at(x, y) != 0)
+                {
+                    Loop corners;
+                    int column = x, row = y;
+                    unsigned int direction = 0;
+                    do
+                    {
+                        std::uint8_t &bits = at(column, row);
+                        // Where two lines meet, turning left keeps cells that touch at a corner apart.
+                        for (const unsigned int turn : {1u, 0u, 3u, 2u})
+                            if ((bits >> ((direction + turn) % 4u)) & 1u)
+                            {
+                                direction = (direction + turn) % 4u;
+                                break;
+                            }
+                        bits = static_cast<std::uint8_t>(bits & ~(1u << direction));
+                        corners.push_back(low_ + side_ * Eigen::Vector2d(column, row));
+                        column += STEP_X[direction];
+                        row += STEP_Y[direction];
+                    } while (column != x || row != y);
+                    constexpr std::size_t SPECK = 8;
+                    if (corners.size() < SPECK)
+                        continue;
+                    // A closed line is simplified in two halves.
+                    corners.push_back(corners.front());
+                    const std::size_t half = corners.size() / 2;
+                    Loop smooth;
+                    simplify(corners, 0, half, 0.8 * side_, smooth);
+                    simplify(corners, half, corners.size() - 1, 0.8 * side_, smooth);
+                    if (smooth.size() > 2)
+                        loops.push_back(smooth);
+                }
+        return loops;
+    }
+}
