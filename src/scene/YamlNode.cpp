@@ -89,6 +89,17 @@ namespace ompl_certificates
         }
     }
 
+    std::vector<std::string> YamlNode::keys() const
+    {
+        requireMap();
+        std::vector<std::string> keys;
+        for (const auto &entry : node_)
+            if (entry.first.IsScalar())
+                keys.push_back(entry.first.Scalar());
+        allow(keys);
+        return keys;
+    }
+
     bool YamlNode::has(const std::string &key) const
     {
         requireMap();

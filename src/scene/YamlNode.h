@@ -37,6 +37,9 @@ namespace ompl_certificates
         /** \brief Require a map with no other keys than \e keys, and none twice */
         void allow(const std::vector<std::string> &keys) const;
 
+        /** \brief The keys of this map, in their order, none of them twice */
+        std::vector<std::string> keys() const;
+
         /** \brief Whether this map has \e key */
         bool has(const std::string &key) const;
 

@@ -106,6 +106,9 @@ namespace ompl_certificates
         for (unsigned int subject = 0; subject < subjectCount(); ++subject)
         {
             const PoseVerdict verdict = settle(subject, 1.0);
+            // Nothing of this motion was counted before its end.
+            counts_.endPoses = counts_.robotPoses;
+            counts_.endExact = counts_.exact;
             if (!verdict.free)
                 return false;
             scratch_.endReach[subject] = verdict.reach;

@@ -28,6 +28,16 @@ namespace ompl_certificates
         return counts;
     }
 
+    std::uint64_t Statistics::getCount(std::uint64_t CheckCounts::*count) const
+    {
+        const CheckCounts layout;
+        const auto field = static_cast<std::size_t>(&(layout.*count) - &layout.robotPoses);
+        std::uint64_t sum = 0;
+        for (const Slot &slot : slots_)
+            sum += slot.counts[field].load(std::memory_order_relaxed);
+        return sum;
+    }
+
     double Statistics::getCheckingSeconds() const
     {
         std::uint64_t nanoseconds = 0;

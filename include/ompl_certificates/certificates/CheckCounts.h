@@ -44,6 +44,13 @@ namespace ompl_certificates
 
         /** \brief … of which were skipped, for they lie in a stretch of the motion that is certified free */
         std::uint64_t motionSamplesSkipped{0};
+
+        /** \brief Those of \e robotPoses that are at the ends of motions: in RRT and its kin, at the new samples. Not
+            counted by the standard method, which asks for every pose. */
+        std::uint64_t endPoses{0};
+
+        /** \brief … of which the obstacles had to be asked */
+        std::uint64_t endExact{0};
     };
 }
 

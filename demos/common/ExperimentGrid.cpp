@@ -1,0 +1,283 @@
+#include "common/ExperimentGrid.h"
+
+#include "common/PlannerFactory.h"
+#include "scene/YamlNode.h"
+
+#include "ompl_certificates/scene/RandomPolygonScene.h"
+#include "ompl_certificates/scene/TextFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <ompl/util/Exception.h>
+#include <set>
+
+#ifndef OMPL_CERTIFICATES_VERSION
+#define OMPL_CERTIFICATES_VERSION "of unknown version"
+#endif
+
+using namespace ompl_certificates;
+
+namespace demos
+{
+    namespace ob = ompl::base;
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        constexpr std::size_t MOST_ITEMS = 1000;
+
+        /** Changes when the same grid would give other results, or write them in another way */
+        constexpr const char *FORMAT = "1";
+
+        YAML::Node parse(const std::string &text, const std::string &file)
+        {
+            try
+            {
+                return YAML::Load(text);
+            }
+            catch (const YAML::Exception &exception)
+            {
+                const std::string line = exception.mark.is_null() ? "" : ":" + std::to_string(exception.mark.line + 1);
+                throw ompl::Exception(file + line, "not valid YAML: " + exception.msg);
+            }
+        }
+
+        std::uint64_t count(const YamlNode &node, std::uint64_t least, std::uint64_t most)
+        {
+            const double value = node.number();
+            if (value != std::floor(value) || value < static_cast<double>(least) || value > static_cast<double>(most))
+                node.fail("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                          ", not " + node.describe());
+            return static_cast<std::uint64_t>(value);
+        }
+
+        bool flag(const YamlNode &node)
+        {
+            const std::string word = node.text();
+            if (word != "true" && word != "false")
+                node.fail("must be true or false, not " + node.describe());
+            return word == "true";
+        }
+
+        /** A name that can be part of a file's name */
+        std::string plainName(const YamlNode &node)
+        {
+            const std::string name = node.text();
+            const auto isPlain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+            if (!std::all_of(name.begin(), name.end(), isPlain))
+                node.fail("must be of letters, digits and _ alone, not " + node.describe());
+            return name;
+        }
+
+        template <typename Items>
+        void requireNew(const YamlNode &node, const Items &items, const std::string &name)
+        {
+            for (const auto &item : items)
+                if (item.name == name)
+                    node.fail("there are two of the name '" + name + "': give one another name");
+        }
+
+        /** Do \e work, and have what it throws name the place in the file. */
+        template <typename Work>
+        auto at(const YamlNode &node, const Work &work)
+        {
+            try
+            {
+                return work();
+            }
+            catch (const std::exception &e)
+            {
+                node.fail(e.what());
+            }
+        }
+
+        Scene readPolygons(const YamlNode &node, unsigned int robots)
+        {
+            node.allow({"obstacles", "size", "radius", "smallest", "largest", "seed"});
+            RandomPolygonScene::Settings settings;
+            settings.robots = robots;
+            if (node.has("obstacles"))
+                settings.obstacles = static_cast<unsigned int>(count(node.at("obstacles"), 0, 10000));
+            const std::vector<std::pair<const char *, double *>> sizes{{"size", &settings.size},
+                                                                       {"radius", &settings.radius},
+                                                                       {"smallest", &settings.smallest},
+                                                                       {"largest", &settings.largest}};
+            for (const auto &[key, value] : sizes)
+                if (node.has(key))
+                    *value = node.at(key).positive();
+            if (node.has("seed"))
+                settings.seed = count(node.at("seed"), 0, 1000000000);
+            return at(node, [&]() -> Scene { return RandomPolygonScene(settings).make(); });
+        }
+
+        ExperimentGrid::Workspace readWorkspace(const YamlNode &node, const fs::path &folder, std::string &hashed)
+        {
+            node.allow({"name", "file", "random_polygons", "robots"});
+            ExperimentGrid::Workspace workspace;
+            if (node.has("file") == node.has("random_polygons"))
+                node.fail("needs one of file and random_polygons");
+            if (node.has("robots"))
+                for (const YamlNode &item : node.at("robots").items(1, MOST_ITEMS))
+                {
+                    workspace.robots.push_back(static_cast<unsigned int>(count(item, 1, MOST_ITEMS)));
+                    if (std::count(workspace.robots.begin(), workspace.robots.end(), workspace.robots.back()) > 1)
+                        item.fail("given twice: " + item.describe());
+                }
+            unsigned int most = 1;
+            for (const unsigned int robots : workspace.robots)
+                most = std::max(most, robots);
+            if (node.has("file"))
+            {
+                const YamlNode file = node.at("file");
+                const std::string path = (folder / file.text()).lexically_normal().string();
+                hashed += at(file, [&] { return readTextFile(path); }) + '\0';
+                workspace.scene = at(file, [&] { return std::make_shared<YamlScene>(path); });
+                workspace.name = workspace.scene->getName();
+                for (char &c : workspace.name)
+                    if (std::isalnum(static_cast<unsigned char>(c)) == 0)
+                        c = '_';
+            }
+            else
+            {
+                if (workspace.robots.empty())
+                    workspace.robots.push_back(1);
+                workspace.scene = std::make_shared<Scene>(readPolygons(node.at("random_polygons"), most));
+                workspace.name = "polygons";
+            }
+            if (node.has("name"))
+                workspace.name = plainName(node.at("name"));
+            const auto members = static_cast<unsigned int>(workspace.scene->getMembers().size());
+            if (workspace.robots.empty())
+                workspace.robots.push_back(members);
+            if (most > members)
+                node.at("robots").fail("the scene has only " + std::to_string(members) + " robots");
+            at(node, [&] { workspace.scene->validate(); });
+            return workspace;
+        }
+
+        ExperimentGrid::Planner readPlanner(const YamlNode &node)
+        {
+            node.allow({"name", "planner", "parameters"});
+            ExperimentGrid::Planner planner;
+            planner.plannerClass = node.at("planner").text();
+            planner.name = node.has("name") ? plainName(node.at("name")) : planner.plannerClass;
+            if (node.has("parameters"))
+                for (const std::string &entry : node.at("parameters").keys())
+                    planner.parameters.emplace_back(entry, node.at("parameters").at(entry).text());
+            return planner;
+        }
+
+        std::string hashOf(const std::string &text)
+        {
+            std::uint64_t value = 0xcbf29ce484222325u;
+            for (const char c : text)
+                value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+            char digits[17];
+            std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(value));
+            return digits;
+        }
+    }
+
+    Scene ExperimentGrid::Workspace::withRobots(unsigned int count) const
+    {
+        if (count == scene->getMembers().size())
+            return *scene;
+        Scene part(scene->getName(), scene->getSource(), scene->getBounds());
+        for (const PlacedBody &obstacle : scene->getObstacles())
+            part.addObstacle(obstacle);
+        for (unsigned int robot = 0; robot < count; ++robot)
+            part.addMember(scene->getMembers()[robot]);
+        if (scene->getResolution() > 0.0)
+            part.setResolution(scene->getResolution());
+        return part;
+    }
+
+    ExperimentGrid::ExperimentGrid(const std::string &file) : text(readTextFile(file))
+    {
+        const YamlNode root(parse(text, file), "", file);
+        root.allow({"name", "scenes", "planners", "methods", "trials", "seed", "iterations", "seconds", "goal",
+                    "resolution", "nearest", "record"});
+        std::string hashed = std::string(FORMAT) + OMPL_CERTIFICATES_VERSION + '\0' + text + '\0';
+        name = root.has("name") ? root.at("name").text() : fs::path(file).stem().string();
+        for (const YamlNode &node : root.at("scenes").items(1, MOST_ITEMS))
+        {
+            Workspace workspace = readWorkspace(node, fs::path(file).parent_path(), hashed);
+            requireNew(node, workspaces, workspace.name);
+            workspaces.push_back(std::move(workspace));
+        }
+        for (const Method method : allMethods())
+            methods.push_back(method);
+        if (root.has("methods"))
+        {
+            methods.clear();
+            for (const YamlNode &node : root.at("methods").items(1, allMethods().size()))
+            {
+                methods.push_back(at(node, [&] { return methodOf(node.text()); }));
+                if (std::count(methods.begin(), methods.end(), methods.back()) > 1)
+                    node.fail("given twice: " + node.describe());
+            }
+            std::sort(methods.begin(), methods.end());
+        }
+        trials = static_cast<unsigned int>(count(root.at("trials"), 1, 100000));
+        if (root.has("seed"))
+            seed = static_cast<std::uint32_t>(count(root.at("seed"), 1, 4000000000u));
+        if (root.has("iterations") == root.has("seconds"))
+            root.fail("needs one of iterations and seconds");
+        if (root.has("iterations"))
+            iterations = count(root.at("iterations"), 1, static_cast<std::uint64_t>(YamlNode::MAX_NUMBER));
+        else
+            seconds = root.at("seconds").positive();
+        if (root.has("goal"))
+            goal = flag(root.at("goal"));
+        if (root.has("resolution"))
+        {
+            resolution = root.at("resolution").positive();
+            if (resolution > 1.0)
+                root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
+        }
+        if (root.has("nearest"))
+            nearest = at(root.at("nearest"), [&] { return nearestStructureOf(root.at("nearest").text()); });
+        if (root.has("record"))
+        {
+            const YamlNode record = root.at("record");
+            record.allow({"per_decade", "nearest_time"});
+            if (record.has("per_decade"))
+                recordsPerDecade = static_cast<unsigned int>(count(record.at("per_decade"), 1, 100));
+            if (record.has("nearest_time"))
+                timeNearest = flag(record.at("nearest_time"));
+        }
+        for (const YamlNode &node : root.at("planners").items(1, MOST_ITEMS))
+        {
+            const Planner planner = readPlanner(node);
+            requireNew(node, planners, planner.name);
+            planners.push_back(planner);
+            // What the planner refuses shows here, before hours have passed.
+            at(node,
+               [&]
+               {
+                   for (const Workspace &workspace : workspaces)
+                   {
+                       const TeamSetupPtr setup = workspace.scene->makeSetup(methods.front());
+                       givePlanner(planner, *setup);
+                       if (!goal && setup->getPlanner()->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION)
+                           throw ompl::Exception(planner.plannerClass + " cannot plan without a goal (goal: false)");
+                   }
+               });
+        }
+        hash = hashOf(hashed);
+    }
+
+    void ExperimentGrid::givePlanner(const Planner &planner, TeamSetup &setup) const
+    {
+        const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
+        const ob::PlannerPtr made = makePlanner(planner.plannerClass, si);
+        for (const auto &[key, value] : planner.parameters)
+            setParameter(*made, key, value);
+        setup.setPlanner(made);
+        if (const auto objective = makeObjective(planner.plannerClass, si))
+            setup.setOptimizationObjective(objective);
+        setup.setNearestStructure(nearest);
+    }
+}

@@ -1,0 +1,68 @@
+#include "common/TimedObstacles.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+using namespace ompl_certificates;
+
+namespace demos
+{
+    namespace
+    {
+        std::int64_t nanosecondsSince(std::chrono::steady_clock::time_point start)
+        {
+            return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+        }
+    }
+
+    TimedObstacles::TimedObstacles(FclObstacles &&untimed) : FclObstacles(std::move(untimed))
+    {
+        clockCost_ = nanosecondsSince(std::chrono::steady_clock::now());
+        for (int i = 0; i < 1000; ++i)
+            clockCost_ = std::min(clockCost_, nanosecondsSince(std::chrono::steady_clock::now()));
+    }
+
+    template <typename Call>
+    auto TimedObstacles::timed(const Call &call) const
+    {
+        const std::uint64_t number = calls_.fetch_add(1, std::memory_order_relaxed);
+        const std::int64_t mean =
+            number == 0 ? 0 : nanoseconds_.load(std::memory_order_relaxed) / static_cast<std::int64_t>(number);
+        const bool each = number < FIRST_CALLS || mean > DEAR_NANOSECONDS;
+        if (!each && number % INTERVAL != 0)
+            return call();
+        const auto start = std::chrono::steady_clock::now();
+        const auto result = call();
+        const std::int64_t time = std::max<std::int64_t>(nanosecondsSince(start) - clockCost_, 0);
+        // A call that the system interrupted stands for itself alone: it would count INTERVAL times.
+        const bool alone = each || time > LONGEST_TYPICAL * mean;
+        nanoseconds_.fetch_add(alone ? time : time * static_cast<std::int64_t>(INTERVAL), std::memory_order_relaxed);
+        return result;
+    }
+
+    bool TimedObstacles::collides(const Body &body, const Pose &pose) const
+    {
+        return timed([&] { return FclObstacles::collides(body, pose); });
+    }
+
+    double TimedObstacles::clearance(const Eigen::Vector3d &point) const
+    {
+        return timed([&] { return FclObstacles::clearance(point); });
+    }
+
+    double TimedObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+    {
+        return timed([&] { return FclObstacles::findNearest(point, part); });
+    }
+
+    Touching TimedObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    {
+        return timed([&] { return FclObstacles::touches(body, pose, hit); });
+    }
+
+    bool TimedObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
+    {
+        return timed([&] { return FclObstacles::certainlyHits(body, pose, part); });
+    }
+}

@@ -1,0 +1,233 @@
+#include "demos/Program.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+using nlohmann::json;
+
+namespace
+{
+    std::string gridOf(const std::string &iterations, const std::string &trials = "2")
+    {
+        return "trials: " + trials + "\niterations: " + iterations + R"(
+goal: false
+scenes:
+  - random_polygons: {obstacles: 40, smallest: 0.02, largest: 0.08}
+    robots: [1, 3]
+planners:
+  - {planner: RRT, parameters: {range: 5}}
+  - {planner: RRTstar, parameters: {range: 5}}
+)";
+    }
+
+    int runGrid(const std::string &grid, const std::string &out, std::string &errors, const std::string &shard = "1/1")
+    {
+        Program program("certificate_experiment", {grid, "--out", out, "--shard", shard});
+        const int code = program.wait();
+        errors = program.errors();
+        return code;
+    }
+
+    std::map<std::string, json> trialsOf(const std::string &out)
+    {
+        std::map<std::string, json> trials;
+        for (const auto &entry : std::filesystem::directory_iterator(out + "/trials"))
+            trials[entry.path().filename().string()] = json::parse(contentOf(entry.path().string()));
+        return trials;
+    }
+
+    /** What a trial must repeat: its tree, and its records without times and memory */
+    json repeatable(const json &trial)
+    {
+        json rows = json::array();
+        for (const json &record : trial.at("records"))
+        {
+            json row = json::array();
+            for (std::size_t i = 0; i < record.size(); ++i)
+                if (const auto &measured = trial.at("measured");
+                    std::find(measured.begin(), measured.end(), trial.at("columns")[i]) == measured.end())
+                    row.push_back(record[i]);
+            rows.push_back(row);
+        }
+        return {trial.at("tree"), rows};
+    }
+
+    json last(const json &trial)
+    {
+        json named;
+        for (std::size_t i = 0; i < trial.at("columns").size(); ++i)
+            named[trial.at("columns")[i].get<std::string>()] = trial.at("records").back()[i];
+        return named;
+    }
+}
+
+TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "grid.yaml", gridOf("500"));
+    std::string errors;
+    ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "whole", errors), 0) << errors;
+    std::size_t before = 0;
+    for (const char *shard : {"1/3", "2/3", "3/3"})
+    {
+        ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "parts", errors, shard), 0) << errors;
+        const std::size_t now = trialsOf(folder / "parts").size();
+        // Methods that are compared are in one share.
+        EXPECT_EQ((now - before) % 4, 0u);
+        EXPECT_GT(now, before);
+        before = now;
+    }
+    const auto whole = trialsOf(folder / "whole"), parts = trialsOf(folder / "parts");
+    ASSERT_EQ(whole.size(), 32u);
+    ASSERT_EQ(parts.size(), 32u);
+    std::map<std::string, std::set<std::string>> digests;
+    for (const auto &[name, trial] : whole)
+    {
+        SCOPED_TRACE(name);
+        EXPECT_EQ(repeatable(trial), repeatable(parts.at(name)));
+        digests[trial.at("planner").get<std::string>() + trial.at("robots").dump() + trial.at("number").dump()].insert(
+            trial.at("tree").at("digest"));
+        const json end = last(trial);
+        EXPECT_EQ(end.at("iterations"), 500);
+        EXPECT_EQ(end.at("samples"), 500);
+        EXPECT_EQ(end.at("nodes").get<int>() + 1, trial.at("tree").at("states").get<int>());
+        EXPECT_LE(end.at("obstacle_seconds").get<double>(), end.at("checking_seconds").get<double>());
+        EXPECT_LE(end.at("checking_seconds").get<double>(), end.at("seconds").get<double>());
+        if (trial.at("method") == "standard")
+        {
+            EXPECT_EQ(end.at("exact"), end.at("robot_poses"));
+            EXPECT_TRUE(end.at("node_poses").is_null());
+            continue;
+        }
+        // All robots of a sample that becomes a node were looked at.
+        EXPECT_EQ(end.at("node_poses").get<int>(), end.at("nodes").get<int>() * trial.at("robots").get<int>());
+        EXPECT_LE(end.at("node_exact").get<int>(), end.at("sample_exact").get<int>());
+        EXPECT_LE(end.at("sample_exact").get<int>(), end.at("exact").get<int>());
+        EXPECT_LE(end.at("sample_poses").get<int>(), end.at("robot_poses").get<int>());
+        EXPECT_GT(end.at("node_exact").get<int>(), 0);
+    }
+    ASSERT_EQ(digests.size(), 8u);
+    for (const auto &[cell, different] : digests)
+        EXPECT_EQ(different.size(), 1u) << cell;
+}
+
+TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "grid.yaml", gridOf("20000", "1"));
+    const std::string out = folder / "out";
+    {
+        Program program("certificate_experiment", {folder / "grid.yaml", "--out", out});
+        for (int i = 0; i < 3000 && program.output().empty(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        program.signal(SIGTERM);
+        EXPECT_EQ(program.wait(), 1) << program.errors();
+    }
+    const auto some = trialsOf(out);  // Throws if one is not whole, or not a trial
+    ASSERT_GE(some.size(), 1u);
+    ASSERT_LT(some.size(), 16u);
+    const std::string damaged = out + "/trials/" + some.begin()->first;
+    const std::string text = contentOf(damaged);
+    writeFile(damaged, text.substr(0, text.size() / 2));
+    std::string kept;
+    if (some.size() > 1)
+        kept = contentOf(out + "/trials/" + some.rbegin()->first);
+
+    std::string errors;
+    ASSERT_EQ(runGrid(folder / "grid.yaml", out, errors), 0) << errors;
+    EXPECT_NE(errors.find(some.begin()->first + " is damaged"), std::string::npos) << errors;
+    const auto all = trialsOf(out);
+    EXPECT_EQ(all.size(), 16u);
+    EXPECT_EQ(repeatable(all.at(some.begin()->first)), repeatable(some.begin()->second));
+    if (some.size() > 1)
+    {
+        EXPECT_EQ(contentOf(out + "/trials/" + some.rbegin()->first), kept);
+    }
+}
+
+TEST(Experiment, refusesTheFolderOfAnotherGrid)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "grid.yaml", gridOf("50", "1"));
+    writeFile(folder / "other.yaml", gridOf("60", "1"));
+    std::string errors;
+    ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "out", errors), 0) << errors;
+    const auto before = trialsOf(folder / "out");
+    EXPECT_EQ(runGrid(folder / "other.yaml", folder / "out", errors), 2);
+    EXPECT_NE(errors.find("another grid"), std::string::npos) << errors;
+    EXPECT_EQ(trialsOf(folder / "out"), before);
+    std::filesystem::create_directory(folder / "full");
+    writeFile(folder / "full/thesis.tex", "years of work");
+    EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "full", errors), 2);
+    EXPECT_NE(errors.find("thesis.tex"), std::string::npos) << errors;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "full"), {}), 1);
+}
+
+TEST(Experiment, losesNothingWhenNoMoreCanBeWritten)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "grid.yaml", gridOf("500", "1"));
+    const std::string out = folder / "out", program = OMPL_CERTIFICATES_BIN_DIR "/certificate_experiment";
+    std::string errors;
+    ASSERT_EQ(runGrid(folder / "grid.yaml", out, errors), 0) << errors;
+    const auto before = trialsOf(out);
+    std::filesystem::remove(out + "/trials/" + before.begin()->first);
+    // Files of one block at most, which a trial exceeds: writing fails as on a full disk.
+    const std::string command = "trap '' XFSZ; ulimit -f 1; '" + program + "' '" + (folder / "grid.yaml") +
+                                "' --out '" + out + "' > /dev/null 2>&1";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+    EXPECT_EQ(trialsOf(out).size(), before.size() - 1);
+    ASSERT_EQ(runGrid(folder / "grid.yaml", out, errors), 0) << errors;
+    EXPECT_EQ(repeatable(trialsOf(out).at(before.begin()->first)), repeatable(before.begin()->second));
+}
+
+TEST(Experiment, refusesBadGrids)
+{
+    const TemporaryFolder folder;
+    const std::string good = gridOf("50");
+    const auto with = [&good](const std::string &part, const std::string &other)
+    {
+        std::string text = good;
+        return text.replace(text.find(part), part.size(), other);
+    };
+    const std::vector<std::pair<std::string, std::string>> grids{
+        {with("trials: 2", "trails: 2"), "trails"},
+        {with("trials: 2", "trials: 0"), "trials"},
+        {with("iterations: 50", "iterations: 1.5"), "iterations"},
+        {with("iterations: 50", "iterations: 50\nseconds: 1"), "iterations and seconds"},
+        {with("[1, 3]", "[1, 1]"), "scenes[0].robots[1]"},
+        {with("obstacles: 40", "obstacles: -4"), "scenes[0].random_polygons.obstacles"},
+        {with("range: 5", "reach: 5"), "no parameter 'reach'"},
+        {with("planner: RRT,", "planner: Walk,"), "no planner 'Walk'"},
+        {with("planner: RRTstar", "planner: RRT"), "name 'RRT'"},
+        {with("planner: RRTstar", "planner: RRTConnect"), "without a goal"},
+        {good + "methods: [shared, best]\n", "methods[1]"},
+        {good + "nearest: list\n", "nearest"},
+        {good + "record: {per_decade: 0}\n", "record.per_decade"},
+        {good + "resolution: 2\n", "resolution"},
+        {with("- random_polygons:", "- file: none.yaml\n    random_polygons:"), "one of file and random_polygons"},
+        {"", ""},
+        {"a: [", "not valid YAML"}};
+    for (const auto &[text, complaint] : grids)
+    {
+        SCOPED_TRACE(complaint);
+        writeFile(folder / "grid.yaml", text);
+        std::string errors;
+        EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "out", errors), 2);
+        EXPECT_NE(errors.find("grid.yaml"), std::string::npos) << errors;
+        EXPECT_NE(errors.find(complaint), std::string::npos) << errors;
+        EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+        EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    }
+    writeFile(folder / "grid.yaml", good);
+    for (const char *shard : {"0/2", "3/2", "1", "1/2x", "a/b"})
+    {
+        std::string errors;
+        EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "out", errors, shard), 2) << shard;
+        EXPECT_NE(errors.find("--shard"), std::string::npos) << errors;
+    }
+}
