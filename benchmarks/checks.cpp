@@ -9,7 +9,7 @@
 
 #include "common/RandomWorld.h"
 #include "ompl_certificates/certificates/CertifiedEnvironment.h"
-#include "ompl_certificates/certificates/LookupPolicy.h"
+#include "ompl_certificates/certificates/SwitchingPolicy.h"
 
 #include <benchmark/benchmark.h>
 #include <map>
@@ -91,7 +91,7 @@ namespace
         const CertifiedEnvironment environment(obstacles);
         // As many poses again before: certificates are known by then, but not those of the very poses.
         const std::vector<Pose> poses = makePoses(setting, *obstacles, body, which, 2 * POSES);
-        LookupPolicy policy;
+        SwitchingPolicy policy;
         CheckCounts counts;
         if (operation == Operation::SETTLE)
             for (std::size_t i = 0; i < POSES; ++i)

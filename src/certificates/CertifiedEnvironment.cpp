@@ -1,11 +1,18 @@
 #include "ompl_certificates/certificates/CertifiedEnvironment.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace ompl_certificates
 {
     namespace
     {
+        Ball enclosingBall(const PoseQuery &query)
+        {
+            const Ball &ball = query.body.getCover().getRoot();
+            return {query.pose * ball.center, ball.radius};
+        }
+
         constexpr double INF = std::numeric_limits<double>::infinity();
 
         /** How often a cover is refined by one certificate, and by new clearances */
@@ -13,6 +20,43 @@ namespace ompl_certificates
 
         /** How many clearances may be asked of one pose before the exact check is the cheaper one */
         constexpr unsigned int MOST_CLEARANCES = 8;
+
+        /** Tells a policy what the ways to settle a pose have cost, if it is the pose's turn to be timed */
+        class Stopwatch
+        {
+        public:
+            explicit Stopwatch(SwitchingPolicy &policy) : policy_(policy), runs_(policy.isTimed())
+            {
+                if (runs_)
+                    start_ = std::chrono::steady_clock::now();
+            }
+
+            void noteClearances(bool settled)
+            {
+                policy_.noteClearances(settled);
+                if (runs_)
+                    policy_.noteClearanceCost(lap());
+            }
+
+            void noteExact()
+            {
+                if (runs_)
+                    policy_.noteExactCost(lap());
+            }
+
+        private:
+            std::chrono::nanoseconds lap()
+            {
+                const auto now = std::chrono::steady_clock::now();
+                const std::chrono::nanoseconds elapsed = now - start_;
+                start_ = now;
+                return elapsed;
+            }
+
+            SwitchingPolicy &policy_;
+            const bool runs_;
+            std::chrono::steady_clock::time_point start_;
+        };
     }
 
     CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles)
@@ -32,26 +76,27 @@ namespace ompl_certificates
         return verdict.free;
     }
 
-    PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, LookupPolicy &policy,
+    PoseVerdict CertifiedEnvironment::settle(const PoseQuery &query, CertificateIndex hint, SwitchingPolicy &policy,
                                              CheckCounts &counts) const
     {
         PoseVerdict verdict;
         if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
             return verdict;
+        verdict = {};
+        if (!query.likelyFree && hitsAgain(query, counts))
+            return verdict;
         // A ball is settled by one search either way, which mostly finds something.
-        const bool search =
-            obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.isWorthwhile();
+        const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
-            return askAndLearn(query, false, counts);
+            return askAndLearn(query, false, policy, counts);
 
         // From the root: seeded at the hint, which has failed, the search takes about twice as long.
         const Ball &ball = query.body.getCover().getRoot();
         const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
-        policy.note(covering.verdict != Covering::UNKNOWN);
+        policy.noteLookup(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
-            return askAndLearn(query, true, counts);
-        verdict = {};
+            return askAndLearn(query, true, policy, counts);
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
@@ -68,29 +113,80 @@ namespace ompl_certificates
         return {query.pose * ball.center, ball.radius + margin + leastSlack, collidingRadius};
     }
 
-    PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, CheckCounts &counts) const
+    PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
     {
-        return askAndLearn(query, false, counts);
+        return askAndLearn(query, false, policy, counts);
     }
 
-    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const
+    bool CertifiedEnvironment::hitsAgain(const PoseQuery &query, CheckCounts &counts) const
+    {
+        if (query.body.isBall())
+            return false;
+        const ObstaclePart part = hits_.find(enclosingBall(query));
+        if (part == NO_PART || !obstacles_->certainlyHits(query.body, query.pose, part))
+            return false;
+        ++counts.hitAgain;
+        return true;
+    }
+
+    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy,
+                                                  CheckCounts &counts) const
+    {
+        PoseVerdict verdict;
+        verdict.asked = true;
+        Stopwatch stopwatch(policy);
+        // Only clearances tell how long a body stays free, which a continuous check must know.
+        if (query.minimumReach > 0.0 || policy.asksClearances())
+        {
+            const bool settled = settleByClearances(query, learn, verdict, counts);
+            stopwatch.noteClearances(settled);
+            if (settled)
+                return verdict;
+        }
+        else
+            ++counts.steppedAside;
+        verdict.reach = 0.0;
+        verdict.free = !((query.likelyFree && hitsAgain(query, counts)) || collides(query, counts));
+        stopwatch.noteExact();
+        return verdict;
+    }
+
+    bool CertifiedEnvironment::collides(const PoseQuery &query, CheckCounts &counts) const
+    {
+        ObstaclePart hit = NO_PART;
+        const Touching touching = obstacles_->touches(query.body, query.pose, &hit);
+        if (hit != NO_PART)
+            hits_.note(enclosingBall(query), hit);
+        if (touching != Touching::UNKNOWN)
+            return touching == Touching::YES;
+        ++counts.exactCalls;
+        return obstacles_->collides(query.body, query.pose);
+    }
+
+    bool CertifiedEnvironment::settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict,
+                                                  CheckCounts &counts) const
     {
         const double margin = getMargin(query.body);
         const bool provesCollisions = obstacles_->provesCollisions();
         unsigned int clearances = 0;
         bool collides = false;
-        PoseVerdict verdict;
-        verdict.asked = true;
-
+        ObstaclePart nearest = NO_PART;
         const auto lookup = [&](const BallQuery &ball) -> Covering
         {
             if (collides || clearances == MOST_CLEARANCES)
                 return {};
             ++clearances;
-            const Certificate certificate{ball.center, obstacles_->clearance(ball.center)};
+            const Certificate certificate{ball.center, obstacles_->findNearest(ball.center, nearest)};
             if (clearances == 1)
                 verdict.clearance = certificate.clearance;
             Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
+            // What is nearest to the middle of a body that collides is mostly what it collides with.
+            if (clearances == 1 && covering.verdict != Covering::FREE && nearest != NO_PART &&
+                obstacles_->certainlyHits(query.body, query.pose, nearest))
+            {
+                collides = true;
+                return covering;
+            }
             if (covering.verdict != Covering::FREE && provesCollisions)
                 for (const Ball &core : query.body.getCore())
                     if ((query.pose * core.center - ball.center).norm() + certificate.clearance < core.radius - margin)
@@ -104,16 +200,8 @@ namespace ompl_certificates
                 covering.certificate = certificates_.insert(certificate);
             return covering;
         };
-        const bool proved = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, lookup, verdict);
+        verdict.free = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, lookup, verdict);
         counts.clearanceQueries += clearances;
-        if (collides || proved)
-        {
-            verdict.free = proved;
-            return verdict;
-        }
-        ++counts.exactCalls;
-        verdict.free = !obstacles_->collides(query.body, query.pose);
-        verdict.reach = 0.0;
-        return verdict;
+        return verdict.free || collides;
     }
 }

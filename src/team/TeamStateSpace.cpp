@@ -71,6 +71,17 @@ namespace ompl_certificates
         return robots_.empty() ? 0 : robots_.front()->getWorkspaceDimension();
     }
 
+    Heights TeamStateSpace::getHeights() const
+    {
+        if (robots_.empty())
+            return {};
+        Heights heights = robots_.front()->getBodies().front().getHeights();
+        for (const RobotPtr &robot : robots_)
+            for (const Body &body : robot->getBodies())
+                heights = heights.unitedWith(body.getHeights());
+        return heights;
+    }
+
     double TeamStateSpace::getMaximumExtent() const
     {
         double squares = 0.0;

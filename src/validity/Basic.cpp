@@ -13,13 +13,16 @@ namespace ompl_certificates
     }
 
     Basic::Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-      : CertificateChecker(si, obstacles), environment_(obstacles)
+      : CertificateChecker(si, obstacles), environment_(obstacles), policies_(getBodyCount())
     {
     }
 
     void Basic::clear()
     {
         CertificateChecker::clear();
+        environment_.clear();
+        for (auto &policy : policies_)
+            policy.reset();
         certificates_.clear();
         teamCertificates_ = 0;
     }
@@ -48,7 +51,7 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
             for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
             {
-                const PoseQuery query = queryOf(robot, body, poses, travel);
+                const PoseQuery query = queryOf(robot, body, poses, {travel});
                 const Certificate &certificate =
                     certificates_[static_cast<CertificateIndex>(team * getBodyCount() + getFirstBody(robot) + body)];
                 const auto lookup = [&](const BallQuery &ball)
@@ -61,12 +64,12 @@ namespace ompl_certificates
         return true;
     }
 
-    PoseVerdict Basic::settleGroup(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
-                                   double minimumReach, CertificateIndex *references, CheckCounts &counts) const
+    PoseVerdict Basic::settleGroup(unsigned int /*group*/, const Pose *poses, const Motion &motion,
+                                   CertificateIndex *references, CheckCounts &counts) const
     {
         const unsigned int robots = team_.getRobotCount();
         PoseVerdict whole;
-        if (proveTeamFree(references[0], poses, travel, whole) && whole.reach >= minimumReach)
+        if (proveTeamFree(references[0], poses, motion.travel, whole) && whole.reach >= motion.minimumReach)
         {
             counts.robotPoses += robots;
             counts.certifiedFree += robots;
@@ -81,8 +84,8 @@ namespace ompl_certificates
             ++counts.exact;
             for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
             {
-                const PoseQuery query = queryOf(robot, body, poses, travel);
-                const PoseVerdict one = environment_.ask(query, counts);
+                const PoseQuery query = queryOf(robot, body, poses, motion);
+                const PoseVerdict one = environment_.ask(query, policies_[getFirstBody(robot) + body], counts);
                 whole.free = one.free;
                 whole.reach = std::min(whole.reach, one.reach);
                 fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});

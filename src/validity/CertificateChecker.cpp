@@ -19,7 +19,7 @@ namespace ompl_certificates
                 team_.getRobot(robot).computePoses(teamState->components[robot], poses + getFirstBody(robot));
                 references[robot] = teamState->getReference(robot);
             }
-            valid = settleGroup(group, poses, nullptr, 0.0, references.data(), counts).free;
+            valid = settleGroup(group, poses, {}, references.data(), counts).free;
             for (unsigned int robot = first; robot < last; ++robot)
                 teamState->setReference(robot, references[robot]);
         }

@@ -41,9 +41,8 @@ namespace ompl_certificates
         return all;
     }
 
-    PoseVerdict ProjectedChecker::settleGroup(unsigned int robot, const Pose *poses, const TravelBound *travel,
-                                              double minimumReach, CertificateIndex *references,
-                                              CheckCounts &counts) const
+    PoseVerdict ProjectedChecker::settleGroup(unsigned int robot, const Pose *poses, const Motion &motion,
+                                              CertificateIndex *references, CheckCounts &counts) const
     {
         const CertifiedEnvironment &environment = environmentOf(robot);
         PoseVerdict whole;
@@ -52,8 +51,8 @@ namespace ompl_certificates
         whole.reference = references[robot];
         for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
         {
-            const PoseVerdict one = environment.settle(queryOf(robot, body, poses, travel, minimumReach),
-                                                       whole.reference, policies_[getFirstBody(robot) + body], counts);
+            const PoseVerdict one = environment.settle(queryOf(robot, body, poses, motion), whole.reference,
+                                                       policies_[getFirstBody(robot) + body], counts);
             whole.free = one.free;
             whole.reach = std::min(whole.reach, one.reach);
             whole.asked = whole.asked || one.asked;
@@ -79,7 +78,7 @@ namespace ompl_certificates
         for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
         {
             PoseVerdict verdict;
-            if (!environmentOf(robot).settleByHint(queryOf(robot, body, poses, travel), references[robot], verdict))
+            if (!environmentOf(robot).settleByHint(queryOf(robot, body, poses, {travel}), references[robot], verdict))
                 return 0.0;
             reach = std::min(reach, verdict.reach);
         }

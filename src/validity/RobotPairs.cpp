@@ -46,7 +46,8 @@ namespace ompl_certificates
         for (const auto &frame : frames_)
             if (frame->body == body)
                 return frame;
-        auto obstacles = std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}});
+        auto obstacles =
+            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getHeights());
         frames_.push_back(std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles), {}}));
         return frames_.back();
     }

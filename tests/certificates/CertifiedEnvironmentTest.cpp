@@ -31,7 +31,7 @@ TEST_P(Environment, GivesTheVerdictsOfItsObstacles)
         Random random(seed);
         const auto obstacles = randomObstacles(random, GetParam());
         const CertifiedEnvironment environment(obstacles);
-        LookupPolicy policies[2];
+        SwitchingPolicy policies[2], plainPolicy;
         const Body bodies[] = {randomBody(random, GetParam(), 0.5), randomBody(random, GetParam(), 0.5)};
         CheckCounts counts, plainCounts;
         CertificateIndex hint = NO_CERTIFICATE;
@@ -43,7 +43,7 @@ TEST_P(Environment, GivesTheVerdictsOfItsObstacles)
             const bool free = !obstacles->collides(body, pose);
             const PoseVerdict verdict = environment.settle({body, pose}, hint, policies[which], counts);
             ASSERT_EQ(verdict.free, free);
-            ASSERT_EQ(environment.ask({body, pose}, plainCounts).free, free);
+            ASSERT_EQ(environment.ask({body, pose}, plainPolicy, plainCounts).free, free);
             hint = verdict.reference;
             PoseVerdict hinted;
             ASSERT_TRUE(!environment.settleByHint({body, pose}, hint, hinted) || free);
@@ -63,7 +63,7 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
         const auto obstacles = randomObstacles(random, GetParam());
         const CertifiedEnvironment environment(obstacles);
         const Body body = randomBody(random, GetParam(), 0.5);
-        LookupPolicy policy;
+        SwitchingPolicy policy;
         CheckCounts counts;
         for (int i = 0; i < 20; ++i)
         {
@@ -93,7 +93,7 @@ TEST_P(Environment, LearnsNothingFromPosesThatItHasSeen)
         Random random(seed);
         const CertifiedEnvironment environment(randomObstacles(random, GetParam()));
         const Body body = randomBody(random, GetParam(), 0.5);
-        LookupPolicy policy;
+        SwitchingPolicy policy;
         CheckCounts counts;
         std::vector<Pose> poses;
         for (int i = 0; i < 50; ++i)

@@ -3,7 +3,8 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 #include "ompl_certificates/certificates/CheckCounts.h"
-#include "ompl_certificates/certificates/LookupPolicy.h"
+#include "ompl_certificates/certificates/HitMemory.h"
+#include "ompl_certificates/certificates/SwitchingPolicy.h"
 #include "ompl_certificates/geometry/Obstacles.h"
 #include "ompl_certificates/geometry/Robot.h"
 
@@ -22,6 +23,9 @@ namespace ompl_certificates
 
         /** \brief A certificate that proves less than this, in time of the motion, is passed over for a new clearance */
         double minimumReach{0.0};
+
+        /** \brief Whether the body is probably free, as between two free ends of a motion: collisions are tried last */
+        bool likelyFree{false};
 
         /** \brief How fast the center of a ball of the body moves, at most */
         double speedOf(const Ball &ball) const
@@ -69,13 +73,13 @@ namespace ompl_certificates
 
         /** \brief Settle \e query: by certificates, else by asking the obstacles, and remember the answer.
             \param hint a certificate that may well be near, or NO_CERTIFICATE
-            \param policy whether certificates other than the hint are worth looking up
+            \param policy what is worth trying before the exact check
             \param counts where to count clearances and exact calls */
-        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, LookupPolicy &policy,
+        PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, SwitchingPolicy &policy,
                            CheckCounts &counts) const;
 
         /** \brief Settle \e query by asking the obstacles, with no use of certificates */
-        PoseVerdict ask(const PoseQuery &query, CheckCounts &counts) const;
+        PoseVerdict ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const;
 
         /** \brief Settle \e query by certificate \e hint alone
             \return whether it proves the body free; then \e verdict tells for how long */
@@ -103,17 +107,28 @@ namespace ompl_certificates
         void clear()
         {
             certificates_.clear();
+            hits_.clear();
         }
 
     private:
         /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
-        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, CheckCounts &counts) const;
+        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy, CheckCounts &counts) const;
+
+        /** \brief Settle \e query by clearances, if they do; counts them in \e verdict and \e counts */
+        bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
+
+        /** \brief Whether the body collides, by the obstacles' quick test or else by the exact check; remembers what it hits */
+        bool collides(const PoseQuery &query, CheckCounts &counts) const;
+
+        /** \brief Whether the body certainly hits the part of the obstacles that was hit last around it */
+        bool hitsAgain(const PoseQuery &query, CheckCounts &counts) const;
 
         /** \brief The ball whose certificates are looked up for a body: it settles the whole body either way */
         BallQuery wholeBodyQuery(const PoseQuery &query) const;
 
         ObstaclesPtr obstacles_;
         mutable CertificateTree certificates_;
+        mutable HitMemory hits_;
     };
 
     template <typename Lookup>

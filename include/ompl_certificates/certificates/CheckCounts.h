@@ -30,6 +30,12 @@ namespace ompl_certificates
         /** \brief Calls of the exact check of the obstacles (FCL) */
         std::uint64_t exactCalls{0};
 
+        /** \brief Robots at states that were found to hit the same part of the obstacles as was hit last around there */
+        std::uint64_t hitAgain{0};
+
+        /** \brief Exact checks that no clearances were asked before, since that does not pay; see SwitchingPolicy */
+        std::uint64_t steppedAside{0};
+
         /** \brief Pairs of robots at states that were looked at */
         std::uint64_t pairPoses{0};
 

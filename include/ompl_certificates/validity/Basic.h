@@ -45,7 +45,7 @@ namespace ompl_certificates
             return {0, team_.getRobotCount()};
         }
 
-        PoseVerdict settleGroup(unsigned int group, const Pose *poses, const TravelBound *travel, double minimumReach,
+        PoseVerdict settleGroup(unsigned int group, const Pose *poses, const Motion &motion,
                                 CertificateIndex *references, CheckCounts &counts) const override;
 
         double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
@@ -57,6 +57,8 @@ namespace ompl_certificates
                            PoseVerdict &verdict) const;
 
         CertifiedEnvironment environment_;
+        /** \brief For each body of the team */
+        mutable std::vector<SwitchingPolicy> policies_;
         mutable std::mutex insertMutex_;
         /** \brief The certificates of a team certificate stand next to each other, one for each body */
         mutable ChunkedArray<Certificate> certificates_;

@@ -33,6 +33,19 @@ namespace ompl_certificates
         /** \brief All certificates kept for the obstacles' side, for pictures and analysis */
         virtual std::vector<Certificate> getCertificates() const = 0;
 
+        /** \brief The motion that the poses to settle are a sample of */
+        struct Motion
+        {
+            /** \brief How fast all bodies of the team move, or null if they do not move */
+            const TravelBound *travel{nullptr};
+
+            /** \brief Certificates that prove less, in time of the motion, are passed over */
+            double minimumReach{0.0};
+
+            /** \brief Whether the sample lies between free ends */
+            bool inside{false};
+        };
+
         /** \brief Robots that are settled together: those from \e first to \e last - 1 */
         struct Group
         {
@@ -53,13 +66,11 @@ namespace ompl_certificates
 
         /** \brief Settle the robots of a group against the obstacles.
             \param poses poses of all bodies of the team, of which those of the group are filled in
-            \param travel how fast all bodies of the team move, or null if they do not move
-            \param minimumReach certificates that prove less, in time of the motion, are passed over
+            \param motion the motion that they are a sample of
             \param references certificates, one for each robot of the team, that may be near; replaced by better ones
             \param counts where to count */
-        virtual PoseVerdict settleGroup(unsigned int group, const Pose *poses, const TravelBound *travel,
-                                        double minimumReach, CertificateIndex *references,
-                                        CheckCounts &counts) const = 0;
+        virtual PoseVerdict settleGroup(unsigned int group, const Pose *poses, const Motion &motion,
+                                        CertificateIndex *references, CheckCounts &counts) const = 0;
 
         /** \brief For how long the certificates referred to prove a group free; 0 if they do not. Looks no further. */
         virtual double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
@@ -69,12 +80,11 @@ namespace ompl_certificates
         friend class CertificateMotionValidator;
 
         /** \brief What a body is asked of its environment; \e body counts within the robot */
-        PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const TravelBound *travel,
-                          double minimumReach = 0.0) const
+        PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const Motion &motion) const
         {
             const std::size_t index = getFirstBody(robot) + body;
-            return {team_.getRobot(robot).getBodies()[body], poses[index], travel ? travel + index : nullptr,
-                    minimumReach};
+            return {team_.getRobot(robot).getBodies()[body], poses[index],
+                    motion.travel ? motion.travel + index : nullptr, motion.minimumReach, motion.inside};
         }
     };
 }

@@ -18,7 +18,7 @@ namespace ompl_certificates
 
         std::vector<Certificate> getCertificates() const override;
 
-        PoseVerdict settleGroup(unsigned int group, const Pose *poses, const TravelBound *travel, double minimumReach,
+        PoseVerdict settleGroup(unsigned int group, const Pose *poses, const Motion &motion,
                                 CertificateIndex *references, CheckCounts &counts) const override;
 
         double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
@@ -36,7 +36,7 @@ namespace ompl_certificates
 
         std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
         /** For each body of the team */
-        mutable std::vector<LookupPolicy> policies_;
+        mutable std::vector<SwitchingPolicy> policies_;
     };
 }
 

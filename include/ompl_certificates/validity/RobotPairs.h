@@ -66,7 +66,7 @@ namespace ompl_certificates
         {
             Body body;
             CertifiedEnvironment environment;
-            LookupPolicy policy;
+            SwitchingPolicy policy;
         };
 
         /** \brief A body of one robot and a body of the other */
