@@ -115,8 +115,6 @@ namespace
     /** Plan, and fill in what of the report is known by then */
     void plan(TeamSetup &setup, const Options &options, PlanReport &report)
     {
-        setup.setNearestStructure(nearestStructureOf(options.nearest));
-        setup.setup();
         const auto clock = std::make_shared<NearestClock>();
         const bool timed = timeNearest(*setup.getPlanner(), clock);
         const ob::Planner &planner = *setup.getPlanner();
@@ -238,6 +236,7 @@ namespace
             setup->setOptimizationObjective(objective);
         demos::checkOutputs({{"--picture", options.picture}, {"--path", options.path}, {"--report", options.report}},
                             {options.scene});
+        setup->setNearestStructure(nearestStructureOf(options.nearest));
         setup->setup();
         setup->getStatistics().reset();
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);

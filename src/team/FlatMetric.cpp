@@ -34,6 +34,9 @@ namespace ompl_certificates
         constexpr double LENGTH_ERROR = 1e-6;
         constexpr float CHORD_ERROR = 5e-6F;
 
+        /** OMPL's: quaternions whose dot product is this close to 1 have the distance 0. */
+        constexpr double SAME_ROTATION = 1e-9;
+
         /** Not dynamic_cast: a derived class, such as Dubins' cars, may have a distance of its own. */
         template <typename Space>
         bool is(const ob::StateSpace &space)
@@ -87,14 +90,15 @@ namespace ompl_certificates
         }
     }
 
-    FlatMetric::FlatMetric(const ob::StateSpace &space)
+    FlatMetric::FlatMetric(const ob::StateSpace &space) : isTeam_(is<TeamStateSpace>(space))
     {
         std::vector<unsigned int> path;
-        if (is<TeamStateSpace>(space))
+        if (isTeam_)
         {
             const auto &team = *space.as<ob::CompoundStateSpace>();
             for (path.push_back(0); path[0] < team.getSubspaceCount(); ++path[0])
             {
+                terms_.push_back(termOf(*team.getSubspace(path[0]), team.getSubspaceWeight(path[0]), path));
                 Group group;
                 collect(*team.getSubspace(path[0]), team.getSubspaceWeight(path[0]), path, group);
                 groups_.push_back(std::move(group));
@@ -102,6 +106,7 @@ namespace ompl_certificates
         }
         else
         {
+            terms_.push_back(termOf(space, 1.0, path));
             groups_.emplace_back();
             collect(space, 1.0, path, groups_.back());
         }
@@ -122,6 +127,118 @@ namespace ompl_certificates
             if (i < plainGroups_)
                 plain_ = dimension_;
         }
+    }
+
+    FlatMetric::Term FlatMetric::termOf(const ob::StateSpace &space, double weight,
+                                        const std::vector<unsigned int> &path)
+    {
+        Term term{Term::SUM, weight, exactSize_, 0, path, {}};
+        if (weight == 0.0)
+            return term;
+        if (isCompound(space))
+        {
+            const auto &compound = *space.as<ob::CompoundStateSpace>();
+            for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
+                term.terms.push_back(termOf(*compound.getSubspace(i), compound.getSubspaceWeight(i), {i}));
+            return term;
+        }
+        if (is<ob::RealVectorStateSpace>(space))
+        {
+            term.kind = Term::VECTOR;
+            term.count = space.getDimension();
+        }
+        else if (is<ob::SO2StateSpace>(space))
+        {
+            term.kind = Term::ANGLE;
+            term.count = 1;
+        }
+        else if (is<ob::SO3StateSpace>(space))
+        {
+            term.kind = Term::ROTATION;
+            term.count = 4;
+        }
+        else
+            exact_ = false;
+        exactSize_ += term.count;
+        return term;
+    }
+
+    void FlatMetric::copyExact(const Term &term, const ob::State *state, double *row)
+    {
+        for (const unsigned int i : term.path)
+            state = static_cast<const ob::CompoundState *>(state)->components[i];
+        for (const Term &part : term.terms)
+            copyExact(part, state, row);
+        row += term.first;
+        if (term.kind == Term::VECTOR)
+            std::copy_n(static_cast<const ob::RealVectorStateSpace::StateType *>(state)->values, term.count, row);
+        else if (term.kind == Term::ANGLE)
+            row[0] = static_cast<const ob::SO2StateSpace::StateType *>(state)->value;
+        else if (term.kind == Term::ROTATION)
+        {
+            const auto *q = static_cast<const ob::SO3StateSpace::StateType *>(state);
+            row[0] = q->x;
+            row[1] = q->y;
+            row[2] = q->z;
+            row[3] = q->w;
+        }
+    }
+
+    void FlatMetric::copyExact(const ob::State *state, double *row) const
+    {
+        for (const Term &term : terms_)
+            copyExact(term, state, row);
+    }
+
+    double FlatMetric::exactDistance(const Term &term, const double *row, const double *other)
+    {
+        double sum = 0.0;
+        if (term.kind == Term::SUM)
+        {
+            for (const Term &part : term.terms)
+                sum += part.weight * exactDistance(part, row, other);
+            return sum;
+        }
+        row += term.first;
+        other += term.first;
+        if (term.kind == Term::VECTOR)
+        {
+            for (unsigned int i = 0; i < term.count; ++i)
+            {
+                const double difference = row[i] - other[i];
+                sum += difference * difference;
+            }
+            return std::sqrt(sum);
+        }
+        if (term.kind == Term::ANGLE)
+        {
+            const double difference = std::abs(row[0] - other[0]);
+            return difference > M_PI ? 2.0 * M_PI - difference : difference;
+        }
+        const double dot = std::abs(row[0] * other[0] + row[1] * other[1] + row[2] * other[2] + row[3] * other[3]);
+        return dot > 1.0 - SAME_ROTATION ? 0.0 : std::acos(dot);
+    }
+
+    double FlatMetric::exactDistance(const double *row, const double *other) const
+    {
+        if (!isTeam_)
+            return exactDistance(terms_[0], row, other);
+        double squares = 0.0;
+        for (const Term &term : terms_)
+        {
+            double distance = 0.0;
+            if (term.kind == Term::VECTOR)  // as most are, and in the loop that counts
+            {
+                for (unsigned int i = term.first; i < term.first + term.count; ++i)
+                    distance += (row[i] - other[i]) * (row[i] - other[i]);
+                distance = std::sqrt(distance);
+            }
+            else
+                distance = exactDistance(term, row, other);
+            distance *= term.weight;
+            squares += distance * distance;
+        }
+        return std::sqrt(squares);
     }
 
     void FlatMetric::collect(const ob::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group)

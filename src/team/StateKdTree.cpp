@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -15,6 +16,11 @@ namespace ompl_certificates
     {
         /** How many states a leaf takes before it is divided */
         constexpr std::uint32_t LEAF_SIZE = 64;
+
+        constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+        /** The most neighbors of which a heap is kept */
+        constexpr std::size_t MOST_IN_HEAP = 32;
 
         /** Bounds are computed for so many states at a time; see FlatMetric::bounds() */
         constexpr std::size_t BATCH = 64;
@@ -48,10 +54,48 @@ namespace ompl_certificates
             double distance;
         };
 
+        /** Sort by distance, then by number. RRT* asks for hundreds or thousands of neighbors, whose distances are spread
+            enough to go straight to about their places. */
+        void sortNeighbors(StateKdTree::Neighbors &neighbors)
+        {
+            constexpr std::size_t FEW = 64;
+            const auto [first, last] = std::minmax_element(neighbors.begin(), neighbors.end());
+            const std::size_t size = neighbors.size(), buckets = 2 * size;
+            const double low = size > 0 ? first->first : 0.0, range = size > 0 ? last->first - low : 0.0;
+            const double scale = static_cast<double>(buckets - 1) / range;
+            if (size < FEW || !std::isfinite(scale) || !std::isfinite(range))
+                return std::sort(neighbors.begin(), neighbors.end());
+            thread_local StateKdTree::Neighbors other;
+            thread_local std::vector<std::uint32_t> starts, places;
+            starts.assign(buckets, 0);
+            places.resize(size);
+            other.resize(size);
+            for (std::size_t i = 0; i < size; ++i)
+            {
+                places[i] = static_cast<std::uint32_t>((neighbors[i].first - low) * scale);
+                ++starts[places[i]];
+            }
+            std::uint32_t sum = 0;
+            for (auto &start : starts)
+                sum += std::exchange(start, sum);
+            for (std::size_t i = 0; i < size; ++i)
+                other[starts[places[i]]++] = neighbors[i];
+            neighbors.swap(other);
+            // Each start has become the bucket's end.
+            std::size_t begin = 0;
+            for (const auto end : starts)
+            {
+                if (end - begin > 1)
+                    std::sort(neighbors.begin() + static_cast<std::ptrdiff_t>(begin), neighbors.begin() + end);
+                begin = end;
+            }
+        }
+
         /** What a query needs to remember; kept for the thread's next one */
         struct Scratch
         {
             std::vector<float> row;
+            std::vector<double> exact;
             std::vector<Pending> pending;
             std::vector<Candidate> candidates;
             std::vector<double> best;
@@ -72,10 +116,12 @@ namespace ompl_certificates
         double magnitude;
         float most;
         Scratch &scratch;
+        /** With so many candidates, those are dropped that are ruled out by now. */
+        std::size_t limit;
     };
 
     StateKdTree::StateKdTree(const ob::StateSpace &space)
-      : metric_(std::make_unique<const FlatMetric>(space)), rowSize_(metric_->getRowSize())
+      : metric_(std::make_unique<const FlatMetric>(space)), rowSize_(metric_->getRowSize()), exact_(metric_->isExact())
     {
     }
 
@@ -92,7 +138,20 @@ namespace ompl_certificates
         boxes_.clear();
         leaves_.clear();
         places_.clear();
+        blocks_.clear();
         magnitude_ = 0.0;
+    }
+
+    double *StateKdTree::exactRow(std::size_t index) const
+    {
+        return blocks_[index / BLOCK_SIZE].get() + index % BLOCK_SIZE * metric_->getExactSize();
+    }
+
+    double StateKdTree::distance(const ob::State *state, Index index) const
+    {
+        std::vector<double> exact(metric_->getExactSize());
+        metric_->copyExact(state, exact.data());
+        return metric_->exactDistance(exact.data(), exactRow(index));
     }
 
     float *StateKdTree::low(std::uint32_t node)
@@ -241,6 +300,9 @@ namespace ompl_certificates
         }
         const auto index = static_cast<Index>(places_.size());
         places_.emplace_back();
+        if (blocks_.size() * BLOCK_SIZE == index)
+            blocks_.emplace_back(new double[BLOCK_SIZE * metric_->getExactSize()]);
+        metric_->copyExact(state, exactRow(index));
         put(*nodes_[node].leaf, row.data(), index);
         return true;
     }
@@ -260,6 +322,7 @@ namespace ompl_certificates
         {
             places_[index] = places_[end];
             places_[index].leaf->indices[places_[index].position] = index;
+            std::copy_n(exactRow(end), metric_->getExactSize(), exactRow(index));
         }
         places_.pop_back();
     }
@@ -279,9 +342,28 @@ namespace ompl_certificates
         return NONE;
     }
 
+    double StateKdTree::distanceOf(const Search &search, Index index) const
+    {
+        return exact_ ? metric_->exactDistance(search.scratch.exact.data(), exactRow(index)) : search.distance(index);
+    }
+
+    void StateKdTree::compact(Search &search) const
+    {
+        auto &candidates = search.scratch.candidates;
+        const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(search.count - 1);
+        std::nth_element(candidates.begin(), last, candidates.end(),
+                         [](const Candidate &a, const Candidate &b) { return a.distance < b.distance; });
+        search.most = std::min(search.most, metric_->threshold(last->distance, search.magnitude));
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                        [&](const Candidate &candidate) { return !(candidate.square <= search.most); }),
+                         candidates.end());
+        search.limit = candidates.size() + search.count;
+    }
+
     void StateKdTree::searchLeaf(Search &search, const Leaf &leaf) const
     {
-        auto &[row, pending, candidates, best] = search.scratch;
+        auto &candidates = search.scratch.candidates;
+        auto &best = search.scratch.best;
         float squares[BATCH];
         const std::size_t size = leaf.indices.size();
         const auto stride = static_cast<std::size_t>(leaf.columns.rows());
@@ -289,7 +371,8 @@ namespace ompl_certificates
         {
             const std::size_t count = std::min(size - first, BATCH);
             const std::size_t rounded = (count + FlatMetric::BLOCK - 1) / FlatMetric::BLOCK * FlatMetric::BLOCK;
-            if (!metric_->bounds(row.data(), leaf.columns.data() + first, stride, rounded, search.most, squares))
+            if (!metric_->bounds(search.scratch.row.data(), leaf.columns.data() + first, stride, rounded, search.most,
+                                 squares))
                 continue;
             for (std::size_t i = 0; i < count; ++i)
             {
@@ -298,9 +381,10 @@ namespace ompl_certificates
                 const Index index = leaf.indices[first + i];
                 // Where bounds are nearly the distance, those found can be told from the rest without it.
                 const double distance =
-                    metric_->isTight() ? metric_->largest(squares[i], search.magnitude) : search.distance(index);
+                    metric_->isTight() ? metric_->largest(squares[i], search.magnitude) : distanceOf(search, index);
                 candidates.push_back({squares[i], index, distance});
-                if (search.count == this->size())  // the radius alone decides
+                // A heap is kept of the best few; of many it would cost more than it rules out.
+                if (search.count > MOST_IN_HEAP)
                     continue;
                 if (best.size() == search.count)
                 {
@@ -316,6 +400,8 @@ namespace ompl_certificates
                     search.most = std::min(search.most, metric_->threshold(best.front(), search.magnitude));
             }
         }
+        if (search.count > MOST_IN_HEAP && candidates.size() >= search.limit)
+            compact(search);
     }
 
     void StateKdTree::searchTree(Search &search) const
@@ -367,18 +453,33 @@ namespace ompl_certificates
         }
         else
         {
-            Search search{distance, count, magnitude, metric_->threshold(radius, magnitude), scratch};
-            searchTree(search);
+            scratch.exact.resize(metric_->getExactSize());
+            metric_->copyExact(state, scratch.exact.data());
+            // The radius alone decides if all may be in it, which a limit out of reach says.
+            Search search{distance,  count,
+                          magnitude, metric_->threshold(radius, magnitude),
+                          scratch,   count == size() ? size() + 1 : 2 * count};
+            // A tree that can rule out few is not worth its walk.
+            if (exact_ && radius == INFINITE && 2 * count > size())
+                for (Index i = 0; i < size(); ++i)
+                    neighbors.emplace_back(distanceOf(search, i), i);
+            else
+                searchTree(search);
             for (const auto &candidate : scratch.candidates)
                 if (candidate.square <= search.most)
-                    neighbors.emplace_back(metric_->isTight() ? distance(candidate.index) : candidate.distance,
-                                           candidate.index);
+                    neighbors.emplace_back(
+                        metric_->isTight() ? distanceOf(search, candidate.index) : candidate.distance, candidate.index);
         }
-        neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
-                                       [&](const auto &neighbor) { return !(neighbor.first <= radius); }),
-                        neighbors.end());
-        count = std::min(count, neighbors.size());
-        std::partial_sort(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count), neighbors.end());
-        neighbors.resize(count);
+        if (radius < INFINITE)
+            neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
+                                           [&](const auto &neighbor) { return !(neighbor.first <= radius); }),
+                            neighbors.end());
+        if (count < neighbors.size())
+        {
+            std::nth_element(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count),
+                             neighbors.end());
+            neighbors.resize(count);
+        }
+        sortNeighbors(neighbors);
     }
 }

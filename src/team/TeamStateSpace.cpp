@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <ompl/base/StateSampler.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
@@ -97,7 +99,18 @@ namespace ompl_certificates
         double squares = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
         {
-            const double distance = weights_[i] * components_[i]->distance(a->components[i], b->components[i]);
+            double distance = 0.0;
+            if (i < vectors_.size() && vectors_[i] > 0)
+            {
+                const double *x = a->as<ob::RealVectorStateSpace::StateType>(i)->values;
+                const double *y = b->as<ob::RealVectorStateSpace::StateType>(i)->values;
+                for (unsigned int j = 0; j < vectors_[i]; ++j)
+                    distance += (x[j] - y[j]) * (x[j] - y[j]);
+                distance = std::sqrt(distance);
+            }
+            else
+                distance = components_[i]->distance(a->components[i], b->components[i]);
+            distance *= weights_[i];
             squares += distance * distance;
         }
         return std::sqrt(squares);
@@ -174,5 +187,11 @@ namespace ompl_certificates
         if (componentCount_ != robots_.size())
             throw ompl::Exception(getName(), "a team's components are added by addRobot(), not by addSubspace()");
         CompoundStateSpace::setup();
+        vectors_.clear();
+        for (const auto &component : components_)
+        {
+            const auto &space = *component;
+            vectors_.push_back(typeid(space) == typeid(ob::RealVectorStateSpace) ? space.getDimension() : 0);
+        }
     }
 }

@@ -75,6 +75,13 @@ namespace ompl_certificates
         setStateValidityChecker(checker_);
     }
 
+    void TeamSetup::setNearestStructure(NearestStructure structure)
+    {
+        if (configured_)
+            throw ompl::Exception("The structure for near states is to be chosen before setup()");
+        nearestStructure_ = structure;
+    }
+
     void TeamSetup::setup()
     {
         SimpleSetup::setup();

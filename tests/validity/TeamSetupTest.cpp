@@ -54,6 +54,7 @@ TEST(TeamSetup, GivesItsPlannerAKdTreeUnlessToldOtherwise)
     const auto first = planner(standard);
     standard.setup();
     EXPECT_TRUE(first->uses<PlannerKdTree>());
+    EXPECT_THROW(standard.setNearestStructure(NearestStructure::GNAT), ompl::Exception);
     EXPECT_TRUE(standard.solve(1.0));
     EXPECT_TRUE(first->uses<PlannerKdTree>());
     const auto second = planner(standard);  // the next planner gets one, too

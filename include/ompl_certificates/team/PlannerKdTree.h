@@ -255,6 +255,10 @@ namespace ompl_certificates
                 if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
                     return stepAside(*gnat_);
             }
+            // Should OMPL compute them in another way one day, or the compiler fuse what it did not, rounding would differ.
+            for (StateKdTree::Index i = 0; i < tree_->size(); ++i)
+                if (tree_->isExact() && tree_->distance(stateOf(data), i) != this->distFun_(data, elements_[i]))
+                    tree_->distrust();
         }
 
         void stepAside(ompl::NearestNeighbors<_T> &other)

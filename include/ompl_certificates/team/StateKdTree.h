@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_TEAM_STATE_KD_TREE_
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <ompl/base/StateSpace.h>
@@ -46,6 +47,22 @@ namespace ompl_certificates
         /** \brief Whether the tree can rule out anything: it knows a component of the space. If not, do not use it. */
         bool isUseful() const;
 
+        /** \brief Whether distances to the states are the space's to the last bit, and so need not be asked of the caller:
+            true if the tree knows every component of the space. */
+        bool isExact() const
+        {
+            return exact_;
+        }
+
+        /** \brief From now on, ask the caller for all distances */
+        void distrust()
+        {
+            exact_ = false;
+        }
+
+        /** \brief The distance from \e state to the one with this number; only if isExact() */
+        double distance(const ompl::base::State *state, Index index) const;
+
         /** \brief Add a state; its number is the size before. The state must not change while it is in the tree.
             \return false, and nothing is added, if the state is out of the domain of its space's distance: not finite,
             an angle out of [-pi, pi], a quaternion that is not of unit length */
@@ -59,7 +76,7 @@ namespace ompl_certificates
         Index find(const ompl::base::State *state, const std::function<bool(Index)> &is) const;
 
         /** \brief Find the \e count nearest of those states that are not further than \e radius from \e state, sorted; of
-            equal distances the lower number first. \e distance is called for these and few more. */
+            equal distances the lower number first. \e distance is called for these and few more, if not isExact(). */
         void nearest(const ompl::base::State *state, std::size_t count, double radius, const Distance &distance,
                      Neighbors &neighbors) const;
 
@@ -73,6 +90,9 @@ namespace ompl_certificates
         void clear();
 
     private:
+        /** Exact coordinates are kept in blocks of so many states: a growing array would have to be moved at times. */
+        static constexpr std::size_t BLOCK_SIZE = 512;
+
         struct Leaf;
         struct Search;
 
@@ -101,6 +121,9 @@ namespace ompl_certificates
         void put(Leaf &leaf, const float *row, Index index);
         bool divide(std::uint32_t node, unsigned int depth);
         float chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high, unsigned int depth) const;
+        double *exactRow(std::size_t index) const;
+        double distanceOf(const Search &search, Index index) const;
+        void compact(Search &search) const;
         void searchTree(Search &search) const;
         void searchLeaf(Search &search, const Leaf &leaf) const;
 
@@ -110,7 +133,10 @@ namespace ompl_certificates
         /** The box of what is, or was, in node i: a row of low coordinates, then one of high ones */
         std::vector<float> boxes_;
         std::vector<std::unique_ptr<Leaf>> leaves_;
-        std::vector<Place> places_;
+        std::deque<Place> places_;
+        /** The states' own coordinates */
+        std::vector<std::unique_ptr<double[]>> blocks_;
+        bool exact_;
         /** See FlatMetric::flatten() */
         double magnitude_{0.0};
     };

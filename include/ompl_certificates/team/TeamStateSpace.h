@@ -112,6 +112,9 @@ namespace ompl_certificates
         void copyReferences(const StateType *destination, const StateType *source) const;
 
         std::vector<RobotPtr> robots_;
+        /** The dimensions of components that are R^n, once the space is set up; 0 for others. Planners ask for distances more
+            than for anything else, and those need no virtual call. */
+        std::vector<unsigned int> vectors_;
     };
 
     /** \brief A shared pointer to a team's state space */

@@ -44,13 +44,11 @@ namespace ompl_certificates
                   Method method = Method::SHARED_PROJECTION,
                   CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
-        /** \brief Choose what the planner looks for near states in; to be called before setup(). By default it is a
-            PlannerKdTree, which finds what a GNAT finds: trees are the same, but may differ where distances are exactly
-            equal. A structure of another class than OMPL's GNATs that the planner was given is kept. */
-        void setNearestStructure(NearestStructure structure)
-        {
-            nearestStructure_ = structure;
-        }
+        /** \brief Choose what the planner looks for near states in. By default it is a PlannerKdTree, which finds what a
+            GNAT finds: trees are the same, but may differ where distances are exactly equal. A structure of another class
+            than OMPL's GNATs that the planner was given is kept.
+            \throws ompl::Exception if the planner is set up already, and has its structure */
+        void setNearestStructure(NearestStructure structure);
 
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
