@@ -276,7 +276,7 @@ namespace demos
         const TeamStateSpacePtr team = scene.makeTeam();
         if (grid->resolution > 0.0)
             team->setLongestValidSegmentFraction(grid->resolution);
-        const auto obstacles = std::make_shared<TimedObstacles>(std::move(*scene.makeObstacles()));
+        const auto obstacles = std::make_shared<TimedObstacles>(scene);
         TeamSetup setup(team, obstacles, method);
         setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
         if (!grid->goal)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 using namespace ompl_certificates;
 
@@ -16,7 +15,8 @@ namespace demos
         }
     }
 
-    TimedObstacles::TimedObstacles(FclObstacles &&untimed) : FclObstacles(std::move(untimed))
+    TimedObstacles::TimedObstacles(const Scene &scene)
+      : FclObstacles(scene.getDimension(), scene.getObstacles(), scene.getHeights())
     {
         clockCost_ = nanosecondsSince(std::chrono::steady_clock::now());
         for (int i = 0; i < 1000; ++i)

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_TIMED_OBSTACLES_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_TIMED_OBSTACLES_
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/scene/Scene.h"
 
 #include <atomic>
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace demos
     class TimedObstacles : public ompl_certificates::FclObstacles
     {
     public:
-        /** \brief The obstacles \e untimed, which are taken over */
-        explicit TimedObstacles(ompl_certificates::FclObstacles &&untimed);
+        /** \brief The obstacles of \e scene, as its makeObstacles() makes them */
+        explicit TimedObstacles(const ompl_certificates::Scene &scene);
 
         /** \brief The time spent in calls so far, in seconds, summed over threads */
         double getSeconds() const
