@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
@@ -86,6 +87,23 @@ namespace ompl_certificates
                 checkCounts(file, stream, bytes, kind);
         }
 
+        /** Assimp's further steps take the faces as they are, and end the program where they make no sense. */
+        void checkFaces(const std::string &file, const aiScene &scene)
+        {
+            for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
+            {
+                const aiMesh &mesh = *scene.mMeshes[i];
+                for (unsigned int k = 0; k < mesh.mNumFaces; ++k)
+                {
+                    const aiFace &face = mesh.mFaces[k];
+                    const auto isKnown = [&mesh](unsigned int vertex) { return vertex < mesh.mNumVertices; };
+                    if (face.mNumIndices == 0 || !std::all_of(face.mIndices, face.mIndices + face.mNumIndices, isKnown))
+                        fail(file,
+                             "is not a mesh that can be read: a face has no vertices, or vertices that are not there");
+                }
+            }
+        }
+
         Eigen::Affine3d toEigen(const aiMatrix4x4 &matrix)
         {
             Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -154,7 +172,14 @@ namespace ompl_certificates
                         });
             if (triangles.empty())
                 fail(file, "has no triangles");
-            return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
+            try
+            {
+                return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
+            }
+            catch (const ompl::Exception &exception)
+            {
+                fail(file, exception.what());
+            }
         }
 
         Eigen::Vector3d meanOf(const std::string &file, const aiScene &scene)
@@ -183,18 +208,26 @@ namespace ompl_certificates
     MeshFile::MeshFile(const std::string &file) : name_(file)
     {
         checkFile(file);
+        const auto require = [&file](const Assimp::Importer &importer, const aiScene *scene)
+        {
+            if (!scene || !scene->mRootNode)
+                fail(file, std::string("is not a mesh that can be read: ") + importer.GetErrorString());
+        };
         try
         {
             Assimp::Importer importer;
-            const aiScene *scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_SortByPType);
-            if (!scene || !scene->mRootNode)
-                fail(file, std::string("is not a mesh that can be read: ") + importer.GetErrorString());
+            // Else bones of a file without meshes would be given bodies.
+            importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+            const aiScene *scene = importer.ReadFile(file, 0);
+            require(importer, scene);
+            checkFaces(file, *scene);
+            scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
+            require(importer, scene);
             mesh_ = extract(file, *scene);
             // The same steps as OMPL.app's, which move vertices a little: for the mean alone.
             scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_JoinIdenticalVertices |
                                                  aiProcess_OptimizeGraph);
-            if (!scene)
-                fail(file, std::string("is not a mesh that can be read: ") + importer.GetErrorString());
+            require(importer, scene);
             mean_ = meanOf(file, *scene);
         }
         catch (const ompl::Exception &)

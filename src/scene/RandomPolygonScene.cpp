@@ -1,11 +1,12 @@
 #include "ompl_certificates/scene/RandomPolygonScene.h"
 
+#include "SeededRandom.h"
+
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdio>
 #include <ompl/util/Exception.h>
-#include <random>
 
 namespace ompl_certificates
 {
@@ -13,28 +14,6 @@ namespace ompl_certificates
     {
         /** How often a place is looked for before giving up */
         constexpr int TRIES = 10000;
-
-        /** Random numbers that are the same with every standard library: its distributions are not. */
-        class Random
-        {
-        public:
-            explicit Random(std::uint64_t seed) : engine_(seed)
-            {
-            }
-
-            double uniform(double low, double high)
-            {
-                return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11u), -53);
-            }
-
-            unsigned int integer(unsigned int low, unsigned int high)
-            {
-                return low + static_cast<unsigned int>(engine_() % (high - low + 1));
-            }
-
-        private:
-            std::mt19937_64 engine_;
-        };
 
         /** Coordinates are rounded as they are written, so that what is checked is what is read. */
         class Grid
@@ -62,7 +41,7 @@ namespace ompl_certificates
         };
 
         /** Corners on a circle are convex in any number; gaps between them keep them so when rounded. */
-        std::vector<Eigen::Vector2d> randomPolygon(Random &random, const RandomPolygonScene::Settings &settings,
+        std::vector<Eigen::Vector2d> randomPolygon(SeededRandom &random, const RandomPolygonScene::Settings &settings,
                                                    const Grid &grid)
         {
             constexpr double turn = boost::math::constants::two_pi<double>();
@@ -102,7 +81,7 @@ namespace ompl_certificates
 
     std::string RandomPolygonScene::toYaml() const
     {
-        Random random(settings_.seed);
+        SeededRandom random(settings_.seed);
         const Grid grid(settings_.size);
         const std::string side = grid.format({settings_.size, settings_.size});
         char radius[40];

@@ -1,0 +1,291 @@
+#include "ompl_certificates/scene/MeshFile.h"
+#include "ompl_certificates/scene/YamlScene.h"
+#include "support/Folder.h"
+
+#include <cstdint>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        using test::Folder;
+
+        /** A tetrahedron with corners at the origin and at 1, 2 and 3 on the axes */
+        const char *const OBJ = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+        const char *const PLY =
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            "0 0 0\n1 0 0\n0 2 0\n3 0 1 2\n";
+
+        const char *const STL =
+            "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\n"
+            "endloop\nendfacet\nendsolid s\n";
+
+        /** One triangle with corners (0, 0, 0), (1, 0, 0), (0, 2, 0), placed by the nodes that are given */
+        std::string collada(const std::string &nodes, const std::string &up = "Y_UP")
+        {
+            return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+                   "version=\"1.4.1\"><asset><unit meter=\"1\" name=\"meter\"/><up_axis>" +
+                   up +
+                   "</up_axis></asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\">"
+                   "<float_array id=\"a\" count=\"9\">0 0 0 1 0 0 0 2 0</float_array><technique_common>"
+                   "<accessor source=\"#a\" count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/>"
+                   "<param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common>"
+                   "</source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+                   "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p>"
+                   "</triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">" +
+                   nodes +
+                   "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+        }
+
+        std::string binaryStl(std::uint32_t says, std::uint32_t has)
+        {
+            std::string text(80, ' ');
+            text.append(reinterpret_cast<const char *>(&says), 4);
+            for (std::uint32_t i = 0; i < has; ++i)
+            {
+                const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, static_cast<float>(i)};
+                text.append(reinterpret_cast<const char *>(numbers), sizeof(numbers));
+                text.append(2, '\0');
+            }
+            return text;
+        }
+
+        void expectBox(const MeshFile &file, const Eigen::Vector3d &low, const Eigen::Vector3d &high)
+        {
+            const Eigen::AlignedBox3d &box = file.getMesh()->getBounds();
+            EXPECT_TRUE(box.min().isApprox(low, 1e-6) || (box.min() - low).norm() < 1e-6) << box.min().transpose();
+            EXPECT_TRUE((box.max() - high).norm() < 1e-6) << box.max().transpose();
+        }
+    }
+
+    TEST(MeshFile, ReadsEachKindOfFile)
+    {
+        const Folder folder;
+        const MeshFile obj(folder.write("a.obj", OBJ));
+        EXPECT_EQ(obj.getMesh()->getTriangles().size(), 4u);
+        EXPECT_EQ(obj.getMesh()->getVertices().size(), 4u);
+        EXPECT_TRUE(obj.getMesh()->isClosed());
+        expectBox(obj, {0, 0, 0}, {1, 2, 3});
+        for (const auto &file :
+             {folder.write("a.PLY", PLY), folder.write("a.stl", STL), folder.write("b.stl", binaryStl(1, 1)),
+              folder.write("a.dae", collada("<node><instance_geometry url=\"#g\"/></node>"))})
+        {
+            SCOPED_TRACE(file);
+            const MeshFile mesh(file);
+            EXPECT_EQ(mesh.getMesh()->getTriangles().size(), 1u);
+            EXPECT_EQ(mesh.getMesh()->getVertices().size(), 3u);
+            expectBox(mesh, {0, 0, 0}, {1, 2, 0});
+        }
+    }
+
+    TEST(MeshFile, PlacesAllMeshesAsTheNodesDo)
+    {
+        const Folder folder;
+        const std::string instance = "<instance_geometry url=\"#g\"/>";
+        const MeshFile mesh(folder.write("a.dae", collada("<node><translate>10 0 0</translate>" + instance +
+                                                          "<node><scale>2 2 2</scale><translate>0 0 5</translate>" +
+                                                          instance + "</node></node>")));
+        EXPECT_EQ(mesh.getMesh()->getTriangles().size(), 2u);
+        expectBox(mesh, {10, 0, 0}, {12, 4, 10});
+        // As in Assimp and OMPL.app, a file whose z axis is up is turned to have the y axis up.
+        const MeshFile turned(folder.write("b.dae", collada("<node>" + instance + "</node>", "Z_UP")));
+        expectBox(turned, {0, 0, -2}, {1, 0, 0});
+    }
+
+    TEST(MeshFile, TakesOpenDuplicatedAndDegenerateTriangles)
+    {
+        const Folder folder;
+        const MeshFile mesh(folder.write("a.obj",
+                                         "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0.5 0 0\nv 0 0 0\nl 1 2\n"
+                                         "f 1 2 3\nf 1 2 3\nf 3 2 1\nf 1 4 2\nf 1 1 2\nf 1 2 4 3\n"));
+        EXPECT_GE(mesh.getMesh()->getTriangles().size(), 5u);
+        EXPECT_FALSE(mesh.getMesh()->isClosed());
+        expectBox(mesh, {0, 0, 0}, {1, 2, 0});
+    }
+
+    TEST(MeshFile, RobotsHaveTheirOriginAtTheMeanOfTheirVertices)
+    {
+        const Folder folder;
+        // Three vertices, all with one normal: each counts once.
+        const MeshFile mesh(folder.write("a.obj", "v 3 0 7\nv 6 0 7\nv 3 3 7\nf 1 2 3\n"));
+        EXPECT_LT((mesh.getMean() - Eigen::Vector3d(4, 1, 7)).norm(), 1e-6);
+        const Eigen::AlignedBox3d spatial = mesh.makeRobot(3).getParts().front().shape.getMesh()->getBounds();
+        EXPECT_LT((spatial.min() - Eigen::Vector3d(-1, -1, 0)).norm(), 1e-6);
+        const Eigen::AlignedBox3d planar = mesh.makeRobot(2).getParts().front().shape.getMesh()->getBounds();
+        EXPECT_LT((planar.min() - Eigen::Vector3d(-1, -1, 7)).norm(), 1e-6);
+        EXPECT_EQ(mesh.makeObstacle(2).getParts().front().shape.getMesh(), mesh.getMesh().get());
+    }
+
+    TEST(MeshFile, RefusesWhatIsNoMesh)
+    {
+        const Folder folder;
+        struct Broken
+        {
+            const char *name;
+            std::string content;
+            const char *complaint;
+        };
+        const std::string ply = PLY, header = ply.substr(0, ply.find("end_header") + 11);
+        std::string huge = ply, manyFaces = ply, far = OBJ;
+        huge.replace(huge.find("vertex 3"), 8, "vertex 4000000000");
+        manyFaces.replace(manyFaces.find("face 1"), 6, "face 99999999999999999999");
+        far.replace(far.find("v 1 0 0"), 7, "v 1e12 0 0");
+        std::string array = collada("<node><instance_geometry url=\"#g\"/></node>");
+        array.replace(array.find("count=\"9\""), 9, "count=\"4000000000\"");
+        const Broken files[] = {
+            {"empty.obj", "", "is empty"},
+            {"empty.dae", "", "is empty"},
+            {"words.obj", "this is not a mesh at all\n", "has no triangles"},
+            {"words.dae", "this is not a mesh at all\n", "is not a mesh that can be read"},
+            {"words.ply", "this is not a mesh at all\n", "is not a mesh that can be read"},
+            {"words.stl", "this is not a mesh at all\n", "is not a mesh that can be read"},
+            {"zeros.stl", std::string(50, '\0'), "is not a mesh that can be read"},
+            {"half.dae", collada("").substr(0, 400), "is not a mesh that can be read"},
+            {"nothing.dae", collada(""), ""},
+            {"absent.dae", collada("<node><instance_geometry url=\"#other\"/></node>"), ""},
+            {"points.obj", "v 0 0 0\nv 1 0 0\np 1\np 2\n", ""},
+            {"lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "has no triangles"},
+            {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", ""},
+            {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""},
+            {"far.obj", far, "1e9"},
+            {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ""},
+            {"huge.ply", huge, "says that it has 4000000000 of something"},
+            {"faces.ply", manyFaces, "says that it has 99999999999999999999 of something"},
+            {"short.ply", header + "0 0 0\n", ""},
+            {"array.dae", array, "says that it has 4000000000 of something"},
+            {"count.stl", binaryStl(4000000000u, 1), ""},
+            {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
+            {"mesh", OBJ, "must end with .dae, .stl, .obj or .ply"},
+        };
+        for (const Broken &broken : files)
+        {
+            SCOPED_TRACE(broken.name);
+            const std::string file = folder.write(broken.name, broken.content);
+            try
+            {
+                const MeshFile mesh(file);
+                ADD_FAILURE() << "was read, with " << mesh.getMesh()->getTriangles().size() << " triangles";
+            }
+            catch (const ompl::Exception &exception)
+            {
+                const std::string what = exception.what();
+                EXPECT_EQ(what.compare(0, file.size() + 2, file + ": "), 0) << what;
+                EXPECT_NE(what.find(broken.complaint), std::string::npos) << what;
+                EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+            }
+        }
+        EXPECT_THROW(MeshFile(folder / "missing.obj"), ompl::Exception);
+        EXPECT_THROW(MeshFile(folder / ""), ompl::Exception);
+        EXPECT_THROW(MeshFile(""), ompl::Exception);
+    }
+
+    /** Cut off anywhere, a file is read or refused, and nothing worse happens. */
+    TEST(MeshFile, HoldsFilesThatAreCutOff)
+    {
+        const Folder folder;
+        const std::pair<const char *, std::string> files[] = {
+            {"a.obj", OBJ},
+            {"a.ply", PLY},
+            {"a.stl", STL},
+            {"b.stl", binaryStl(3, 3)},
+            {"a.dae", collada("<node><instance_geometry url=\"#g\"/></node>")}};
+        std::size_t read = 0, refused = 0;
+        for (const auto &[name, content] : files)
+            for (std::size_t length = 0; length <= content.size(); length += 1 + content.size() / 40)
+            {
+                const std::string file = folder.write(name, content.substr(0, length));
+                try
+                {
+                    read += MeshFile(file).getMesh()->getTriangles().empty() ? 0 : 1;
+                }
+                catch (const ompl::Exception &exception)
+                {
+                    ++refused;
+                    EXPECT_EQ(std::string(exception.what()).compare(0, file.size(), file), 0) << exception.what();
+                }
+            }
+        EXPECT_GT(read, 5u);
+        EXPECT_GT(refused, 50u);
+    }
+
+    TEST(YamlMeshes, ArePlacedScaledAndShared)
+    {
+        const Folder folder;
+        folder.write("a.obj", OBJ);
+        const auto read = [&folder](const std::string &environment, const std::string &shape, const std::string &robot)
+        {
+            return YamlScene(folder.write(
+                "scene.yaml", "environment: " + environment + "\nrobots:\n  - {type: rigid, shape: " + shape + ", " +
+                                  robot + "}\n  - {type: rigid, name: b, shape: " + shape + ", " + robot + "}\n"));
+        };
+        const auto boxOf = [](const Body &body) { return body.getParts().front().shape.getMesh()->getBounds(); };
+        const YamlScene space =
+            read("{min: [0, 0, 0], max: [9, 9, 9], obstacles: [{type: mesh, file: a.obj, center: [5, 5, 5]}]}",
+                 "{type: mesh, file: a.obj, scale: 2}",
+                 "space: SE3, start: [1, 1, 1, 0, 0, 0, 1], goal: [2, 2, 2, 0, 0, 0, 1]");
+        const Body &first = space.getMembers()[0].robot->getBodies().front(),
+                   &second = space.getMembers()[1].robot->getBodies().front();
+        EXPECT_LT((boxOf(first).max() - Eigen::Vector3d(2, 4, 6)).norm(), 1e-6);
+        EXPECT_EQ(first.getParts().front().shape.getMesh(), second.getParts().front().shape.getMesh());
+        EXPECT_LT((space.getObstacles()[0].pose.translation() - Eigen::Vector3d(5, 5, 5)).norm(), 1e-12);
+
+        // In the plane a mesh keeps its heights, whatever its reference, unless it is turned.
+        const std::string plane = "{min: [0, 0], max: [9, 9]}", robot = "space: SE2, start: [1, 1, 0], goal: [5, 5, 0]";
+        const auto heightsOf = [&](const std::string &shape) { return read(plane, shape, robot).getHeights(); };
+        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, reference: mean}").high, 3.0, 1e-6);
+        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, reference: mean}").low, 0.0, 1e-6);
+        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, rotation: {axis: [1, 0, 0], angle: 1.5707963267948966}}").high,
+                    2.0, 1e-6);
+        const YamlScene about = read(plane, "{type: mesh, file: a.obj, reference: mean}", robot);
+        const Eigen::AlignedBox3d box = boxOf(about.getMembers()[0].robot->getBodies().front());
+        EXPECT_LT(box.min().x(), 0.0);
+        EXPECT_LT(box.min().y(), 0.0);
+        EXPECT_NEAR(box.min().z(), 0.0, 1e-9);
+    }
+
+    TEST(YamlMeshes, NameFileLineAndKeyOfWhatIsWrong)
+    {
+        const Folder folder;
+        folder.write("a.obj", OBJ);
+        folder.write("broken.obj", "v 0 0 0\n");
+        struct Broken
+        {
+            const char *shape, *complaint;
+        };
+        const Broken shapes[] = {
+            {"{type: mesh}", ".file: missing"},
+            {"{type: mesh, file: }", ".file: must be a text, not nothing"},
+            {"{type: mesh, file: none.obj}", ".file: "},
+            {"{type: mesh, file: broken.obj}", "broken.obj: "},
+            {"{type: mesh, file: a.obj, scale: 0}", ".scale: must be positive, not 0"},
+            {"{type: mesh, file: a.obj, scale: [1, 2]}", ".scale: must be a number, not a list"},
+            {"{type: mesh, file: a.obj, reference: tip}", ".reference: must be origin or mean, not 'tip'"},
+            {"{type: mesh, file: a.obj, size: 3}", ".size: unknown key"},
+            {"{type: mesh, file: a.obj, rotation: {axis: [0, 0, 0], angle: 1}}", ".rotation.axis: must not be zero"}};
+        for (const Broken &broken : shapes)
+        {
+            SCOPED_TRACE(broken.shape);
+            const std::string file =
+                folder.write("scene.yaml",
+                             "environment: {min: [0, 0], max: [9, 9]}\nrobots:\n  - {type: rigid, space: SE2, "
+                             "start: [1, 1, 0], goal: [2, 2, 0], shape: " +
+                                 std::string(broken.shape) + "}\n");
+            try
+            {
+                YamlScene scene(file);
+                ADD_FAILURE() << "was read";
+            }
+            catch (const ompl::Exception &exception)
+            {
+                const std::string what = exception.what(), begin = file + ":3: robots[0].shape.";
+                EXPECT_EQ(what.compare(0, begin.size(), begin), 0) << what;
+                EXPECT_NE(what.find(broken.complaint), std::string::npos) << what;
+            }
+        }
+    }
+}

@@ -1,0 +1,51 @@
+#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_FOLDER_
+#define OMPL_CERTIFICATES_TESTS_SUPPORT_FOLDER_
+
+#include <filesystem>
+#include <fstream>
+#include <stdlib.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    namespace test
+    {
+        /** \brief A folder for the files of one test, removed with it */
+        class Folder
+        {
+        public:
+            Folder()
+            {
+                std::string name = (std::filesystem::temp_directory_path() / "ompl_certificates_XXXXXX").string();
+                path_ = mkdtemp(name.data());
+            }
+
+            ~Folder()
+            {
+                std::error_code error;
+                std::filesystem::remove_all(path_, error);
+            }
+
+            Folder(const Folder &) = delete;
+            Folder &operator=(const Folder &) = delete;
+
+            /** \brief The path of a file in this folder */
+            std::string operator/(const std::string &name) const
+            {
+                return (path_ / name).string();
+            }
+
+            /** \brief Write a file and return its path */
+            std::string write(const std::string &name, const std::string &content) const
+            {
+                std::ofstream(*this / name, std::ios::binary) << content;
+                return *this / name;
+            }
+
+        private:
+            std::filesystem::path path_;
+        };
+    }
+}
+
+#endif
