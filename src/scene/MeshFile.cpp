@@ -43,23 +43,46 @@ namespace ompl_certificates
 
         /** Counts that a file states of itself, such as "element vertex 8" of PLY and count="8" of COLLADA, are what
             Assimp allocates memory for before it reads on. Each thing counted takes at least a byte. */
-        void checkCounts(const std::string &file, std::ifstream &stream, std::uintmax_t bytes, const std::string &kind)
+        void checkCounts(const std::string &file, const std::string &text, std::size_t end, const std::string &mark)
         {
-            const std::string mark = kind == ".ply" ? "element " : " count=";
-            std::string line;
-            // PLY may go on in binary, as one line without end.
-            for (std::string part; std::getline(stream, part) && part != "end_header";)
-                for (std::size_t at = part.find(mark); at != std::string::npos; at = part.find(mark, at + 1))
-                {
-                    const std::size_t digits = part.find_first_of("0123456789", at);
-                    const std::size_t end = std::min(part.find_first_not_of("0123456789", digits), part.size());
-                    if (digits == std::string::npos)
-                        continue;
-                    const std::string count = part.substr(digits, end - digits);
-                    if (count.size() > 15 || std::stoull(count) > bytes)
-                        fail(file, "says that it has " + count.substr(0, 30) + " of something, in " +
-                                       std::to_string(bytes) + " bytes");
-                }
+            for (std::size_t at = text.find(mark); at < end; at = text.find(mark, at + 1))
+            {
+                const std::size_t digits = text.find_first_of("0123456789\n", at);
+                if (digits == std::string::npos)
+                    return;
+                const std::size_t last = std::min(text.find_first_not_of("0123456789", digits), text.size());
+                const std::string count = text.substr(digits, last - digits);
+                if (count.size() > 15 || (!count.empty() && std::stoull(count) > text.size()))
+                    fail(file, "says that it has " + count.substr(0, 30) + " of something, in " +
+                                   std::to_string(text.size()) + " bytes");
+            }
+        }
+
+        /** Where Assimp finds no end of the header it looks for it for ever. */
+        void checkPly(const std::string &file, const std::string &text)
+        {
+            const std::string mark = "\nend_header";
+            const std::size_t end = text.find(mark), after = end + mark.size();
+            if (end == std::string::npos || (text.compare(after, 1, "\n") != 0 && text.compare(after, 2, "\r\n") != 0))
+                fail(file, "is not a mesh that can be read: its header has no line 'end_header'");
+            checkCounts(file, text, end, "element ");
+        }
+
+        /** Where an index of a primitive is no number Assimp tries to read it for ever. */
+        void checkCollada(const std::string &file, const std::string &text)
+        {
+            checkCounts(file, text, text.size(), " count=");
+            for (std::size_t at = text.find("<p"); at != std::string::npos; at = text.find("<p", at + 2))
+            {
+                const std::size_t open = text.find('>', at);
+                if (open == std::string::npos ||
+                    (open != at + 2 && std::isspace(static_cast<unsigned char>(text[at + 2])) == 0))
+                    continue;
+                const std::size_t wrong = text.find_first_not_of("0123456789 \t\r\n", open + 1);
+                if (wrong != std::string::npos && text[wrong] != '<')
+                    fail(file, "is not a mesh that can be read: in <p> there is '" + text.substr(wrong, 10) +
+                                   "', not a number");
+            }
         }
 
         void checkFile(const std::string &file)
@@ -83,8 +106,11 @@ namespace ompl_certificates
                 fail(file, "is larger than " + std::to_string(MAX_BYTES >> 20u) + " MB");
             if (bytes == 0)
                 fail(file, "is empty");
-            if (kind == ".ply" || kind == ".dae")
-                checkCounts(file, stream, bytes, kind);
+            if (kind != ".ply" && kind != ".dae")
+                return;
+            std::string text(bytes, ' ');
+            stream.read(text.data(), static_cast<std::streamsize>(bytes));
+            (kind == ".ply" ? checkPly : checkCollada)(file, text);
         }
 
         /** Assimp's further steps take the faces as they are, and end the program where they make no sense. */

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -83,8 +84,7 @@ namespace ompl_certificates
         class Places
         {
         public:
-            Places(std::vector<PlacedBody> obstacles, SeededRandom &random)
-              : obstacles_(3, std::move(obstacles)), random_(random)
+            Places(const Obstacles &obstacles, SeededRandom &random) : obstacles_(obstacles), random_(random)
             {
             }
 
@@ -110,7 +110,7 @@ namespace ompl_certificates
             }
 
         private:
-            FclObstacles obstacles_;
+            const Obstacles &obstacles_;
             SeededRandom &random_;
             std::vector<std::pair<Eigen::Vector3d, double>> taken_;
         };
@@ -231,7 +231,8 @@ namespace ompl_certificates
             if (cell / COLUMNS + 1 < ROWS && plan.isClosed(cell, true))
                 wall(x - CELL, y, x, y);
         }
-        cart.addPrism({{-0.2, -0.2}, {0.7, -0.2}, {0.7, 0.1}, {0.1, 0.1}, {0.1, 0.6}, {-0.2, 0.6}}, 0.1, 0.6);
+        // Carts are higher than the walls, whose tops therefore count: nothing is free inside a wall.
+        cart.addPrism({{-0.2, -0.2}, {0.7, -0.2}, {0.7, 0.1}, {0.1, 0.1}, {0.1, 0.6}, {-0.2, 0.6}}, 0.1, 1.2);
 
         // In the middle of a cell of its own a cart has room, however it is turned.
         std::vector<unsigned int> cells;
@@ -290,7 +291,8 @@ namespace ompl_certificates
             quadrotor.addPrism(rotor, 0.1, 0.2);
         }
 
-        Places starts({{Body::mesh(terrain.make())}}, random), goals({{Body::mesh(terrain.make())}}, random);
+        const FclObstacles ground(3, {{Body::mesh(terrain.make())}});
+        Places starts(ground, random), goals(ground, random);
         const auto above = [&height](const Eigen::Vector3d &point) { return point.z() > height(point.x(), point.y()); };
         const auto state = [](const Eigen::Vector3d &point, double heading)
         {
@@ -328,7 +330,7 @@ namespace ompl_certificates
         check(settings);
         SeededRandom random(settings.seed);
         constexpr double SIZE = 40.0, KNOT_REACH = 3.3, GEAR_REACH = 1.5;
-        constexpr unsigned int KNOTS = 10;
+        constexpr unsigned int KNOTS = 12;
         MeshBuilder knot, gear;
         knot.addTube(
             [](double t)
@@ -346,20 +348,36 @@ namespace ompl_certificates
         std::vector<PlacedBody> obstacles;
         for (unsigned int i = 0; i < KNOTS; ++i)
         {
-            const double scale = rounded(random.uniform(1.5, 3.0), 0.01);
+            const double scale = rounded(random.uniform(2.0, 3.0), 0.01), reach = scale * KNOT_REACH;
+            // Of some places, the one that is farthest from the knots before
             Eigen::Vector3d center;
-            for (double &coordinate : center)
-                coordinate = rounded(random.uniform(0.15 * SIZE, 0.85 * SIZE), 0.01);
+            double farthest = -std::numeric_limits<double>::infinity();
+            for (int k = 0; k < 20; ++k)
+            {
+                Eigen::Vector3d place;
+                for (double &coordinate : place)
+                    coordinate = rounded(random.uniform(0.9 * reach, SIZE - 0.9 * reach), 0.01);
+                double distance = SIZE;
+                for (const PlacedBody &other : obstacles)
+                    distance = std::min(distance, (other.pose.translation() - place).norm() -
+                                                      other.body.getParts().front().shape.getRadius());
+                if (distance > farthest)
+                {
+                    farthest = distance;
+                    center = place;
+                }
+            }
             const std::vector<double> turn = randomTurn(random);
             scene.yaml_ += "    - {type: mesh, file: @knot.obj, scale: " + std::to_string(scale).substr(0, 4) +
                            ", center: " + listOf({center.x(), center.y(), center.z()}) +
                            ", quaternion: " + listOf(turn) + "}\n";
             // A ball about it is all that starts and goals need to know.
-            obstacles.push_back({Body::sphere(scale * KNOT_REACH)});
+            obstacles.push_back({Body::sphere(reach)});
             obstacles.back().pose.translation() = center;
         }
         scene.yaml_ += "robots:\n";
-        Places starts(obstacles, random), goals(obstacles, random);
+        const FclObstacles balls(3, obstacles);
+        Places starts(balls, random), goals(balls, random);
         for (unsigned int i = 0; i < settings.robots; ++i)
         {
             const double scale = i % 2 == 0 ? 1.0 : 0.7, reach = scale * (GEAR_REACH + 0.2);

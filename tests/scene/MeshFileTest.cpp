@@ -135,6 +135,9 @@ namespace ompl_certificates
         huge.replace(huge.find("vertex 3"), 8, "vertex 4000000000");
         manyFaces.replace(manyFaces.find("face 1"), 6, "face 99999999999999999999");
         far.replace(far.find("v 1 0 0"), 7, "v 1e12 0 0");
+        std::string noEnd = ply, indices = collada("<node><instance_geometry url=\"#g\"/></node>");
+        noEnd.replace(noEnd.find("end_header\n"), 11, "end_header9\n");
+        indices.replace(indices.find("0 1 2</p>"), 5, "0 1 x");
         std::string array = collada("<node><instance_geometry url=\"#g\"/></node>");
         array.replace(array.find("count=\"9\""), 9, "count=\"4000000000\"");
         const Broken files[] = {
@@ -158,6 +161,8 @@ namespace ompl_certificates
             {"faces.ply", manyFaces, "says that it has 99999999999999999999 of something"},
             {"short.ply", header + "0 0 0\n", ""},
             {"array.dae", array, "says that it has 4000000000 of something"},
+            {"header.ply", noEnd, "its header has no line 'end_header'"},
+            {"indices.dae", indices, "in <p> there is 'x</p></tri', not a number"},
             {"count.stl", binaryStl(4000000000u, 1), ""},
             {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
             {"mesh", OBJ, "must end with .dae, .stl, .obj or .ply"},
