@@ -9,6 +9,7 @@
 #include "common/PlannerChoice.h"
 #include "common/ProgressBar.h"
 
+#include "ompl_certificates/scene/CertificateFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/scene/ScenePicture.h"
@@ -36,7 +37,7 @@ namespace
         std::uint32_t seed{1};
         std::string range;
         std::vector<std::string> parameters;
-        std::string picture, path, report;
+        std::string picture, path, report, loadedCertificates, savedCertificates;
         bool pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
 
@@ -81,6 +82,10 @@ namespace
             ->needs(picture);
         app.add_option("--path", options.path, "Write the states of the solution, one a line");
         app.add_option("--report", options.report, "Write a report (JSON)");
+        app.add_option("--load-certificates", options.loadedCertificates,
+                       "Begin with the certificates of a file, which --save-certificates wrote");
+        app.add_option("--save-certificates", options.savedCertificates,
+                       "Write what is known of the obstacles in the end, for a later run");
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.footer("Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input.");
     }
@@ -110,6 +115,14 @@ namespace
             set("--planner-param", parameter.substr(0, sign), parameter.substr(sign + 1));
         }
         return planner;
+    }
+
+    void requireCertificates(const Options &options, const TeamSetup &setup)
+    {
+        for (const auto &[option, file] : {std::pair{"--load-certificates", options.loadedCertificates},
+                                           {"--save-certificates", options.savedCertificates}})
+            if (!file.empty() && !setup.getCertificateChecker())
+                throw ompl::Exception(option, "the standard method has no certificates");
     }
 
     /** Plan, and fill in what of the report is known by then */
@@ -196,6 +209,8 @@ namespace
     void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
                const ob::PlannerData &tree)
     {
+        if (!options.savedCertificates.empty())
+            saveCertificates(*setup.getCertificateChecker(), options.savedCertificates);
         if (!options.report.empty())
             report.write(options.report);
         // An approximate path looks like any other in a file, and would be taken for a solution.
@@ -234,11 +249,17 @@ namespace
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (const auto objective = demos::makeObjective(choice.planner, setup->getSpaceInformation()))
             setup->setOptimizationObjective(objective);
-        demos::checkOutputs({{"--picture", options.picture}, {"--path", options.path}, {"--report", options.report}},
+        demos::checkOutputs({{"--picture", options.picture},
+                             {"--path", options.path},
+                             {"--report", options.report},
+                             {"--save-certificates", options.savedCertificates}},
                             {options.scene});
         setup->setNearestStructure(nearestStructureOf(options.nearest));
         setup->setup();
         setup->getStatistics().reset();
+        requireCertificates(options, *setup);
+        if (!options.loadedCertificates.empty())
+            loadCertificates(*setup->getCertificateChecker(), options.loadedCertificates);
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
             for (const std::string &note : scene->getNotes())

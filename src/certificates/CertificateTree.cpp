@@ -275,6 +275,23 @@ namespace ompl_certificates
         return index;
     }
 
+    void CertificateTree::changeClearances(const std::function<double(const Certificate &)> &clearanceOf)
+    {
+        // The bounds of cells can only grow, so the tree is made anew, in the same order.
+        std::vector<Certificate> all;
+        for (CertificateIndex index = 0; index < stored_; ++index)
+            all.push_back(store_[index].certificate);
+        clear();
+        for (const Certificate &certificate : all)
+            if (!std::isnan(certificate.clearance))
+                insert({certificate.point, clearanceOf(certificate)});
+            else  // The place of one that was removed stays empty.
+            {
+                store_[store_.append()].certificate = certificate;
+                ++stored_;
+            }
+    }
+
     Certificate CertificateTree::operator[](CertificateIndex index) const
     {
         if (index >= stored_.load(std::memory_order_acquire))

@@ -64,6 +64,14 @@ namespace ompl_certificates
     {
     }
 
+    void CertifiedEnvironment::change(const ObstacleChange &change)
+    {
+        certificates_.changeClearances([&change](const Certificate &certificate)
+                                       { return change.clearance(certificate.point, certificate.clearance); });
+        obstacles_ = change.after;
+        hits_.clear();
+    }
+
     bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
     {
         // A certificate that does not even hold the body's center, as that of a far state, proves nothing of finer balls.

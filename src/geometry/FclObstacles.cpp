@@ -1,6 +1,7 @@
 #include "ompl_certificates/geometry/FclObstacles.h"
 
 #include "FclBodies.h"
+#include "Fingerprint.h"
 #include "Prisms.h"
 #include "TriangleDistance.h"
 
@@ -181,6 +182,16 @@ namespace ompl_certificates
                     outlines_.add({outline[0], outline[k % outline.size()], outline[(k + 1) % outline.size()]}, i);
         }
         outlines_.build();
+    }
+
+    std::uint64_t FclObstacles::getFingerprint() const
+    {
+        // Heights matter only where they cut meshes.
+        const bool cuts = dimension_ == 2 && surface_.size() > 0;
+        std::uint64_t sum = fingerprintOf({double(dimension_), cuts ? heights_.low : 0.0, cuts ? heights_.high : 0.0});
+        for (const PlacedBody &body : bodies_)
+            sum += fingerprintOf(body);
+        return sum == 0 ? 1 : sum;
     }
 
     double FclObstacles::clearance(const Eigen::Vector3d &point) const

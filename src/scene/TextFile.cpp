@@ -16,8 +16,6 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr std::uintmax_t MAX_BYTES = 64u << 20u;
-
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
         {
             throw ompl::Exception(file.empty() ? "''" : file, complaint);
@@ -40,7 +38,7 @@ namespace ompl_certificates
         }
     }
 
-    std::string readTextFile(const std::string &file)
+    std::string readTextFile(const std::string &file, std::uintmax_t mostBytes)
     {
         std::error_code error;
         if (fs::is_directory(file, error))
@@ -54,8 +52,8 @@ namespace ompl_certificates
         while (stream.read(block, sizeof(block)) || stream.gcount() > 0)
         {
             text.append(block, static_cast<std::size_t>(stream.gcount()));
-            if (text.size() > MAX_BYTES)
-                fail(file, "is larger than " + std::to_string(MAX_BYTES >> 20u) + " MB");
+            if (text.size() > mostBytes)
+                fail(file, "is larger than " + std::to_string(mostBytes >> 20u) + " MB");
         }
         if (stream.bad())
             fail(file, "cannot be read" + reason());

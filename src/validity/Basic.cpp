@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -27,6 +28,16 @@ namespace ompl_certificates
         teamCertificates_ = 0;
     }
 
+    void Basic::repair(const ObstacleChange &change)
+    {
+        for (std::size_t i = 0; i < getCertificateCount(); ++i)
+        {
+            Certificate &certificate = certificates_[static_cast<CertificateIndex>(i)];
+            certificate.clearance = change.clearance(certificate.point, certificate.clearance);
+        }
+        environment_.change(change);
+    }
+
     std::size_t Basic::getCertificateCount() const
     {
         return teamCertificates_.load(std::memory_order_acquire) * getBodyCount();
@@ -38,6 +49,11 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < getCertificateCount(); ++i)
             all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
         return all;
+    }
+
+    void Basic::addCertificates(const std::vector<Certificate> & /*certificates*/)
+    {
+        throw ompl::Exception("The method basic keeps certificates of whole states only");
     }
 
     bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,

@@ -4,6 +4,7 @@ namespace ompl_certificates
 {
     bool CertificateChecker::isValid(const ompl::base::State *state) const
     {
+        const WorldLock::Check check(worldLock_);
         const Statistics::Timer timer(getStatistics());
         const auto *teamState = state->as<TeamStateSpace::StateType>();
         thread_local std::vector<CertificateIndex> references;

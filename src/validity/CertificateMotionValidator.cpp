@@ -31,6 +31,7 @@ namespace ompl_certificates
 
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
+        const WorldLock::Check entry(checker_->worldLock_);
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
         MotionCheck check(*checker_, *scratch, s1, s2);
@@ -43,6 +44,7 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {
+        const WorldLock::Check entry(checker_->worldLock_);
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
         MotionCheck check(*checker_, *scratch, s1, s2);

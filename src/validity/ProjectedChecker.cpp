@@ -22,6 +22,12 @@ namespace ompl_certificates
             policy.reset();
     }
 
+    void ProjectedChecker::repair(const ObstacleChange &change)
+    {
+        for (const auto &environment : environments_)
+            environment->change(change);
+    }
+
     std::size_t ProjectedChecker::getCertificateCount() const
     {
         std::size_t count = 0;
@@ -39,6 +45,14 @@ namespace ompl_certificates
             all.insert(all.end(), some.begin(), some.end());
         }
         return all;
+    }
+
+    void ProjectedChecker::addCertificates(const std::vector<Certificate> &certificates)
+    {
+        const WorldLock::Check check(worldLock_);
+        for (const auto &environment : environments_)
+            for (const Certificate &certificate : certificates)
+                environment->add(certificate);
     }
 
     PoseVerdict ProjectedChecker::settleGroup(unsigned int robot, const Pose *poses, const Motion &motion,

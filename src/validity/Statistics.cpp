@@ -1,5 +1,7 @@
 #include "ompl_certificates/validity/Statistics.h"
 
+#include "ThreadNumber.h"
+
 #include <cstring>
 
 namespace ompl_certificates
@@ -11,9 +13,7 @@ namespace ompl_certificates
 
     Statistics::Slot &Statistics::slotOfThisThread()
     {
-        static std::atomic<std::size_t> threads{0};
-        thread_local const std::size_t thread = threads.fetch_add(1, std::memory_order_relaxed);
-        return slots_[thread % SLOTS];
+        return slots_[threadNumber() % SLOTS];
     }
 
     CheckCounts Statistics::getCounts() const

@@ -23,20 +23,36 @@ namespace ompl_certificates
             team->lock();
             return *team;
         }
+
+        void requireObstacles(const ObstaclesPtr &obstacles, const TeamStateSpace &team)
+        {
+            if (!obstacles)
+                throw ompl::Exception("A team validity checker needs obstacles; for none, give an empty FclObstacles");
+            if (obstacles->getDimension() != team.getWorkspaceDimension())
+                throw ompl::Exception("The obstacles have " + std::to_string(obstacles->getDimension()) +
+                                      " dimensions, the team's workspace " +
+                                      std::to_string(team.getWorkspaceDimension()));
+        }
     }
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles)
       : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_)
     {
-        if (!obstacles_)
-            throw ompl::Exception("A team validity checker needs obstacles; for none, give an empty FclObstacles");
-        if (obstacles_->getDimension() != team_.getWorkspaceDimension())
-            throw ompl::Exception("The obstacles have " + std::to_string(obstacles_->getDimension()) +
-                                  " dimensions, the team's workspace " + std::to_string(team_.getWorkspaceDimension()));
+        requireObstacles(obstacles_, team_);
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
         firstBody_.push_back(0);
         for (const auto &robot : team_.getRobots())
             firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
+    }
+
+    void TeamValidityChecker::changeObstacles(const ObstacleChange &change)
+    {
+        for (const ObstaclesPtr &obstacles : {change.after, change.added, change.removed})
+            if (obstacles || obstacles == change.after)
+                requireObstacles(obstacles, team_);
+        const WorldLock::Change guard(worldLock_);
+        repair(change);
+        obstacles_ = change.after;
     }
 
     Pose *TeamValidityChecker::poseBuffer() const
@@ -83,6 +99,7 @@ namespace ompl_certificates
 
     bool TeamValidityChecker::isValid(const ob::State *state) const
     {
+        const WorldLock::Check check(worldLock_);
         const Statistics::Timer timer(statistics_);
         CheckCounts counts;
         unsigned int first, second;
@@ -95,6 +112,7 @@ namespace ompl_certificates
 
     std::string TeamValidityChecker::describeCollision(const ob::State *state) const
     {
+        const WorldLock::Check check(worldLock_);
         CheckCounts counts;
         unsigned int first, second;
         if (!findContact(state, counts, first, second))
@@ -107,6 +125,7 @@ namespace ompl_certificates
 
     double TeamValidityChecker::clearance(const ob::State *state) const
     {
+        const WorldLock::Check check(worldLock_);
         const auto *teamState = state->as<TeamStateSpace::StateType>();
         Pose *poses = poseBuffer();
         double nearest = std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <ompl/datastructures/NearestNeighbors.h>
 #include <vector>
@@ -90,6 +91,11 @@ namespace ompl_certificates
         /** \brief Add a certificate and return its index. Cost: logarithmic.
             \throws ompl::Exception if its point is not finite, or its clearance not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
+
+        /** \brief Give every certificate another clearance, and keep its index. Not while others use the tree. Cost: that of
+            making the tree anew.
+            \param clearanceOf the new clearance of a certificate */
+        void changeClearances(const std::function<double(const Certificate &)> &clearanceOf);
 
         /** \brief The certificate of an index that insert() returned */
         Certificate operator[](CertificateIndex index) const;

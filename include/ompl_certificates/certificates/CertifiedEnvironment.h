@@ -5,7 +5,7 @@
 #include "ompl_certificates/certificates/CheckCounts.h"
 #include "ompl_certificates/certificates/HitMemory.h"
 #include "ompl_certificates/certificates/SwitchingPolicy.h"
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/geometry/ObstacleChange.h"
 #include "ompl_certificates/geometry/Robot.h"
 
 #include <limits>
@@ -97,11 +97,22 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
+        /** \brief Add a certificate of these obstacles
+            \throws ompl::Exception as CertificateTree::insert() */
+        void add(const Certificate &certificate)
+        {
+            certificates_.insert(certificate);
+        }
+
         /** \brief What is known of them */
         const CertificateTree &getCertificates() const
         {
             return certificates_;
         }
+
+        /** \brief Take other obstacles, and repair what is known: certificates get the clearances that they would have if they
+            were made now, what was hit is forgotten. Not while others use the environment. */
+        void change(const ObstacleChange &change);
 
         /** \brief Forget all certificates. Not while others use the environment. */
         void clear()

@@ -78,6 +78,9 @@ namespace ompl_certificates
             return clearances_.size() <= 16 && surface_.size() == 0;
         }
 
+        /** \brief A checksum of the shapes, their poses and the heights, whatever their order. Linear in the size of it all. */
+        std::uint64_t getFingerprint() const override;
+
         /** \brief The obstacles that these were made of */
         const std::vector<PlacedBody> &getBodies() const
         {

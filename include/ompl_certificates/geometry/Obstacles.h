@@ -71,6 +71,13 @@ namespace ompl_certificates
             return true;
         }
 
+        /** \brief A number that tells these obstacles from others, in another run of the program too, so that certificates may
+            be kept in a file; 0 if there is none */
+        virtual std::uint64_t getFingerprint() const
+        {
+            return 0;
+        }
+
         /** \brief Whether a clearance costs less than searching a tree of certificates (some 100 ns). Then certificates are
             followed by reference, but searched for only now and then. */
         virtual bool isClearanceCheap() const

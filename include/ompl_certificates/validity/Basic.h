@@ -35,6 +35,9 @@ namespace ompl_certificates
 
         std::vector<Certificate> getCertificates() const override;
 
+        /** \throws ompl::Exception always: what Basic keeps are certificates of whole states */
+        void addCertificates(const std::vector<Certificate> &certificates) override;
+
         unsigned int getGroupCount() const override
         {
             return 1;
@@ -50,6 +53,9 @@ namespace ompl_certificates
 
         double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
                                  const CertificateIndex *references) const override;
+
+    protected:
+        void repair(const ObstacleChange &change) override;
 
     private:
         /** \brief Whether team certificate \e team proves all robots free, and for how long */

@@ -33,6 +33,10 @@ namespace ompl_certificates
         /** \brief All certificates kept for the obstacles' side, for pictures and analysis */
         virtual std::vector<Certificate> getCertificates() const = 0;
 
+        /** \brief Add certificates of these obstacles, such as were made in another run. They must be true.
+            \throws ompl::Exception if this method keeps no single certificates, as Basic */
+        virtual void addCertificates(const std::vector<Certificate> &certificates) = 0;
+
         /** \brief The motion that the poses to settle are a sample of */
         struct Motion
         {

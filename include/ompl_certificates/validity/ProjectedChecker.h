@@ -18,6 +18,9 @@ namespace ompl_certificates
 
         std::vector<Certificate> getCertificates() const override;
 
+        /** \brief Adds them to each tree */
+        void addCertificates(const std::vector<Certificate> &certificates) override;
+
         PoseVerdict settleGroup(unsigned int group, const Pose *poses, const Motion &motion,
                                 CertificateIndex *references, CheckCounts &counts) const override;
 
@@ -27,6 +30,8 @@ namespace ompl_certificates
     protected:
         /** \brief A checker with one tree of certificates for all robots, if they \e share it, or else one for each */
         ProjectedChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, bool share);
+
+        void repair(const ObstacleChange &change) override;
 
     private:
         const CertifiedEnvironment &environmentOf(unsigned int robot) const

@@ -1,10 +1,11 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/geometry/ObstacleChange.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 #include "ompl_certificates/validity/RobotPairs.h"
 #include "ompl_certificates/validity/Statistics.h"
+#include "ompl_certificates/validity/WorldLock.h"
 
 #include <ompl/base/StateValidityChecker.h>
 #include <string>
@@ -48,7 +49,14 @@ namespace ompl_certificates
             return team_;
         }
 
-        /** \brief The obstacles */
+        /** \brief Take other obstacles. From then on, all verdicts are those of a new checker among them.
+
+            Threads may be checking: the change waits until their checks are done, and checks that begin meanwhile wait
+            for it. What a planner has found before is not checked again: clear the planner before it plans on.
+            \throws ompl::Exception if there are none, or of another workspace, or from within a check */
+        void changeObstacles(const ObstacleChange &change);
+
+        /** \brief The obstacles; those before a change are gone after it */
         const Obstacles &getObstacles() const
         {
             return *obstacles_;
@@ -71,6 +79,11 @@ namespace ompl_certificates
         std::string describeCollision(const ompl::base::State *state) const;
 
     protected:
+        /** \brief Repair what is remembered of obstacles, while no other thread checks */
+        virtual void repair(const ObstacleChange & /*change*/)
+        {
+        }
+
         /** \brief Where the poses of a robot's bodies begin among those of the team */
         std::size_t getFirstBody(unsigned int robot) const
         {
@@ -89,6 +102,7 @@ namespace ompl_certificates
         ObstaclesPtr obstacles_;
         const TeamStateSpace &team_;
         RobotPairs pairs_;
+        mutable WorldLock worldLock_;
 
     private:
         /** \brief Find the first contact

@@ -1,0 +1,68 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_WORLD_LOCK_
+#define OMPL_CERTIFICATES_VALIDITY_WORLD_LOCK_
+
+#include <array>
+#include <atomic>
+#include <mutex>
+
+namespace ompl_certificates
+{
+    /** \brief Lets any number of threads check at once, or one change the world.
+
+        Checks enter and leave at places of their own, so that they do not wait for each other and seldom share a cache
+        line: some 10 ns. A change waits until all that have begun are done, and those that come wait for it. */
+    class WorldLock
+    {
+    public:
+        WorldLock() = default;
+        WorldLock(const WorldLock &) = delete;
+        WorldLock &operator=(const WorldLock &) = delete;
+
+        /** \brief A check, for as long as this lives. One that is part of another one of this thread enters with it. */
+        class Check
+        {
+        public:
+            explicit Check(WorldLock &lock);
+            ~Check();
+
+            Check(const Check &) = delete;
+            Check &operator=(const Check &) = delete;
+
+        private:
+            WorldLock &lock_;
+            WorldLock *const outer_;
+        };
+
+        /** \brief A change, for as long as this lives
+            \throws ompl::Exception within a check of the same thread, which it would wait for in vain */
+        class Change
+        {
+        public:
+            explicit Change(WorldLock &lock);
+            ~Change();
+
+            Change(const Change &) = delete;
+            Change &operator=(const Change &) = delete;
+
+        private:
+            WorldLock &lock_;
+            std::unique_lock<std::mutex> guard_;
+        };
+
+    private:
+        static constexpr std::size_t SLOTS = 16;
+
+        struct alignas(64) Slot
+        {
+            std::atomic<int> checks{0};
+        };
+
+        Slot &slotOfThisThread();
+
+        std::array<Slot, SLOTS> slots_;
+        std::atomic<bool> changing_{false};
+        std::mutex mutex_;
+    };
+}
+
+#endif

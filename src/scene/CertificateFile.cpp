@@ -1,0 +1,143 @@
+#include "ompl_certificates/scene/CertificateFile.h"
+
+#include "ompl_certificates/scene/TextFile.h"
+
+#include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        const std::string MAGIC = "OMPLCERT";
+        constexpr std::uint32_t VERSION = 1;
+
+        /** The magic word, version, dimension, fingerprint of the obstacles, number of certificates */
+        constexpr std::size_t HEAD_BYTES = 8 + 4 + 4 + 8 + 8, CHECKSUM_BYTES = 4;
+
+        /** Enough for all certificates that a tree can hold */
+        constexpr std::uintmax_t MOST_BYTES = std::uintmax_t(1) << 36u;
+
+        template <typename T>
+        void append(std::string &bytes, T value)
+        {
+            boost::endian::native_to_little_inplace(value);
+            bytes.append(reinterpret_cast<const char *>(&value), sizeof(value));
+        }
+
+        void append(std::string &bytes, double value)
+        {
+            std::uint64_t bits;
+            std::memcpy(&bits, &value, sizeof(bits));
+            append(bytes, bits);
+        }
+
+        template <typename T>
+        T take(const std::string &bytes, std::size_t &at)
+        {
+            T value;
+            std::memcpy(&value, bytes.data() + at, sizeof(value));
+            at += sizeof(value);
+            return boost::endian::little_to_native(value);
+        }
+
+        double takeNumber(const std::string &bytes, std::size_t &at)
+        {
+            const auto bits = take<std::uint64_t>(bytes, at);
+            double value;
+            std::memcpy(&value, &bits, sizeof(value));
+            return value;
+        }
+
+        std::uint32_t checksumOf(const std::string &bytes, std::size_t count)
+        {
+            boost::crc_32_type crc;
+            crc.process_bytes(bytes.data(), count);
+            return crc.checksum();
+        }
+
+        std::uint64_t fingerprintOf(const CertificateChecker &checker, const std::string &file)
+        {
+            const std::uint64_t fingerprint = checker.getObstacles().getFingerprint();
+            if (fingerprint == 0)
+                throw ompl::Exception(file,
+                                      "obstacles of this kind have no fingerprint by which their certificates "
+                                      "could be told from those of others");
+            return fingerprint;
+        }
+    }
+
+    void saveCertificates(const CertificateChecker &checker, const std::string &file)
+    {
+        const unsigned int dimension = checker.getObstacles().getDimension();
+        const std::vector<Certificate> certificates = checker.getCertificates();
+        std::string bytes = MAGIC;
+        bytes.reserve(HEAD_BYTES + (dimension + 1) * sizeof(double) * certificates.size() + CHECKSUM_BYTES);
+        append(bytes, VERSION);
+        append(bytes, static_cast<std::uint32_t>(dimension));
+        append(bytes, fingerprintOf(checker, file));
+        append(bytes, static_cast<std::uint64_t>(certificates.size()));
+        for (const Certificate &certificate : certificates)
+        {
+            for (unsigned int axis = 0; axis < dimension; ++axis)
+                append(bytes, certificate.point[axis]);
+            append(bytes, certificate.clearance);
+        }
+        append(bytes, checksumOf(bytes, bytes.size()));
+        writeTextFile(file, bytes);
+    }
+
+    std::size_t loadCertificates(CertificateChecker &checker, const std::string &file)
+    {
+        const std::uint64_t fingerprint = fingerprintOf(checker, file);
+        const unsigned int dimension = checker.getObstacles().getDimension();
+        const std::string bytes = readTextFile(file, MOST_BYTES);
+        const auto refuse = [&file](const std::string &reason) { throw ompl::Exception(file, reason); };
+
+        if (bytes.compare(0, MAGIC.size(), MAGIC) != 0)
+            refuse("is not a file of certificates");
+        if (bytes.size() < HEAD_BYTES + CHECKSUM_BYTES)
+            refuse("is cut short");
+        std::size_t at = MAGIC.size();
+        const auto version = take<std::uint32_t>(bytes, at);
+        if (version != VERSION)
+            refuse("has version " + std::to_string(version) + " of the format; this program reads version " +
+                   std::to_string(VERSION));
+        const auto fileDimension = take<std::uint32_t>(bytes, at);
+        const auto fileFingerprint = take<std::uint64_t>(bytes, at);
+        const auto count = take<std::uint64_t>(bytes, at);
+        const std::size_t room = bytes.size() - HEAD_BYTES - CHECKSUM_BYTES;
+        const std::uint64_t bytesEach = (std::uint64_t(fileDimension) + 1) * sizeof(double);
+        if (count > room / bytesEach)
+            refuse("is cut short: " + std::to_string(count) + " certificates do not fit into its " +
+                   std::to_string(bytes.size()) + " bytes");
+        std::size_t end = bytes.size() - CHECKSUM_BYTES;
+        if (count * bytesEach != room || take<std::uint32_t>(bytes, end) != checksumOf(bytes, HEAD_BYTES + room))
+            refuse("is damaged: its checksum is another one");
+        if (fileDimension != dimension || fileFingerprint != fingerprint)
+            refuse("is of other obstacles");
+
+        std::vector<Certificate> certificates(count);
+        for (Certificate &certificate : certificates)
+        {
+            for (unsigned int axis = 0; axis < dimension; ++axis)
+                certificate.point[axis] = takeNumber(bytes, at);
+            certificate.clearance = takeNumber(bytes, at);
+            if (!certificate.point.allFinite() || !(certificate.clearance > -std::numeric_limits<double>::infinity()))
+                refuse("is damaged: a certificate is not of numbers");
+        }
+        try
+        {
+            checker.addCertificates(certificates);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            refuse(exception.what());
+        }
+        return certificates.size();
+    }
+}

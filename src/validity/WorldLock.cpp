@@ -1,0 +1,58 @@
+#include "ompl_certificates/validity/WorldLock.h"
+
+#include "ThreadNumber.h"
+
+#include <ompl/util/Exception.h>
+#include <thread>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** The lock that the innermost check of this thread holds */
+        thread_local WorldLock *held = nullptr;
+    }
+
+    WorldLock::Slot &WorldLock::slotOfThisThread()
+    {
+        return slots_[threadNumber() % SLOTS];
+    }
+
+    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), outer_(held)
+    {
+        if (outer_ == &lock_)
+            return;
+        // First in, then a look whether a change has begun; a change first says so, then looks who is in.
+        std::atomic<int> &checks = lock_.slotOfThisThread().checks;
+        for (checks.fetch_add(1); lock_.changing_.load(); checks.fetch_add(1))
+        {
+            checks.fetch_sub(1);
+            const std::lock_guard<std::mutex> wait(lock_.mutex_);
+        }
+        held = &lock_;
+    }
+
+    WorldLock::Check::~Check()
+    {
+        if (outer_ == &lock_)
+            return;
+        held = outer_;
+        lock_.slotOfThisThread().checks.fetch_sub(1, std::memory_order_release);
+    }
+
+    WorldLock::Change::Change(WorldLock &lock) : lock_(lock)
+    {
+        if (held == &lock_)
+            throw ompl::Exception("The obstacles cannot be changed from within a check");
+        guard_ = std::unique_lock<std::mutex>(lock_.mutex_);
+        lock_.changing_.store(true);
+        for (const Slot &slot : lock_.slots_)
+            while (slot.checks.load() != 0)
+                std::this_thread::yield();
+    }
+
+    WorldLock::Change::~Change()
+    {
+        lock_.changing_.store(false);
+    }
+}

@@ -1,0 +1,225 @@
+#include "support/Checkers.h"
+#include "support/RandomMeshes.h"
+
+#include "ompl_certificates/geometry/ObstacleSet.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+#include <thread>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    class ChangingObstacles : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+        }
+
+        PlacedBody randomObstacle(Random &random, unsigned int dimension, bool meshes)
+        {
+            const double size = random.uniform(0.3, 2.0);
+            const Body body = meshes && random.chance(0.5) ? meshBody(dimension, randomMesh(random, size))
+                                                           : randomBody(random, dimension, size);
+            return {body, random.pose(dimension, HALF)};
+        }
+
+        /** Adds, removes or moves some obstacles. */
+        void disturb(Random &random, ObstacleSet &set, std::vector<ObstacleSet::Id> &there, unsigned int dimension,
+                     bool meshes)
+        {
+            for (unsigned int count = 1 + random.below(3); count > 0; --count)
+            {
+                const std::size_t which = there.empty() ? 0 : random.below(there.size());
+                if (there.size() < 3 || random.chance(0.4))
+                    there.push_back(set.add(randomObstacle(random, dimension, meshes)));
+                else if (random.chance(0.5))
+                    set.move(there[which], random.pose(dimension, HALF));
+                else
+                {
+                    set.remove(there[which]);
+                    there.erase(there.begin() + static_cast<std::ptrdiff_t>(which));
+                }
+            }
+        }
+    };
+}
+
+TEST_P(ChangingObstacles, LeaveVerdictsAndClearancesOfFreshCheckers)
+{
+    for (unsigned int seed = 1; seed <= scaled(12); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const bool meshes = seed % 2 == 0;
+        const TeamStateSpacePtr team = anyTeam(GetParam());
+        const unsigned int dimension = team->getWorkspaceDimension();
+        ObstacleSet set(dimension, team->getHeights());
+        std::vector<ObstacleSet::Id> there;
+        for (unsigned int i = 0; i < 8; ++i)
+            there.push_back(set.add(randomObstacle(random, dimension, meshes)));
+        Checkers changed(team, set.takeChange().after);
+        std::vector<ob::ScopedState<>> states;
+        for (int i = 0; i < 120; ++i)
+            states.push_back(randomState(random, team));
+        unsigned int valid = 0, invalid = 0;
+        for (int round = 0; round < 6; ++round)
+        {
+            const Checkers fresh(team, set.takeChange().after);
+            for (std::size_t i = 0; i + 1 < states.size(); ++i)
+                for (const auto &setup : changed.setups)
+                {
+                    const bool isValid = fresh.isValid(states[i].get());
+                    ++(isValid ? valid : invalid);
+                    ASSERT_EQ(setup->getTeamChecker()->isValid(states[i].get()), isValid)
+                        << setup->getTeamChecker()->getMethodName();
+                    ASSERT_EQ(
+                        setup->getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()),
+                        fresh.standard().getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()));
+                }
+            for (const auto &setup : changed.certified())
+                for (const Certificate &certificate : setup->getCertificateChecker()->getCertificates())
+                {
+                    const Obstacles &obstacles = fresh.standard().getTeamChecker()->getObstacles();
+                    const double clearance = obstacles.clearance(certificate.point);
+                    if (setup->getTeamChecker()->getMethodName() == "basic")
+                        ASSERT_LE(certificate.clearance, clearance + obstacles.getTolerance());
+                    else
+                        ASSERT_NEAR(certificate.clearance, clearance, obstacles.getTolerance());
+                }
+            disturb(random, set, there, dimension, meshes);
+            const ObstacleChange change = set.takeChange();
+            for (const auto &setup : changed.setups)
+                setup->getTeamChecker()->changeObstacles(change);
+        }
+        EXPECT_GT(valid, 0U);
+        EXPECT_GT(invalid, 0U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Teams, ChangingObstacles, testing::Range(0U, 3U));
+
+TEST_F(ChangingObstacles, KeepTheNumberOfCertificates)
+{
+    Random random(1);
+    const TeamStateSpacePtr team = teamOfDiscs();
+    ObstacleSet set(2);
+    for (int i = 0; i < 40; ++i)
+        set.add(randomObstacle(random, 2, false));
+    const ObstacleSet::Id crate = set.add({Body::box(1.0, 1.0)});
+    TeamSetup setup(team, set.takeChange().after);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getCertificateChecker();
+    for (int i = 0; i < 500; ++i)
+        checker->isValid(randomState(random, team).get());
+    const std::size_t known = checker->getCertificateCount();
+    ASSERT_GT(known, 20U);
+    set.move(crate, random.pose(2, HALF));
+    checker->changeObstacles(set.takeChange());
+    EXPECT_EQ(checker->getCertificateCount(), known);
+}
+
+TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
+{
+    // Two worlds in turns: in each, verdicts are the one or the other, never those of a mixture.
+    const TeamStateSpacePtr team = teamOfDiscs();
+    ObstacleSet set(2);
+    const auto at = [](double x) { return Pose(Eigen::Translation3d(x, 0.0, 0.0)); };
+    const ObstacleSet::Id left = set.add({Body::box(4.0, 9.0), at(-2.5)});
+    TeamSetup setup(team, set.takeChange().after);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getCertificateChecker();
+    std::atomic<bool> done{false};
+    std::atomic<unsigned int> checks{0}, wrong{0};
+    // The robots are on both sides of the middle, so one of them always touches the box.
+    const auto check = [&]
+    {
+        ob::ScopedState<> state(team);
+        Random random(2);
+        while (!done)
+        {
+            double side = 1.0;
+            for (unsigned int robot = 0; robot < team->getRobotCount(); ++robot, side = -side)
+            {
+                auto *values = state->as<ob::CompoundState>()
+                                   ->components[robot]
+                                   ->as<ob::RealVectorStateSpace::StateType>()
+                                   ->values;
+                values[0] = side * random.uniform(1.0, 4.0);
+                values[1] = -3.0 + 3.0 * robot;
+            }
+            ++checks;
+            if (checker->isValid(state.get()))
+                ++wrong;
+        }
+    };
+    std::thread first(check), second(check);
+    for (int i = 0; i < 200; ++i)
+    {
+        set.move(left, at(i % 2 == 0 ? 2.5 : -2.5));
+        checker->changeObstacles(set.takeChange());
+    }
+    while (checks < 2000)
+        std::this_thread::yield();
+    done = true;
+    first.join();
+    second.join();
+    EXPECT_EQ(wrong, 0U);
+}
+
+namespace
+{
+    /** Obstacles that try to change the world of the checker that asks them */
+    class Meddling : public DearObstacles
+    {
+    public:
+        using DearObstacles::DearObstacles;
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            if (checker)
+                checker->changeObstacles({std::make_shared<FclObstacles>(2U, std::vector<PlacedBody>()), {}, {}});
+            return DearObstacles::collides(body, pose);
+        }
+
+        TeamValidityChecker *checker{nullptr};
+    };
+}
+
+TEST_F(ChangingObstacles, AreRefusedWhereTheyMakeNoSense)
+{
+    const TeamStateSpacePtr team = teamOfDiscs();
+    const auto meddling = std::make_shared<Meddling>(2U, std::vector<PlacedBody>());
+    TeamSetup setup(team, meddling, Method::STANDARD);
+    setup.getSpaceInformation()->setup();
+    TeamValidityChecker &checker = *setup.getTeamChecker();
+    const auto inSpace = std::make_shared<FclObstacles>(3U, std::vector<PlacedBody>());
+    EXPECT_THROW(checker.changeObstacles({}), ompl::Exception);
+    EXPECT_THROW(checker.changeObstacles({inSpace, {}, {}}), ompl::Exception);
+    EXPECT_THROW(checker.changeObstacles({meddling, inSpace, {}}), ompl::Exception);
+    EXPECT_THROW(checker.changeObstacles({meddling, {}, inSpace}), ompl::Exception);
+    meddling->checker = &checker;
+    EXPECT_THROW(checker.isValid(ob::ScopedState<>(team).get()), ompl::Exception);
+    meddling->checker = nullptr;
+    EXPECT_NO_THROW(checker.changeObstacles({meddling, {}, {}}));
+
+    EXPECT_THROW(ObstacleSet(4), ompl::Exception);
+    ObstacleSet set(2);
+    EXPECT_THROW(set.add({Body::sphere(1.0)}), ompl::Exception);
+    const ObstacleSet::Id id = set.add({Body::disc(1.0)});
+    EXPECT_THROW(set.move(id + 1, Pose::Identity()), ompl::Exception);
+    EXPECT_THROW(set.move(id, Pose(Eigen::Translation3d(NAN, 0.0, 0.0))), ompl::Exception);
+    EXPECT_THROW(set.remove(id + 1), ompl::Exception);
+    set.remove(id);
+    EXPECT_THROW(set.remove(id), ompl::Exception);
+    EXPECT_NE(set.add({Body::disc(1.0)}), id);
+    EXPECT_EQ(set.size(), 1U);
+}
