@@ -13,21 +13,32 @@
 
 namespace ompl_certificates
 {
+    /** \brief An FCL object of a geometry whose local box is known, which is Shape::FCL_SCALE times as large as its pose has it.
+
+        FCL's own constructors compute that box anew, in the geometry itself: linear in the vertices of a mesh, and other
+        threads that check the same geometry see it change, and may get another verdict. */
+    class PlacedGeometry : public fcl::CollisionObjectd
+    {
+    public:
+        PlacedGeometry(const std::shared_ptr<fcl::CollisionGeometryd> &geometry, const Pose &pose)
+          : fcl::CollisionObjectd(nullptr)
+        {
+            cgeom = geometry;
+            cgeom_const = geometry;
+            t = pose;
+            t.translation() *= Shape::FCL_SCALE;
+            computeAABB();
+        }
+    };
+
     /** \brief FCL's tree of boxes over obstacles, and its exact check of those that the boxes do not separate */
     class Broadphase
     {
     public:
-        /** \brief An FCL object of \e geometry, which is Shape::FCL_SCALE times as large as \e pose has it */
-        static fcl::CollisionObjectd makeObject(const std::shared_ptr<fcl::CollisionGeometryd> &geometry, Pose pose)
-        {
-            pose.translation() *= Shape::FCL_SCALE;
-            return {geometry, pose};
-        }
-
         /** \brief Add an obstacle. Call setup() after the last. */
         void add(const std::shared_ptr<fcl::CollisionGeometryd> &geometry, const Pose &pose)
         {
-            objects_.push_back(std::make_unique<fcl::CollisionObjectd>(makeObject(geometry, pose)));
+            objects_.push_back(std::make_unique<PlacedGeometry>(geometry, pose));
             manager_.registerObject(objects_.back().get());
         }
 
@@ -44,7 +55,7 @@ namespace ompl_certificates
         /** \brief Whether \e geometry at \e pose touches an obstacle */
         bool collides(const std::shared_ptr<fcl::CollisionGeometryd> &geometry, const Pose &pose) const
         {
-            fcl::CollisionObjectd object = makeObject(geometry, pose);
+            PlacedGeometry object(geometry, pose);
             bool hit = false;
             manager_.collide(&object, &hit, stopAtFirstContact);
             return hit;
@@ -64,7 +75,7 @@ namespace ompl_certificates
             return true;
         }
 
-        std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+        std::vector<std::unique_ptr<PlacedGeometry>> objects_;
         fcl::DynamicAABBTreeCollisionManagerd manager_;
     };
 }

@@ -98,6 +98,9 @@ namespace ompl_certificates
         surface_.build();
         if (dimension_ == 2)
             project();
+        // A primitive is checked against planar meshes as a prism that is as high as they are.
+        if (!planarMeshes_->isEmpty())
+            largest = std::max(largest, meshHeights_.high - meshHeights_.low);
         // The last term pays for the rounding of coordinates far from the origin.
         tolerance_ = EXACT_CHECK_TOLERANCE * largest + MESH_TOLERANCE * largestMesh + 1e-14 * farthest;
     }

@@ -269,3 +269,21 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
     EXPECT_FALSE(above.collides(Body::disc(1.0), planarPose(0.0, 0.0)));
     EXPECT_TRUE(std::isinf(above.clearance({0.0, 0.0, 0.0})));
 }
+
+/** FCL's constructors of a collision object compute the geometry's box anew, while other threads read it. */
+TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
+{
+    const Body mesh = Body::mesh(boxMesh({2, 2, 10})), plane = Body::planarMesh(boxMesh({2, 2, 10}));
+    for (const Body &body : {mesh, plane})
+    {
+        const FclObstacles obstacles(body.getDimension(), {{body}});
+        // Something larger, that is still right but not what FCL would put there
+        double &radius = body.getParts().front().shape.getCollisionGeometry()->aabb_radius;
+        radius *= 1.5;
+        const double before = radius;
+        EXPECT_TRUE(obstacles.collides(body, planarPose(1.0, 0.0)));
+        EXPECT_FALSE(obstacles.collides(body, planarPose(5.0, 0.0, 0.3)));
+        const FclObstacles again(body.getDimension(), {{body}});
+        EXPECT_EQ(radius, before);
+    }
+}

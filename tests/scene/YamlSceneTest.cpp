@@ -143,6 +143,9 @@ namespace ompl_certificates
         for (const auto &file : yamlFiles(SOURCE / "demos" / "scenes"))
         {
             SCOPED_TRACE(file.string());
+            // Its largest mesh is made when the demos are built.
+            if (file.stem() == "canyon" && !fs::exists(file.parent_path() / "canyon_terrain.obj"))
+                continue;
             const YamlScene scene(file.string());
             EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
             const TeamSetupPtr setup = scene.makeSetup();
@@ -151,7 +154,7 @@ namespace ompl_certificates
             EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
             EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
         }
-        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 5u);
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 8u);
     }
 
     TEST(YamlScene, ReadsTheExamplesOfItsDocumentation)

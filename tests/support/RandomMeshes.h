@@ -112,6 +112,24 @@ namespace ompl_certificates
             }
         }
 
+        /** \brief The same mesh, higher by \e height */
+        inline TriangleMeshPtr raised(const TriangleMeshPtr &mesh, double height)
+        {
+            std::vector<Eigen::Vector3d> vertices = mesh->getVertices();
+            for (Eigen::Vector3d &vertex : vertices)
+                vertex.z() += height;
+            return std::make_shared<TriangleMesh>(std::move(vertices), mesh->getTriangles());
+        }
+
+        /** \brief A body of a mesh of any kind, about \e size wide; in the plane, anywhere from below it to above it */
+        inline Body randomMeshBody(Random &random, unsigned int dimension, double size)
+        {
+            const TriangleMeshPtr mesh = randomMesh(random, size);
+            if (dimension == 3)
+                return Body::mesh(mesh);
+            return Body::planarMesh(raised(mesh, random.chance(0.3) ? 0.0 : size * random.uniform(-0.7, 0.7)));
+        }
+
         /** \brief A body of a mesh, for the plane or for space */
         inline Body meshBody(unsigned int dimension, TriangleMeshPtr mesh)
         {

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_TESTS_SUPPORT_TEAMS_
 
 #include "RandomBodies.h"
+#include "RandomMeshes.h"
 #include "RandomStates.h"
 
 #include "ompl_certificates/geometry/CarWithTrailer.h"
@@ -54,10 +55,52 @@ namespace ompl_certificates
             return team;
         }
 
+        /** \brief In the plane: a box and a ball of which neither reaches as high as the other does, and a soup of triangles */
+        inline TeamStateSpacePtr planarMeshTeam(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(2, HALF * unit);
+            Random random(5);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::inSE2(
+                "box", Body::planarMesh(boxMesh({0.8 * unit, 0.3 * unit, 0.4 * unit}, {0.0, 0.0, -0.2 * unit})),
+                bounds));
+            team->addRobot(
+                RigidRobot::inR2("ball", Body::planarMesh(raised(ballMesh(5, 0.3 * unit), 0.2 * unit)), bounds));
+            team->addRobot(RigidRobot::inSE2("soup", Body::planarMesh(randomSoup(random, 0.8 * unit)), bounds));
+            return team;
+        }
+
+        /** \brief A box and a soup of triangles, and between them a capsule */
+        inline TeamStateSpacePtr spatialMeshTeam(double unit = 1.0)
+        {
+            const auto bounds = cubeBounds(3, HALF * unit);
+            Random random(6);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::inSE3("box", Body::mesh(boxMesh({0.8 * unit, 0.3 * unit, 0.4 * unit})), bounds));
+            team->addRobot(RigidRobot::inR3("bar", Body::capsule(0.2 * unit, 0.8 * unit), bounds));
+            team->addRobot(RigidRobot::inSE3("soup", Body::mesh(randomSoup(random, 0.8 * unit)), bounds));
+            return team;
+        }
+
+        /** \brief How many teams anyTeam() has; of meshes are those from FIRST_OF_MESHES on */
+        constexpr unsigned int TEAMS = 5, FIRST_OF_MESHES = 3;
+
         /** \brief One of the teams above */
         inline TeamStateSpacePtr anyTeam(unsigned int which, double unit = 1.0)
         {
-            return which == 0 ? teamOfDiscs(unit) : which == 1 ? mixedTeam(unit) : spatialTeam(unit);
+            switch (which)
+            {
+                case 0:
+                    return teamOfDiscs(unit);
+                case 1:
+                    return mixedTeam(unit);
+                case 2:
+                    return spatialTeam(unit);
+                case 3:
+                    return planarMeshTeam(unit);
+                default:
+                    return spatialMeshTeam(unit);
+            }
         }
 
         /** \brief Obstacles of all kinds that leave most of the workspace free; more of them in space, where there is more room */
@@ -71,6 +114,25 @@ namespace ompl_certificates
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
             return std::make_shared<DearObstacles>(dimension, bodies);
+        }
+
+        /** \brief Obstacles for team \e which of anyTeam(): those above, and most of them meshes for a team of meshes */
+        inline std::shared_ptr<FclObstacles> anyObstacles(Random &random, unsigned int which, unsigned int count,
+                                                          double unit = 1.0)
+        {
+            const auto team = anyTeam(which, unit);
+            const unsigned int dimension = team->getWorkspaceDimension();
+            if (which < FIRST_OF_MESHES)
+                return scatteredObstacles(random, dimension, count, unit);
+            std::vector<PlacedBody> bodies;
+            for (count *= dimension == 2 ? 1 : 6; count > 0; --count)
+            {
+                const double size = unit * random.uniform(0.3, 1.5);
+                const Body body =
+                    random.chance(0.2) ? randomBody(random, dimension, size) : randomMeshBody(random, dimension, size);
+                bodies.push_back({body, random.pose(dimension, HALF * unit)});
+            }
+            return std::make_shared<DearObstacles>(dimension, bodies, team->getHeights());
         }
     }
 }

@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/MeshObstacles.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -32,7 +33,7 @@ namespace
         for (const auto &placed : bodies)
             for (int i = 0; i < 100; ++i)
             {
-                const Eigen::Vector3d point = placed.pose * pointOf(random, placed.body);
+                const Eigen::Vector3d point = placed.pose * surfacePointOf(random, placed.body);
                 nearest = std::min(nearest, obstacles.clearance(point));
                 for (const auto &other : bodies)
                     if (other.robot != placed.robot)
@@ -59,7 +60,7 @@ TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const auto team = anyTeam(GetParam());
-        const auto obstacles = scatteredObstacles(random, team->getWorkspaceDimension(), 8);
+        const auto obstacles = anyObstacles(random, GetParam(), 8);
         const Checkers checkers(team, obstacles);
         for (int i = 0; i < 40; ++i)
         {
@@ -88,7 +89,7 @@ TEST_P(Clearance, IsDeclaredABoundedApproximation)
                   ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, Clearance, testing::Values(0U, 1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Kind, Clearance, testing::Values(0U, 1U, 2U, 4U));
 
 TEST(Clearances, OfDiscsAreExact)
 {

@@ -66,7 +66,7 @@ namespace
         Random random(seed);
         Problem problem;
         problem.team = anyTeam(kind);
-        problem.obstacles = scatteredObstacles(random, problem.team->getWorkspaceDimension(), 8);
+        problem.obstacles = anyObstacles(random, kind, 8);
         const Checkers checkers(problem.team, problem.obstacles);
         for (auto *reals : {&problem.start, &problem.goal})
         {
@@ -134,7 +134,7 @@ TEST_P(Trees, AreTheSameUnderAllMethods)
     std::size_t nodes = 0;
     unsigned int solved = 0, runs = 0;
     for (unsigned int seed = 1; seed <= scaled(3); ++seed)
-        for (unsigned int kind = 0; kind < 3; ++kind)
+        for (unsigned int kind = 0; kind < TEAMS; ++kind)
         {
             SCOPED_TRACE("seed " + std::to_string(seed) + ", team " + std::to_string(kind));
             const Problem problem = randomProblem(seed, kind);

@@ -18,7 +18,13 @@ namespace
         return state->as<ob::RealVectorStateSpace::StateType>()->values;
     }
 
-    TeamStateSpacePtr randomTeam(Random &random, unsigned int dimension, double unit, double origin)
+    /** A body that is a mesh with the chance \e meshes */
+    Body anyBody(Random &random, unsigned int dimension, double size, double meshes)
+    {
+        return random.chance(meshes) ? randomMeshBody(random, dimension, size) : randomBody(random, dimension, size);
+    }
+
+    TeamStateSpacePtr randomTeam(Random &random, unsigned int dimension, double meshes, double unit, double origin)
     {
         ob::RealVectorBounds bounds(dimension);
         bounds.setLow(origin - 3.0 * unit);
@@ -27,12 +33,12 @@ namespace
         for (unsigned int i = 0, count = 1 + random.below(3); i < count; ++i)
         {
             const std::string name = "robot" + std::to_string(i);
-            const Body body = randomBody(random, dimension, unit * random.logUniform(0.02, 1.0));
+            const Body body = anyBody(random, dimension, unit * random.logUniform(0.02, 1.0), meshes);
             const bool turns = random.chance(0.7);
             if (dimension == 3)
                 team->addRobot(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
             else if (random.chance(0.25))
-                team->addRobot(std::make_shared<CarWithTrailer>(name, body, randomBody(random, 2, 0.5 * unit),
+                team->addRobot(std::make_shared<CarWithTrailer>(name, body, anyBody(random, 2, 0.5 * unit, meshes),
                                                                 random.uniform(0.0, unit), bounds));
             else
                 team->addRobot(turns ? RigidRobot::inSE2(name, body, bounds) : RigidRobot::inR2(name, body, bounds));
@@ -40,19 +46,21 @@ namespace
         return team;
     }
 
-    std::shared_ptr<FclObstacles> randomObstacles(Random &random, unsigned int dimension, double unit, double origin)
+    std::shared_ptr<FclObstacles> randomObstacles(Random &random, const TeamStateSpace &team, double meshes,
+                                                  double unit, double origin)
     {
+        const unsigned int dimension = team.getWorkspaceDimension();
         std::vector<PlacedBody> bodies;
         for (unsigned int count = 1 + random.below(6); count > 0; --count)
         {
-            const Body body = randomBody(random, dimension, unit * random.logUniform(0.3, 3.0));
+            const Body body = anyBody(random, dimension, unit * random.logUniform(0.3, 3.0), meshes);
             Pose pose = random.pose(dimension, 3.0 * unit);
             pose.translation().head(dimension).array() += origin;
             bodies.push_back({body, pose});
         }
         if (random.chance(0.5))
-            return std::make_shared<DearObstacles>(dimension, bodies);
-        return std::make_shared<FclObstacles>(dimension, bodies);
+            return std::make_shared<DearObstacles>(dimension, bodies, team.getHeights());
+        return std::make_shared<FclObstacles>(dimension, bodies, team.getHeights());
     }
 
     /** Moves one robot of a state along a line, to where its verdict changes. */
@@ -140,7 +148,8 @@ namespace
     }
 }
 
-class Soundness : public testing::TestWithParam<unsigned int>
+/** The dimension, and whether there are meshes */
+class Soundness : public testing::TestWithParam<std::tuple<unsigned int, bool>>
 {
 protected:
     void SetUp() override
@@ -152,15 +161,18 @@ protected:
 TEST_P(Soundness, VerdictsAreThoseOfTheStandardCheck)
 {
     Counts counts;
-    for (unsigned int seed = 0; seed < scaled(1000); ++seed)
+    const unsigned int seeds = scaled(std::get<1>(GetParam()) ? 400 : 1000);
+    for (unsigned int seed = 0; seed < seeds; ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double unit = seed % 3 == 0 ? 1.0 : seed % 3 == 1 ? 1e-3 : 1e4;
         // Now and then far from the origin, as surveyed maps are
         const double origin = random.chance(0.1) ? 1e6 * unit : 0.0;
-        const auto team = randomTeam(random, GetParam(), unit, origin);
-        const Checkers checkers(team, randomObstacles(random, GetParam(), unit, origin));
+        // Some robots and obstacles of a world of meshes are primitives, or all of them on one side.
+        const auto chance = [&, some = std::get<1>(GetParam())] { return some ? random.below(3) / 2.0 : 0.0; };
+        const auto team = randomTeam(random, std::get<0>(GetParam()), chance(), unit, origin);
+        const Checkers checkers(team, randomObstacles(random, *team, chance(), unit, origin));
         auto state = randomState(random, team);
         for (int i = 0; i < 20; ++i)
         {
@@ -179,9 +191,14 @@ TEST_P(Soundness, VerdictsAreThoseOfTheStandardCheck)
         }
     }
     RecordProperty("states", static_cast<int>(counts.states));
-    EXPECT_GT(counts.states, scaled(50000));
+    EXPECT_GT(counts.states, 50 * seeds);
     EXPECT_GT(counts.valid, counts.states / 8);
     EXPECT_GT(counts.invalid, counts.states / 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimension, Soundness, testing::Values(2U, 3U));
+INSTANTIATE_TEST_SUITE_P(Kind, Soundness, testing::Combine(testing::Values(2U, 3U), testing::Bool()),
+                         [](const auto &tested)
+                         {
+                             return std::string(std::get<0>(tested.param) == 2 ? "InThePlane" : "InSpace") +
+                                    (std::get<1>(tested.param) ? "WithMeshes" : "");
+                         });

@@ -17,8 +17,8 @@ namespace
             ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
             Random random(GetParam());
             team_ = anyTeam(GetParam());
-            here_ = std::make_unique<Checkers>(team_, scatteredObstacles(random, team_->getWorkspaceDimension(), 10));
-            there_ = std::make_unique<Checkers>(team_, scatteredObstacles(random, team_->getWorkspaceDimension(), 10));
+            here_ = std::make_unique<Checkers>(team_, anyObstacles(random, GetParam(), 10));
+            there_ = std::make_unique<Checkers>(team_, anyObstacles(random, GetParam(), 10));
             for (int i = 0; i < 300; ++i)
                 states_.push_back(randomState(random, team_));
         }
@@ -100,7 +100,7 @@ TEST_P(StaleReferences, OfAnotherRobotOrStateChangeNoVerdict)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, StaleReferences, testing::Values(0U, 1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Kind, StaleReferences, testing::Range(0U, TEAMS));
 
 TEST(References, OfADiscThatWasFoundFreeProveItFreeAgain)
 {

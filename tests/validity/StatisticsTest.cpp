@@ -41,7 +41,7 @@ TEST_P(StatisticsOfATeam, AddUp)
 {
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
-    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    const Checkers checkers(team, anyObstacles(random, GetParam(), 10));
     for (const auto &setup : checkers.setups)
     {
         SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
@@ -75,7 +75,7 @@ TEST_P(StatisticsOfATeam, AddUp)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, StatisticsOfATeam, testing::Values(0U, 1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Kind, StatisticsOfATeam, testing::Values(0U, 1U, 2U, 4U));
 
 TEST(Statistics, ShowFewerExactChecksTheMoreIsShared)
 {

@@ -17,7 +17,7 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
-    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    const Checkers checkers(team, anyObstacles(random, GetParam(), 10));
     const auto &alone = *checkers.standard().getSpaceInformation();
     constexpr unsigned int count = 400;
     std::vector<ob::ScopedState<>> states;
@@ -77,7 +77,7 @@ TEST_P(Threads, MayAskForClearances)
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
-    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+    const Checkers checkers(team, anyObstacles(random, GetParam(), 10));
     const auto &checker = *checkers.setups.back()->getTeamChecker();
     std::vector<ob::ScopedState<>> states;
     std::vector<double> clearances;
@@ -101,4 +101,4 @@ TEST_P(Threads, MayAskForClearances)
     EXPECT_EQ(wrong, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, Threads, testing::Values(0U, 1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Kind, Threads, testing::Range(0U, TEAMS));

@@ -175,7 +175,7 @@ TEST_P(UserParts, ObstaclesWithALowerBoundOnlyGiveEqualVerdicts)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const auto team = anyTeam(GetParam());
-        const auto exact = scatteredObstacles(random, team->getWorkspaceDimension(), 10);
+        const auto exact = anyObstacles(random, GetParam(), 10);
         const Checkers half(team, std::make_shared<BoundedObstacles>(exact, 0.5));
         ASSERT_NO_FATAL_FAILURE(expectEqualVerdicts(random, half, counts));
         const Checkers shy(team, std::make_shared<ShyObstacles>(exact, 0.5));
@@ -184,7 +184,7 @@ TEST_P(UserParts, ObstaclesWithALowerBoundOnlyGiveEqualVerdicts)
     counts.expectVariety();
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, UserParts, testing::Values(0U, 1U, 2U));
+INSTANTIATE_TEST_SUITE_P(Kind, UserParts, testing::Range(0U, TEAMS));
 
 TEST(UserRobot, GivesEqualVerdicts)
 {
