@@ -64,10 +64,12 @@ namespace ompl_certificates
     private:
         static bool stopAtFirstContact(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *data)
         {
-            // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape.
+            // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape, but
+            // not below what the larger one's rounding allows: FCL's solver would go on for ever.
+            const auto [small, large] =
+                std::minmax(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
             fcl::CollisionRequestd request;
-            request.gjk_tolerance =
-                1e-6 * std::min(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
+            request.gjk_tolerance = std::max(1e-6 * small, 1e-10 * large);
             fcl::CollisionResultd result;
             if (fcl::collide(a, b, request, result) == 0)
                 return false;

@@ -13,9 +13,14 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** The tolerance of FCL's checks of meshes, relative to their sizes: the triangles that are just not degenerate
-            have normals that are known to about this. */
-        constexpr double MESH_TOLERANCE = 2e-7;
+        /** The tolerance of FCL's checks of meshes, relative to their sizes: its solver for a primitive and a triangle. That
+            of two triangles is better; those that are just not degenerate have normals that are known to 2e-7. */
+        constexpr double MESH_TOLERANCE = 1e-6;
+
+        /** What FCL may be wrong by whatever the sizes, in the scene's unit. Products of up to four lengths must stay above
+            its solver's absolute threshold, the rounding of 1.0: shapes that are smaller than this are judged by their
+            boxes at worst. */
+        constexpr double ABSOLUTE_TOLERANCE = 5e-4 / Shape::FCL_SCALE;
 
         /** What a triangle has between two heights */
         std::vector<Eigen::Vector3d> between(const TriangleTree::Corners &triangle, double low, double high)
@@ -102,7 +107,8 @@ namespace ompl_certificates
         if (!planarMeshes_->isEmpty())
             largest = std::max(largest, meshHeights_.high - meshHeights_.low);
         // The last term pays for the rounding of coordinates far from the origin.
-        tolerance_ = EXACT_CHECK_TOLERANCE * largest + MESH_TOLERANCE * largestMesh + 1e-14 * farthest;
+        tolerance_ =
+            exactCheckTolerance(largest) + MESH_TOLERANCE * largestMesh + 1e-14 * farthest + ABSOLUTE_TOLERANCE;
     }
 
     bool FclObstacles::collides(const Body &body, const Pose &pose) const

@@ -36,7 +36,7 @@ namespace ompl_certificates
                         const bool balls = first[a].isBall() && second[b].isBall();
                         pairs_.back().bodies.push_back(
                             {a, b, swapped, balls ? nullptr : frameOf(swapped ? first[a] : second[b]),
-                             2.0 * EXACT_CHECK_TOLERANCE * (first[a].getReach() + second[b].getReach())});
+                             2.0 * exactCheckTolerance(first[a].getReach() + second[b].getReach())});
                     }
             }
     }

@@ -89,7 +89,7 @@ TEST_P(RandomObstacles, CollideWithABodyIfOneOfItsPointsIsInside)
             [](Random &random, const FclObstacles &obstacles, double unit)
             {
                 const Body body = randomBody(random, obstacles.getDimension(), unit);
-                const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
                 for (int i = 0; i < 20; ++i)
                 {
                     const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);
@@ -106,7 +106,7 @@ TEST_P(RandomObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
             [](Random &random, const FclObstacles &obstacles, double unit)
             {
                 const Body body = randomBody(random, obstacles.getDimension(), unit);
-                const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
                 for (int i = 0; i < 20; ++i)
                 {
                     const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);

@@ -127,7 +127,7 @@ TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
             {
                 const Body body = random.chance(0.5) ? randomBody(random, GetParam(), unit)
                                                      : meshBody(GetParam(), randomMesh(random, unit));
-                const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
                 for (int i = 0; i < 30; ++i)
                 {
                     const Pose pose = nearPose(random, obstacles, body, unit);
@@ -163,7 +163,7 @@ TEST_P(MeshObstacles, HoldForBodiesFarSmallerThanTheirTriangles)
                                                    random.pose(GetParam(), 300.0 * unit)}});
         const Body body =
             random.chance(0.7) ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
-        const double margin = obstacles.getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+        const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
         for (int i = 0; i < 50; ++i)
         {
             const Pose pose = nearPose(random, obstacles, body, unit);

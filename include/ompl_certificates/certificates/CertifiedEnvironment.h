@@ -88,7 +88,7 @@ namespace ompl_certificates
         /** \brief What the radii of the balls of \e body are enlarged by to count as free, or shrunk by to collide */
         double getMargin(const Body &body) const
         {
-            return obstacles_->getTolerance() + EXACT_CHECK_TOLERANCE * body.getReach();
+            return obstacles_->getTolerance() + exactCheckTolerance(body.getReach());
         }
 
         /** \brief The obstacles */

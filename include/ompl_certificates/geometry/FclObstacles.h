@@ -109,7 +109,7 @@ namespace ompl_certificates
         /** \brief What a quick test of \e body leaves to the exact check */
         double marginOf(const Body &body) const
         {
-            return tolerance_ + EXACT_CHECK_TOLERANCE * body.getReach();
+            return tolerance_ + exactCheckTolerance(body.getReach());
         }
 
         unsigned int dimension_;

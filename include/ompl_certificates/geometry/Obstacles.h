@@ -92,6 +92,13 @@ namespace ompl_certificates
     /** \brief The tolerance of FCL's checks of two shapes, relative to their sizes. Its solvers iterate, and its
         box-box test enlarges the boxes by about a millionth. */
     constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
+
+    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones: relative, and for sizes above
+        10^5 growing with the square, which is how FCL enlarges large boxes */
+    constexpr double exactCheckTolerance(double size)
+    {
+        return (EXACT_CHECK_TOLERANCE + 4e-11 * size) * size;
+    }
 }
 
 #endif
