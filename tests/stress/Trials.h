@@ -1,0 +1,36 @@
+#ifndef OMPL_CERTIFICATES_TESTS_STRESS_TRIALS_
+#define OMPL_CERTIFICATES_TESTS_STRESS_TRIALS_
+
+#include "Lie.h"
+#include "World.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace stress
+    {
+        /** \brief What a kind of trial has compared so far */
+        struct Tally
+        {
+            std::uint64_t trials{0}, verdicts{0}, valid{0};
+        };
+
+        /** \brief A kind of trial: compares some verdicts in a world, and throws the first Lie */
+        struct Kind
+        {
+            std::string name, description;
+            void (*run)(World &world, Tally &tally);
+
+            /** \brief How many times a world that tries all kinds does this one */
+            unsigned int times;
+        };
+
+        /** \brief All kinds of trials */
+        const std::vector<Kind> &allKinds();
+    }
+}
+
+#endif

@@ -1,0 +1,77 @@
+#ifndef OMPL_CERTIFICATES_TESTS_STRESS_WORLD_
+#define OMPL_CERTIFICATES_TESTS_STRESS_WORLD_
+
+#include "Checked.h"
+
+#include "support/Random.h"
+
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace stress
+    {
+        /** \brief A random team in a random environment, and a pool of states that are used again and again, so that their
+            references become old. Depends on the seed and its number alone. */
+        class World
+        {
+        public:
+            World(std::uint64_t seed, std::uint64_t number);
+            ~World();
+
+            World(const World &) = delete;
+            World &operator=(const World &) = delete;
+
+            /** \brief Anything within bounds, or near another state of the pool, or in contact; keeps its old references now and
+                then */
+            void redraw(ompl::base::State *state);
+
+            /** \brief Put a robot so that a point of it is at a point of an obstacle or of another robot */
+            void touch(ompl::base::State *state, unsigned int robot);
+
+            /** \brief Put a robot so that its middle is at a point inside an obstacle, or on its surface */
+            void sink(ompl::base::State *state, unsigned int robot);
+
+            /** \brief Where the coordinates of the robot's position are in a state */
+            double *positionOf(ompl::base::State *state, unsigned int robot) const;
+
+            /** \brief One of the pool's states */
+            ompl::base::State *anyState()
+            {
+                return pool[random.below(pool.size())];
+            }
+
+            /** \brief Shift the robot's position */
+            void shift(ompl::base::State *state, unsigned int robot, const Eigen::Vector3d &by) const;
+
+            test::Random random;
+            unsigned int dimension;
+            double unit;
+
+            /** \brief Where the middle of the workspace is */
+            Eigen::Vector3d origin;
+            TeamStateSpacePtr team;
+            Setting setting;
+            std::unique_ptr<Checked> checked;
+
+            /** \brief The same team among other obstacles, made when first asked for: it leaves foreign references in states */
+            const Checked &other();
+
+            /** \brief States of this team's space, and two of another space with the same robots */
+            std::vector<ompl::base::State *> pool;
+
+        private:
+            Body randomRobotBody(bool mesh);
+            Body randomExtremeBody(double size);
+            std::vector<PlacedBody> randomObstacles(double meshChance);
+            void makeTeam(double meshChance);
+
+            TeamStateSpacePtr secondTeam_;
+            std::unique_ptr<Checked> other_;
+            double meshChance_;
+        };
+    }
+}
+
+#endif
