@@ -46,12 +46,13 @@ namespace ompl_certificates
             float square;
         };
 
-        /** A state that was not ruled out: its squared bound, and its true distance if that is known */
+        /** A state that was not ruled out: its squared bound, and what it is compared by: its true distance if that is
+            known, or else the squared bound again */
         struct Candidate
         {
             float square;
             StateKdTree::Index index;
-            double distance;
+            double key;
         };
 
         /** Sort by distance, then by number. RRT* asks for hundreds or thousands of neighbors, whose distances are spread
@@ -347,13 +348,19 @@ namespace ompl_certificates
         return exact_ ? metric_->exactDistance(search.scratch.exact.data(), exactRow(index)) : search.distance(index);
     }
 
+    void StateKdTree::ruleOutBeyond(Search &search, double key) const
+    {
+        const double distance = metric_->isTight() ? metric_->largest(static_cast<float>(key), search.magnitude) : key;
+        search.most = std::min(search.most, metric_->threshold(distance, search.magnitude));
+    }
+
     void StateKdTree::compact(Search &search) const
     {
         auto &candidates = search.scratch.candidates;
         const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(search.count - 1);
         std::nth_element(candidates.begin(), last, candidates.end(),
-                         [](const Candidate &a, const Candidate &b) { return a.distance < b.distance; });
-        search.most = std::min(search.most, metric_->threshold(last->distance, search.magnitude));
+                         [](const Candidate &a, const Candidate &b) { return a.key < b.key; });
+        ruleOutBeyond(search, last->key);
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                         [&](const Candidate &candidate) { return !(candidate.square <= search.most); }),
                          candidates.end());
@@ -380,24 +387,23 @@ namespace ompl_certificates
                     continue;
                 const Index index = leaf.indices[first + i];
                 // Where bounds are nearly the distance, those found can be told from the rest without it.
-                const double distance =
-                    metric_->isTight() ? metric_->largest(squares[i], search.magnitude) : distanceOf(search, index);
-                candidates.push_back({squares[i], index, distance});
+                const double key = metric_->isTight() ? squares[i] : distanceOf(search, index);
+                candidates.push_back({squares[i], index, key});
                 // A heap is kept of the best few; of many it would cost more than it rules out.
                 if (search.count > MOST_IN_HEAP)
                     continue;
                 if (best.size() == search.count)
                 {
-                    if (!(distance < best.front()))
+                    if (!(key < best.front()))
                         continue;
                     std::pop_heap(best.begin(), best.end());
-                    best.back() = distance;
+                    best.back() = key;
                 }
                 else
-                    best.push_back(distance);
+                    best.push_back(key);
                 std::push_heap(best.begin(), best.end());
                 if (best.size() == search.count)
-                    search.most = std::min(search.most, metric_->threshold(best.front(), search.magnitude));
+                    ruleOutBeyond(search, best.front());
             }
         }
         if (search.count > MOST_IN_HEAP && candidates.size() >= search.limit)
@@ -467,19 +473,21 @@ namespace ompl_certificates
                 searchTree(search);
             for (const auto &candidate : scratch.candidates)
                 if (candidate.square <= search.most)
-                    neighbors.emplace_back(
-                        metric_->isTight() ? distanceOf(search, candidate.index) : candidate.distance, candidate.index);
+                    neighbors.emplace_back(metric_->isTight() ? distanceOf(search, candidate.index) : candidate.key,
+                                           candidate.index);
         }
         if (radius < INFINITE)
             neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
                                            [&](const auto &neighbor) { return !(neighbor.first <= radius); }),
                             neighbors.end());
-        if (count < neighbors.size())
+        // A few too many are sooner sorted than told from the rest.
+        if (2 * count < neighbors.size())
         {
             std::nth_element(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count),
                              neighbors.end());
             neighbors.resize(count);
         }
         sortNeighbors(neighbors);
+        neighbors.resize(std::min(count, neighbors.size()));
     }
 }

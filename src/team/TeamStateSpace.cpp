@@ -2,12 +2,15 @@
 
 #include "TeamProjection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <ompl/base/StateSampler.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -44,6 +47,13 @@ namespace ompl_certificates
         private:
             const TeamStateSpace *team_;
         };
+
+        /** The dimension of a space that is R^n; 0 for others. Not dynamic_cast: a derived class may have a distance and
+            states of its own. */
+        unsigned int vectorDimension(const ob::StateSpace &space)
+        {
+            return typeid(space) == typeid(ob::RealVectorStateSpace) ? space.getDimension() : 0;
+        }
     }
 
     TeamStateSpace::TeamStateSpace()
@@ -66,6 +76,8 @@ namespace ompl_certificates
                                                  "' must be finite and not negative, not " + std::to_string(weight));
         addSubspace(robot->getStateSpace(), weight);
         robots_.push_back(robot);
+        vectors_.push_back(vectorDimension(*robot->getStateSpace()));
+        vectorSum_ += vectors_.back();
     }
 
     unsigned int TeamStateSpace::getWorkspaceDimension() const
@@ -96,17 +108,18 @@ namespace ompl_certificates
     double TeamStateSpace::distance(const ob::State *state1, const ob::State *state2) const
     {
         const auto *a = state1->as<StateType>(), *b = state2->as<StateType>();
+        const double *x = a->vectorValues(), *y = b->vectorValues();
         double squares = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
         {
             double distance = 0.0;
-            if (i < vectors_.size() && vectors_[i] > 0)
+            if (const unsigned int dimension = vectors_[i])
             {
-                const double *x = a->as<ob::RealVectorStateSpace::StateType>(i)->values;
-                const double *y = b->as<ob::RealVectorStateSpace::StateType>(i)->values;
-                for (unsigned int j = 0; j < vectors_[i]; ++j)
+                for (unsigned int j = 0; j < dimension; ++j)
                     distance += (x[j] - y[j]) * (x[j] - y[j]);
                 distance = std::sqrt(distance);
+                x += dimension;
+                y += dimension;
             }
             else
                 distance = components_[i]->distance(a->components[i], b->components[i]);
@@ -148,11 +161,38 @@ namespace ompl_certificates
 
     ob::State *TeamStateSpace::allocState() const
     {
-        auto *state = new StateType();
-        allocStateComponents(state);
+        using VectorState = ob::RealVectorStateSpace::StateType;
+        using Reference = std::atomic<CertificateIndex>;
+        static_assert(sizeof(StateType) % alignof(double) == 0 && alignof(VectorState) <= alignof(double) &&
+                      sizeof(VectorState) % alignof(double) == 0);
+        if (vectors_.size() != componentCount_)
+            throw ompl::Exception(getName(), "a team's components are added by addRobot(), not by addSubspace()");
+        const auto vectors = static_cast<std::size_t>(
+            std::count_if(vectors_.begin(), vectors_.end(), [](unsigned int dimension) { return dimension > 0; }));
+        auto *memory = static_cast<unsigned char *>(
+            ::operator new(sizeof(StateType) + vectorSum_ * sizeof(double) + vectors * sizeof(VectorState) +
+                           componentCount_ * (sizeof(ob::State *) + sizeof(Reference))));
+        const auto take = [&memory](std::size_t size) { return std::exchange(memory, memory + size); };
+        auto *state = new (take(sizeof(StateType))) StateType();
+        auto *values = reinterpret_cast<double *>(take(vectorSum_ * sizeof(double)));
+        auto *vector = take(vectors * sizeof(VectorState));
         state->space_ = this;
-        state->references_ = new std::atomic<CertificateIndex>[componentCount_];
-        clearReferences(state);
+        state->components = reinterpret_cast<ob::State **>(take(componentCount_ * sizeof(ob::State *)));
+        state->references_ = reinterpret_cast<Reference *>(take(componentCount_ * sizeof(Reference)));
+        for (unsigned int i = 0; i < componentCount_; ++i)
+        {
+            new (state->references_ + i) Reference(NO_CERTIFICATE);
+            if (vectors_[i] == 0)
+            {
+                state->components[i] = components_[i]->allocState();
+                continue;
+            }
+            auto *part = new (vector) VectorState();
+            part->values = values;
+            state->components[i] = part;
+            vector += sizeof(VectorState);
+            values += vectors_[i];
+        }
         return state;
     }
 
@@ -160,10 +200,10 @@ namespace ompl_certificates
     {
         auto *teamState = state->as<StateType>();
         for (unsigned int i = 0; i < componentCount_; ++i)
-            components_[i]->freeState(teamState->components[i]);
-        delete[] teamState->components;
-        delete[] teamState->references_;
-        delete teamState;
+            if (vectors_[i] == 0)
+                components_[i]->freeState(teamState->components[i]);
+        teamState->~StateType();
+        ::operator delete(static_cast<void *>(teamState));
     }
 
     ob::StateSamplerPtr TeamStateSpace::allocDefaultStateSampler() const
@@ -186,12 +226,10 @@ namespace ompl_certificates
             throw ompl::Exception(getName(), "a team needs at least one robot");
         if (componentCount_ != robots_.size())
             throw ompl::Exception(getName(), "a team's components are added by addRobot(), not by addSubspace()");
+        for (unsigned int i = 0; i < componentCount_; ++i)
+            if (vectorDimension(*components_[i]) != vectors_[i])
+                throw ompl::Exception(getName(), "the space of robot '" + robots_[i]->getName() +
+                                                     "' has changed its dimension since the robot was added");
         CompoundStateSpace::setup();
-        vectors_.clear();
-        for (const auto &component : components_)
-        {
-            const auto &space = *component;
-            vectors_.push_back(typeid(space) == typeid(ob::RealVectorStateSpace) ? space.getDimension() : 0);
-        }
     }
 }

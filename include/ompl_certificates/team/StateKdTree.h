@@ -123,6 +123,7 @@ namespace ompl_certificates
         float chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high, unsigned int depth) const;
         double *exactRow(std::size_t index) const;
         double distanceOf(const Search &search, Index index) const;
+        void ruleOutBeyond(Search &search, double key) const;
         void compact(Search &search) const;
         void searchTree(Search &search) const;
         void searchLeaf(Search &search, const Leaf &leaf) const;

@@ -45,6 +45,13 @@ namespace ompl_certificates
 
         private:
             friend class TeamStateSpace;
+
+            /** The coordinates of all components that are R^n, side by side: they follow the state in its memory. */
+            const double *vectorValues() const
+            {
+                return reinterpret_cast<const double *>(this + 1);
+            }
+
             const TeamStateSpace *space_{nullptr};
             std::atomic<CertificateIndex> *references_{nullptr};
         };
@@ -95,6 +102,8 @@ namespace ompl_certificates
 
         void deserialize(ompl::base::State *state, const void *serialization) const override;
 
+        /** \brief A state in one piece of memory, but for the components that are not R^n: planners look at many states'
+            coordinates, and most of that is waiting for memory. */
         ompl::base::State *allocState() const override;
 
         void freeState(ompl::base::State *state) const override;
@@ -112,9 +121,10 @@ namespace ompl_certificates
         void copyReferences(const StateType *destination, const StateType *source) const;
 
         std::vector<RobotPtr> robots_;
-        /** The dimensions of components that are R^n, once the space is set up; 0 for others. Planners ask for distances more
-            than for anything else, and those need no virtual call. */
+        /** The dimensions of the components that are R^n, 0 for others, and their sum. Planners ask for distances more than
+            for anything else, and those need no virtual call. */
         std::vector<unsigned int> vectors_;
+        std::size_t vectorSum_{0};
     };
 
     /** \brief A shared pointer to a team's state space */
