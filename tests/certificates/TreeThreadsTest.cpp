@@ -1,5 +1,9 @@
 #include "RandomCertificates.h"
 
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -19,6 +23,32 @@ namespace
             certificates.push_back({random.point(dimension, half), random.uniform(-0.05, 0.1) * half});
         }
         return certificates;
+    }
+
+    /** A clearance that belongs to a point alone, so that a certificate put together of two is found out */
+    double clearanceAt(const Eigen::Vector3d &point)
+    {
+        const double sum = point.x() + 3.0 * point.y() + 7.0 * point.z();
+        return (sum - std::floor(sum)) - 0.3;
+    }
+
+    bool isWhole(const Certificate &certificate)
+    {
+        return certificate.clearance == clearanceAt(certificate.point);
+    }
+
+    bool isTrue(const Covering &found, const Certificate &certificate, const BallQuery &query)
+    {
+        const double distance = (certificate.point - query.center).norm();
+        return found.verdict == Covering::FREE ? distance + query.freeRadius < certificate.clearance
+                                               : distance + certificate.clearance < query.collidingRadius;
+    }
+
+    /** The seconds that the hammer test takes: OMPL_CERTIFICATES_HAMMER_SECONDS, or else a moment */
+    double hammerSeconds()
+    {
+        const char *text = std::getenv("OMPL_CERTIFICATES_HAMMER_SECONDS");
+        return text ? std::atof(text) : 0.5;
     }
 }
 
@@ -71,11 +101,7 @@ TEST_P(TreeThreads, FindTrueAnswersWhileOthersAddAndNothingIsLost)
                         if (found.verdict == Covering::UNKNOWN)
                             continue;
                         const Certificate certificate = tree[found.certificate];
-                        const double distance = (certificate.point - query.center).norm();
-                        const bool isTrue = found.verdict == Covering::FREE
-                                                ? distance + query.freeRadius < certificate.clearance
-                                                : distance + certificate.clearance < query.collidingRadius;
-                        if (!isTrue)
+                        if (!isTrue(found, certificate, query))
                             ++wrong;
                     }
                 });
@@ -94,6 +120,89 @@ TEST_P(TreeThreads, FindTrueAnswersWhileOthersAddAndNothingIsLost)
             for (const auto &certificate : share)
                 ASSERT_EQ(tree.nearest(certificate).point, certificate.point);
     }
+}
+
+/** Tree after tree is filled by some threads while others search; then all must be there as it was added. */
+TEST_P(TreeThreads, HammerLosesAndTearsNothing)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(hammerSeconds());
+    constexpr unsigned int writers = 3, readers = 3, count = 5000;
+    std::atomic<std::uint64_t> found{0};
+    for (unsigned int round = 0; round == 0 || Clock::now() < end; ++round)
+    {
+        SCOPED_TRACE("round " + std::to_string(round));
+        CertificateTree tree(GetParam());
+        std::atomic<unsigned int> writing{writers}, wrong{0}, torn{0}, lost{0};
+        std::vector<std::vector<std::pair<CertificateIndex, Certificate>>> added(writers);
+        std::vector<std::thread> threads;
+        for (unsigned int writer = 0; writer < writers; ++writer)
+            threads.emplace_back(
+                [&, writer]
+                {
+                    Random own(1000000ULL * round + writer);
+                    for (unsigned int i = 0; i < count; ++i)
+                    {
+                        // Crowds now and then, and places far out that make the root grow
+                        const double half = own.chance(0.01) ? own.logUniform(1.0, 1e4) : own.logUniform(1e-3, 10.0);
+                        Certificate certificate{own.point(GetParam(), half), 0.0};
+                        certificate.clearance = clearanceAt(certificate.point);
+                        const CertificateIndex index = tree.insert(certificate);
+                        added[writer].emplace_back(index, certificate);
+                        const double r = certificate.clearance;
+                        const BallQuery query = r > 0.0 ? BallQuery{certificate.point, 0.5 * r, -1e9}
+                                                        : BallQuery{certificate.point, 1e9, r + 1e-6};
+                        if (tree.covering(query).verdict == Covering::UNKNOWN ||
+                            tree.covering(query, index).verdict == Covering::UNKNOWN)
+                            ++lost;
+                    }
+                    --writing;
+                });
+        for (unsigned int reader = 0; reader < readers; ++reader)
+            threads.emplace_back(
+                [&, reader]
+                {
+                    Random own(1000000ULL * round + writers + reader);
+                    std::uint64_t covered = 0;
+                    while (writing > 0)
+                    {
+                        const double radius = own.uniform(0.0, 0.5);
+                        const BallQuery query{own.point(GetParam(), own.logUniform(1e-3, 20.0)), radius, radius};
+                        // Seeds that are there, that are being added, and that are not there yet
+                        const Covering covering =
+                            own.chance(0.5) ? tree.covering(query) : tree.covering(query, own.below(tree.size() + 10));
+                        if (covering.verdict == Covering::UNKNOWN)
+                            continue;
+                        ++covered;
+                        const Certificate certificate = tree[covering.certificate];
+                        torn += isWhole(certificate) ? 0 : 1;
+                        wrong += isTrue(covering, certificate, query) ? 0 : 1;
+                    }
+                    found += covered;
+                });
+        for (auto &thread : threads)
+            thread.join();
+        EXPECT_EQ(wrong, 0U);
+        EXPECT_EQ(torn, 0U);
+        EXPECT_EQ(lost, 0U);
+        ASSERT_EQ(tree.size(), writers * count);
+        std::vector<Certificate> all;
+        tree.nearestR({}, 1e9, all);
+        EXPECT_EQ(all.size(), writers * count);
+        std::vector<bool> seen(writers * count, false);
+        for (const auto &share : added)
+            for (const auto &[index, certificate] : share)
+            {
+                ASSERT_LT(index, seen.size());
+                ASSERT_FALSE(seen[index]);
+                seen[index] = true;
+                ASSERT_TRUE(tree[index] == certificate);
+                ASSERT_EQ(tree.nearest(certificate).point, certificate.point);
+            }
+        if (HasFailure())
+            return;
+    }
+    EXPECT_GT(found, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimension, TreeThreads, testing::Values(2U, 3U));

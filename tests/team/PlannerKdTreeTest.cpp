@@ -1,7 +1,6 @@
-#include "ompl_certificates/team/PlannerKdTree.h"
+#include "KdTreeSpaces.h"
 
-#include "ompl_certificates/geometry/CarWithTrailer.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/team/PlannerKdTree.h"
 #include "support/RandomStates.h"
 
 #include <algorithm>
@@ -9,106 +8,16 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
-#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/geometric/SimpleSetup.h>
-#include <ompl/geometric/planners/rrt/BiTRRT.h>
-#include <ompl/geometric/planners/rrt/LazyRRT.h>
-#include <ompl/geometric/planners/rrt/RRT.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/geometric/planners/rrt/RRTstar.h>
-#include <ompl/util/Console.h>
 #include <set>
 #include <thread>
-#include <typeinfo>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 namespace
 {
-    ob::RealVectorBounds cube(unsigned int dimension, double low, double high)
-    {
-        ob::RealVectorBounds bounds(dimension);
-        bounds.setLow(low);
-        bounds.setHigh(high);
-        return bounds;
-    }
-
-    TeamStateSpacePtr discs(unsigned int count, double low = 0.0, double high = 100.0)
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        for (unsigned int i = 0; i < count; ++i)
-            team->addRobot(RigidRobot::disc(std::to_string(i), 0.1, cube(2, low, high)));
-        return team;
-    }
-
-    TeamStateSpacePtr boxes()
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        for (unsigned int i = 0; i < 2; ++i)
-            team->addRobot(RigidRobot::inSE2(std::to_string(i), Body::box(0.5, 0.2), cube(2, -2.0, 2.0)), 1.0 + i);
-        return team;
-    }
-
-    TeamStateSpacePtr drones()
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        for (unsigned int i = 0; i < 2; ++i)
-            team->addRobot(RigidRobot::inSE3(std::to_string(i), Body::box(0.5, 0.2, 0.1), cube(3, -1.0, 1.0)));
-        return team;
-    }
-
-    TeamStateSpacePtr mixed()
-    {
-        auto team = std::make_shared<TeamStateSpace>();
-        const auto bounds = cube(2, -3.0, 3.0);
-        team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.2), bounds), 2.0);
-        team->addRobot(std::make_shared<CarWithTrailer>("train", Body::box(0.4, 0.2), Body::box(0.3, 0.2), 0.5, bounds),
-                       0.7);
-        team->addRobot(RigidRobot::disc("disc", 0.2, bounds), 0.3);
-        team->addRobot(RigidRobot::disc("weightless", 0.2, bounds), 0.0);
-        return team;
-    }
-
-    ob::StateSpacePtr space(unsigned int which)
-    {
-        switch (which)
-        {
-            case 0:
-                return discs(1);
-            case 1:
-                return discs(3);
-            case 2:
-                return discs(5);
-            case 3:
-                return boxes();
-            case 4:
-                return drones();
-            case 5:
-                return mixed();
-            case 6:
-                return discs(2, 1e9, 1e9 + 1.0);  // where floats, and nearly doubles, are coarse
-            case 7:
-            {
-                auto se2 = std::make_shared<ob::SE2StateSpace>();
-                se2->setBounds(cube(2, -1.0, 1.0));
-                return se2;
-            }
-            default:
-            {
-                auto plain = std::make_shared<ob::RealVectorStateSpace>(7);
-                plain->setBounds(-1.0, 1.0);
-                return plain;
-            }
-        }
-    }
-
-    constexpr unsigned int SPACES = 9;
-
     struct Element
     {
         ob::State *state;
@@ -375,92 +284,6 @@ TEST(PlannerKdTree, AnswersManyThreadsAtOnce)
     for (auto &thread : threads)
         thread.join();
     EXPECT_EQ(wrong, 0U);
-}
-
-namespace
-{
-    /** The states of the tree that \e Planner grows, in the order of the planner's data, with their parents */
-    template <typename Planner, template <typename> class Neighbors>
-    std::vector<std::vector<double>> grow(const TeamStateSpacePtr &team, unsigned int iterations)
-    {
-        const auto level = ompl::msg::getLogLevel();
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        ompl::RNG::setSeed(7);  // OMPL complains when it is not the first time
-        og::SimpleSetup setup(team);
-        setup.setStateValidityChecker(
-            [](const ob::State *state)
-            {
-                const auto *values = state->as<ob::CompoundState>()
-                                         ->as<ob::CompoundState>(0)
-                                         ->as<ob::RealVectorStateSpace::StateType>(0)
-                                         ->values;
-                return values[0] < 0.5 || values[0] > 1.0 || values[1] > 1.0;
-            });
-        ob::ScopedState<> start(team), goal(team);
-        Random random(1);
-        randomize(random, team, start.get());
-        randomize(random, team, goal.get());
-        ob::State *const first = start.get(), *const second = goal.get();
-        for (ob::State *state : {first, second})
-            state->as<ob::CompoundState>()
-                ->as<ob::CompoundState>(0)
-                ->as<ob::RealVectorStateSpace::StateType>(0)
-                ->values[0] = state == first ? -1.5 : 1.5;
-        setup.setStartAndGoalStates(start, goal, 1e-9);
-        auto planner = std::make_shared<Planner>(setup.getSpaceInformation());
-        planner->template setNearestNeighbors<Neighbors>();
-        setup.setPlanner(planner);
-        setup.setup();
-        ob::IterationTerminationCondition condition(iterations);
-        setup.solve(condition);
-        ob::PlannerData data(setup.getSpaceInformation());
-        setup.getPlannerData(data);
-        std::vector<std::vector<double>> tree;
-        for (unsigned int i = 0; i < data.numVertices(); ++i)
-        {
-            std::vector<double> values;
-            team->copyToReals(values, data.getVertex(i).getState());
-            std::vector<unsigned int> edges;
-            data.getIncomingEdges(i, edges);
-            std::vector<std::vector<double>> parents;
-            for (const auto parent : edges)
-            {
-                parents.emplace_back();
-                team->copyToReals(parents.back(), data.getVertex(parent).getState());
-            }
-            std::sort(parents.begin(), parents.end());
-            for (const auto &parent : parents)
-                values.insert(values.end(), parent.begin(), parent.end());
-            tree.push_back(values);
-        }
-        // The vertices come in the order of list(), which is each structure's own.
-        std::sort(tree.begin(), tree.end());
-        ompl::msg::setLogLevel(level);
-        return tree;
-    }
-
-    template <typename Planner>
-    void expectSameTrees(unsigned int iterations)
-    {
-        for (const auto &team : {boxes(), mixed()})
-        {
-            const auto gnat = grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations);
-            // Not EXPECT_EQ, which would print them
-            EXPECT_TRUE(gnat == (grow<Planner, PlannerKdTree>(team, iterations))) << typeid(Planner).name();
-            EXPECT_TRUE(gnat == (grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations)))
-                << "not by the seed alone";
-            EXPECT_GT(gnat.size(), 2U);
-        }
-    }
-}
-
-TEST(PlannerKdTree, GrowsTheTreesOfGnat)
-{
-    expectSameTrees<og::RRT>(1500);
-    expectSameTrees<og::RRTConnect>(1500);
-    expectSameTrees<og::RRTstar>(1500);
-    expectSameTrees<og::LazyRRT>(1500);
-    expectSameTrees<og::BiTRRT>(1500);
 }
 
 TEST(PlannerKdTree, LeavesVertexNumbersToGnat)
