@@ -83,7 +83,7 @@ namespace
         RandomPolygonScene::Settings settings = options.scene;
         settings.robots = robots;
         const YamlScene scene = RandomPolygonScene(settings).make();
-        benchmarks::PlanTask task{scene, "RRT+kdtree", Method::STANDARD};
+        benchmarks::PlanTask task{scene, "RRT", Method::STANDARD};
         task.iterations = options.iterations;
         task.range = options.step;
         task.resolution = options.resolution;

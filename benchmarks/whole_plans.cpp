@@ -1,6 +1,7 @@
 // Plans in whole, with and without certificates, in turns, and prints a table of what that saves.
 //
 //     whole_plans ../demos/scenes/*.yaml --planners RRT,RRTstar --iterations 20000 --repeats 5
+//     whole_plans ../demos/scenes/paper_five_discs.yaml --stock --robots 1,2,3,4,5 --planners RRT --iterations 100000
 
 #include "common/PlanRun.h"
 #include "ompl_certificates/scene/YamlScene.h"
@@ -20,12 +21,14 @@ namespace
         std::vector<std::string> scenes;
         std::vector<std::string> planners{"RRT", "RRTConnect", "RRTstar", "EST", "KPIECE1"};
         std::vector<std::string> methods{"shared"};
+        std::vector<std::size_t> robots;
         unsigned int iterations{10000};
         unsigned int repeats{3};
         std::uint32_t seed{1};
         double range{0.0};
         bool stopAtGoal{false};
         bool fastest{false};
+        bool stock{false};
     };
 
     void declare(CLI::App &app, Options &options)
@@ -45,6 +48,12 @@ namespace
             ->allow_extra_args(false)
             ->check(CLI::IsMember(methods))
             ->capture_default_str();
+        app.add_option("--robots", options.robots, "Plan for the first so many robots; by default for all")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->check(CLI::PositiveNumber);
+        app.add_flag("--stock", options.stock,
+                     "Compare with OMPL alone: its compound space and its nearest-neighbor structure, too");
         app.add_option("--iterations", options.iterations, "Iterations of each plan")
             ->check(CLI::PositiveNumber)
             ->capture_default_str();
@@ -106,7 +115,9 @@ namespace
         for (unsigned int repeat = 0; repeat < options.repeats; ++repeat)
         {
             task.method = Method::STANDARD;
+            task.stock = options.stock;
             standard = benchmarks::run(task);
+            task.stock = false;
             task.method = methodOf(method);
             certified = benchmarks::run(task);
             equal = equal && standard.digests == certified.digests;
@@ -114,35 +125,53 @@ namespace
             total.add(certified.totalSeconds, standard.totalSeconds);
         }
         const Row row{checking.get(options.fastest), total.get(options.fastest), equal};
-        std::printf("| %s | %s | %s | %u | %zu | %llu | %llu | %.3f | %.2f | %.2f | %s |\n", scene.getName().c_str(),
-                    planner.c_str(), method.c_str(), options.iterations, scene.getMembers().size(),
-                    static_cast<unsigned long long>(standard.counts.exact),
+        std::printf("| %s | %s | %s | %u | %zu | %llu | %llu | %.3f | %.2f | %.3f | %.2f | %s |\n",
+                    scene.getName().c_str(), planner.c_str(), method.c_str(), options.iterations,
+                    scene.getMembers().size(), static_cast<unsigned long long>(standard.counts.exact),
                     static_cast<unsigned long long>(certified.counts.exact), standard.checkingSeconds, row.checking,
-                    row.total, equal ? "yes" : "NO");
+                    standard.totalSeconds, row.total, equal ? "yes" : "NO");
         std::fflush(stdout);
         return row;
+    }
+
+    /** The scene with the first of its robots alone */
+    Scene firstRobots(const Scene &scene, std::size_t count)
+    {
+        Scene part(scene.getName(), scene.getSource(), scene.getBounds());
+        for (const PlacedBody &obstacle : scene.getObstacles())
+            part.addObstacle(obstacle);
+        for (std::size_t i = 0; i < std::min(count, scene.getMembers().size()); ++i)
+            part.addMember(scene.getMembers()[i]);
+        if (scene.getResolution() > 0.0)
+            part.setResolution(scene.getResolution());
+        return part;
     }
 
     int run(const Options &options)
     {
         std::puts(
             "| scene | planner | method | iterations | R | exact checks, standard | exact checks | checking, "
-            "standard (s) | checking, ratio | total, ratio | trees equal |");
-        std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
+            "standard (s) | checking, ratio | total, standard (s) | total, ratio | trees equal |");
+        std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|");
         std::vector<double> checking, total;
         unsigned int different = 0;
         for (const std::string &file : options.scenes)
         {
             const YamlScene scene(file);
             scene.validate();
-            for (const std::string &planner : options.planners)
-                for (const std::string &method : options.methods)
-                {
-                    const Row row = compare(options, scene, planner, method);
-                    checking.push_back(row.checking);
-                    total.push_back(row.total);
-                    different += row.equal ? 0 : 1;
-                }
+            const std::vector<std::size_t> all{scene.getMembers().size()};
+            for (const std::size_t robots : options.robots.empty() ? all : options.robots)
+            {
+                const Scene team = firstRobots(scene, robots);
+                for (const std::string &planner : options.planners)
+                    for (const std::string &method : options.methods)
+                    {
+                        const Row row = compare(options, team, planner, method);
+                        checking.push_back(row.checking);
+                        total.push_back(row.total);
+                        different += row.equal ? 0 : 1;
+                    }
+            }
         }
         std::printf(
             "\nGeometric means of %zu rows: checking %.3f, total %.3f; the largest: checking %.2f, total %.2f. "

@@ -1,6 +1,5 @@
 #include "common/PlanRun.h"
 
-#include "ompl_certificates/team/PlannerKdTree.h"
 #include "ompl_certificates/scene/PlanReport.h"
 
 #include <algorithm>
@@ -52,12 +51,67 @@ namespace benchmarks
             return std::make_shared<PlannerType>(si);
         }
 
-        /** RRT with our kd-tree in place of GNAT: the same tree, in a fraction of the time for several robots */
-        ob::PlannerPtr makeRrtWithKdTree(const ob::SpaceInformationPtr &si)
+        /** States, and what is done with them, as in OMPL's own compound space; distances as a user of OMPL would write
+            them to have those of a team. */
+        class StockTeam : public TeamStateSpace
         {
-            auto planner = std::make_shared<og::RRT>(si);
-            planner->setNearestNeighbors<PlannerKdTree>();
-            return planner;
+        public:
+            double distance(const ob::State *a, const ob::State *b) const override
+            {
+                const auto *first = a->as<ob::CompoundState>(), *second = b->as<ob::CompoundState>();
+                double squares = 0.0;
+                for (unsigned int i = 0; i < componentCount_; ++i)
+                {
+                    const double distance =
+                        weights_[i] * components_[i]->distance(first->components[i], second->components[i]);
+                    squares += distance * distance;
+                }
+                return std::sqrt(squares);
+            }
+
+            ob::State *allocState() const override
+            {
+                return CompoundStateSpace::allocState();
+            }
+
+            void freeState(ob::State *state) const override
+            {
+                CompoundStateSpace::freeState(state);
+            }
+
+            void copyState(ob::State *destination, const ob::State *source) const override
+            {
+                CompoundStateSpace::copyState(destination, source);
+            }
+
+            void interpolate(const ob::State *from, const ob::State *to, double t, ob::State *state) const override
+            {
+                CompoundStateSpace::interpolate(from, to, t, state);
+            }
+
+            void deserialize(ob::State *state, const void *serialization) const override
+            {
+                CompoundStateSpace::deserialize(state, serialization);
+            }
+
+            ob::StateSamplerPtr allocDefaultStateSampler() const override
+            {
+                return CompoundStateSpace::allocDefaultStateSampler();
+            }
+        };
+
+        TeamSetupPtr makeStockSetup(const Scene &scene)
+        {
+            const auto team = std::make_shared<StockTeam>();
+            for (const Scene::Member &member : scene.getMembers())
+                team->addRobot(member.robot, member.weight);
+            team->computeLocations();
+            if (scene.getResolution() > 0.0)
+                team->setLongestValidSegmentFraction(scene.getResolution());
+            auto setup = std::make_shared<TeamSetup>(team, scene.makeObstacles(), Method::STANDARD);
+            setup->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+            setup->setNearestStructure(NearestStructure::GNAT);
+            return setup;
         }
 
         using Allocator = ob::PlannerPtr (*)(const ob::SpaceInformationPtr &);
@@ -67,7 +121,6 @@ namespace benchmarks
             static const std::map<std::string, Allocator> table{{"EST", make<og::EST>},
                                                                 {"KPIECE1", make<og::KPIECE1>},
                                                                 {"RRT", make<og::RRT>},
-                                                                {"RRT+kdtree", makeRrtWithKdTree},
                                                                 {"RRTConnect", make<og::RRTConnect>},
                                                                 {"RRTstar", make<og::RRTstar>}};
             return table;
@@ -100,7 +153,7 @@ namespace benchmarks
         if (allocator == allocators().end())
             throw ompl::Exception("There is no planner '" + task.planner + "' here");
         setSeed(task.seed);
-        const TeamSetupPtr setup = task.scene.makeSetup(task.method);
+        const TeamSetupPtr setup = task.stock ? makeStockSetup(task.scene) : task.scene.makeSetup(task.method);
         if (task.resolution > 0.0)
             setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
         const ob::PlannerPtr planner = allocator->second(setup->getSpaceInformation());

@@ -29,6 +29,10 @@ namespace benchmarks
 
         std::uint_fast32_t seed{1};
 
+        /** \brief Whether to plan as OMPL alone does: a CompoundStateSpace with the team's distance, the standard check, and
+            the nearest-neighbor structure that OMPL gives the planner. It takes the place of \e method. */
+        bool stock{false};
+
         /** \brief Whether to use up the iterations: trees grow towards a goal that is never reached, and planners that
             need one that they can sample solve the same problem again and again */
         bool keepGoing{true};

@@ -1,23 +1,23 @@
 // What the planner's own nearest-neighbour structure costs: PlannerKdTree against what OMPL takes by default (GNAT).
 //
-//     planner_trees --benchmark_filter=nearestAndAdd
-//     planner_trees --benchmark_filter='RRT, .*/5/'
+//     trees --benchmark_filter=nearestAndAdd
+//     trees --benchmark_filter='RRT, .*/5/'
 //
 // nearestAndAdd is RRT's access pattern among random states; the time is that of the last tenth of the elements, for one
-// query and one addition. The plans are whole: range 5 in 100 x 100, a checker that says yes, a goal that nothing satisfies.
-// OMPL's motion validator still goes along every motion; the plans called unchecked have one that says yes at once. RRT*
-// asks for the k nearest with k about 2^(D + 1) 3 log n, which soon is every node of the tree: there no structure is faster
-// than another.
+// query and one addition. The plans are whole: range 5 in 100 x 100, a checker that says yes, a goal that nothing satisfies;
+// counter nearest_ms is the part that the structure took. RRT* asks for the k nearest with k about 2^(D + 1) 3 log n, which
+// soon is every node of the tree, or for those in a radius (RADIUS).
 
 #include "ompl_certificates/geometry/RigidRobot.h"
 #include "ompl_certificates/team/PlannerKdTree.h"
+#include "ompl_certificates/team/PlannerNeighbors.h"
 
 #include <benchmark/benchmark.h>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <memory>
 #include <ompl/base/Goal.h>
-#include <ompl/base/MotionValidator.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -27,7 +27,7 @@
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 using namespace ompl_certificates;
@@ -112,36 +112,23 @@ namespace
         }
     };
 
-    class AnyMotion : public ob::MotionValidator
+    enum Neighborhood
     {
-    public:
-        using MotionValidator::MotionValidator;
-
-        bool checkMotion(const ob::State *, const ob::State *) const override
-        {
-            return true;
-        }
-
-        bool checkMotion(const ob::State *, const ob::State *, std::pair<ob::State *, double> &) const override
-        {
-            return true;
-        }
+        K_NEAREST,
+        RADIUS
     };
 
-    constexpr bool CHECKED = true, UNCHECKED = false;
-
-    template <typename Planner, template <typename> class Neighbors, bool checked>
+    template <typename Planner, template <typename> class Neighbors, Neighborhood neighborhood>
     void plan(benchmark::State &run)
     {
         const auto team = discs(static_cast<unsigned int>(run.range(0)));
         double vertices = 0.0;
+        const auto nearest = std::make_shared<NearestClock>();
         for (auto _ : run)
         {
             ompl::RNG::setSeed(1);
             auto si = std::make_shared<ob::SpaceInformation>(team);
             si->setStateValidityChecker([](const ob::State *) { return true; });
-            if (!checked)
-                si->setMotionValidator(std::make_shared<AnyMotion>(si));
             si->setup();
             auto problem = std::make_shared<ob::ProblemDefinition>(si);
             ob::ScopedState<> start(team);
@@ -151,18 +138,22 @@ namespace
             problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
             Planner planner(si);
             planner.setRange(5.0);
+            if constexpr (std::is_same_v<Planner, og::RRTstar>)
+                planner.setKNearest(neighborhood == K_NEAREST);
             planner.template setNearestNeighbors<Neighbors>();
             planner.setProblemDefinition(problem);
             planner.setup();
+            timeNearest(planner, nearest);
             ob::IterationTerminationCondition condition(static_cast<unsigned int>(run.range(1)));
-            const auto begin = std::chrono::steady_clock::now();
+            const std::clock_t begin = std::clock();
             planner.solve(condition);
-            run.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+            run.SetIterationTime(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
             ob::PlannerData data(si);
             planner.getPlannerData(data);
             vertices = data.numVertices();
         }
         run.counters["vertices"] = vertices;
+        run.counters["nearest_ms"] = 1e3 * nearest->getSeconds();
     }
 
     /** OMPL complains about seeds that are set again, though it takes them. */
@@ -170,21 +161,21 @@ namespace
 
     void sizes(benchmark::internal::Benchmark *benchmark)
     {
-        for (const int robots : {1, 2, 3, 5})
+        for (const int robots : {1, 2, 3, 4, 5})
             benchmark->Args({robots, 100000});
         benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMicrosecond);
     }
 
     void plans(benchmark::internal::Benchmark *benchmark)
     {
-        for (const int robots : {1, 2, 3, 5})
+        for (const int robots : {1, 2, 3, 4, 5})
             benchmark->Args({robots, 100000});
         benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
     }
 
     void optimalPlans(benchmark::internal::Benchmark *benchmark)
     {
-        for (const int robots : {1, 2, 3, 5})
+        for (const int robots : {1, 2, 3, 4, 5})
             benchmark->Args({robots, 10000});
         benchmark->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
     }
@@ -192,9 +183,9 @@ namespace
 
 BENCHMARK_TEMPLATE(nearestAndAdd, PlannerKdTree)->Apply(sizes);
 BENCHMARK_TEMPLATE(nearestAndAdd, Gnat)->Apply(sizes);
-BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, UNCHECKED)->Apply(optimalPlans);
-BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, UNCHECKED)->Apply(optimalPlans);
-BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, CHECKED)->Apply(optimalPlans);
-BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, CHECKED)->Apply(optimalPlans);
-BENCHMARK_TEMPLATE(plan, og::RRT, PlannerKdTree, CHECKED)->Apply(plans);
-BENCHMARK_TEMPLATE(plan, og::RRT, Gnat, CHECKED)->Apply(plans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, K_NEAREST)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, K_NEAREST)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, PlannerKdTree, RADIUS)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRTstar, Gnat, RADIUS)->Apply(optimalPlans);
+BENCHMARK_TEMPLATE(plan, og::RRT, PlannerKdTree, K_NEAREST)->Apply(plans);
+BENCHMARK_TEMPLATE(plan, og::RRT, Gnat, K_NEAREST)->Apply(plans);
