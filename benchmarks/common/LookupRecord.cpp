@@ -66,6 +66,11 @@ namespace benchmarks
                 return store_.record.certificates;
             }
 
+            void addCertificates(const std::vector<Certificate> & /*certificates*/) override
+            {
+                throw ompl::Exception("A record holds what plans ask for alone");
+            }
+
             PoseVerdict settleGroup(unsigned int robot, const Pose *poses, const Motion &motion,
                                     CertificateIndex *references, CheckCounts & /*counts*/) const override
             {
