@@ -7,6 +7,7 @@
 #include "common/ExperimentFolder.h"
 #include "common/Interrupt.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -32,6 +33,7 @@ namespace
         std::string grid;
         std::string out;
         std::string shard{"1/1"};
+        std::string only;
         unsigned int index{0}, count{1};
     };
 
@@ -43,6 +45,8 @@ namespace
             ->required();
         app.add_option("--shard", options.shard, "Run share I of N alone, for several machines: I/N")
             ->capture_default_str();
+        app.add_option("--only", options.only,
+                       "Run those trials alone whose name contains this, such as -RRT- or r3-RRTstar-shared-t0007");
         app.footer(
             "Returns 0 when all trials are done, 1 if it was interrupted, 2 for bad input or a failure. To go on, "
             "run it again.");
@@ -220,7 +224,14 @@ namespace
         readShard(options);
         const demos::ExperimentGrid grid(options.grid);
         const demos::ExperimentFolder folder(options.out, grid);
-        const std::vector<ExperimentTrial> trials = folder.getTrials(options.index, options.count);
+        std::vector<ExperimentTrial> trials = folder.getTrials(options.index, options.count);
+        const auto isOther = [&options](const ExperimentTrial &trial)
+        { return trial.getName().find(options.only) == std::string::npos; };
+        trials.erase(std::remove_if(trials.begin(), trials.end(), isOther), trials.end());
+        if (trials.empty() && !options.only.empty())
+            throw ompl::Exception("--only", "the grid has no trial with '" + options.only +
+                                                "' in its name; the first is " +
+                                                folder.getTrials(0, 1).front().getName());
         Progress progress(trials.size());
         std::vector<ExperimentTrial> missing;
         for (const ExperimentTrial &trial : trials)

@@ -198,7 +198,7 @@ namespace demos
     {
         const YamlNode root(parse(text, file), "", file);
         root.allow({"name", "scenes", "planners", "methods", "trials", "seed", "iterations", "seconds", "goal",
-                    "resolution", "nearest", "record"});
+                    "resolution", "nearest", "adaptive", "record"});
         std::string hashed = std::string(FORMAT) + OMPL_CERTIFICATES_VERSION + '\0' + text + '\0';
         name = root.has("name") ? root.at("name").text() : fs::path(file).stem().string();
         for (const YamlNode &node : root.at("scenes").items(1, MOST_ITEMS))
@@ -231,6 +231,8 @@ namespace demos
             seconds = root.at("seconds").positive();
         if (root.has("goal"))
             goal = flag(root.at("goal"));
+        if (root.has("adaptive"))
+            adaptive = flag(root.at("adaptive"));
         if (root.has("resolution"))
         {
             resolution = root.at("resolution").positive();

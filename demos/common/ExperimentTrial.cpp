@@ -162,6 +162,7 @@ namespace demos
                         "exact_colliding",
                         "clearance_queries",
                         "exact_calls",
+                        "stepped_aside",
                         "motions",
                         "motion_samples",
                         "motion_samples_skipped",
@@ -213,6 +214,7 @@ namespace demos
                                  checks.exactColliding,
                                  checks.clearanceQueries,
                                  checks.exactCalls,
+                                 checks.steppedAside,
                                  checks.motions,
                                  checks.motionSamples,
                                  checks.motionSamplesSkipped,
@@ -270,14 +272,17 @@ namespace demos
     Json ExperimentTrial::run(const std::function<bool()> &stop) const
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        const auto start = std::chrono::steady_clock::now();
         ompl::RNG::setSeed(getSeed());
         const std::string date = dateNow();
         const Scene scene = workspace->withRobots(robots);
         const TeamStateSpacePtr team = scene.makeTeam();
         if (grid->resolution > 0.0)
             team->setLongestValidSegmentFraction(grid->resolution);
-        const auto obstacles = std::make_shared<TimedObstacles>(scene);
+        const auto obstacles = std::make_shared<TimedObstacles>(scene, grid->adaptive);
         TeamSetup setup(team, obstacles, method);
+        if (const auto checker = setup.getCertificateChecker())
+            checker->setAdaptive(grid->adaptive);
         setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
         if (!grid->goal)
             setup.setGoal(std::make_shared<NoGoal>(setup.getSpaceInformation()));
@@ -324,6 +329,7 @@ namespace demos
         json["number"] = number;
         json["seed"] = getSeed();
         json["date"] = date;
+        json["wall_seconds"] = secondsSince(start);
         json["machine"] = describeMachine();
         json["versions"] = describeVersions();
         const bool solved = setup.haveExactSolutionPath();

@@ -16,13 +16,20 @@ namespace demos
     class TimedObstacles : public ompl_certificates::FclObstacles
     {
     public:
-        /** \brief The obstacles of \e scene, as its makeObstacles() makes them */
-        explicit TimedObstacles(const ompl_certificates::Scene &scene);
+        /** \brief The obstacles of \e scene, as its makeObstacles() makes them
+            \param adaptive whether certificates are passed over where a clearance costs less than a search for one, as
+            the library does, or always looked up */
+        TimedObstacles(const ompl_certificates::Scene &scene, bool adaptive);
 
         /** \brief The time spent in calls so far, in seconds, summed over threads */
         double getSeconds() const
         {
             return 1e-9 * static_cast<double>(nanoseconds_.load(std::memory_order_relaxed));
+        }
+
+        bool isClearanceCheap() const override
+        {
+            return adaptive_ && FclObstacles::isClearanceCheap();
         }
 
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
@@ -45,9 +52,13 @@ namespace demos
         /** A call that takes more than that many times the mean stands for no other. */
         static constexpr std::int64_t LONGEST_TYPICAL = 16;
 
+        /** No call counts as more than that many times the mean. */
+        static constexpr std::int64_t LONGEST_POSSIBLE = 128;
+
         template <typename Call>
         auto timed(const Call &call) const;
 
+        bool adaptive_;
         std::int64_t clockCost_{0};
         mutable std::atomic<std::uint64_t> calls_{0};
         mutable std::atomic<std::int64_t> nanoseconds_{0};

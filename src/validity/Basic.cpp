@@ -101,7 +101,9 @@ namespace ompl_certificates
             for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
             {
                 const PoseQuery query = queryOf(robot, body, poses, motion);
-                const PoseVerdict one = environment_.ask(query, policies_[getFirstBody(robot) + body], counts);
+                SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
+                SwitchingPolicy &policy = isAdaptive() ? policies_[getFirstBody(robot) + body] : indifferent;
+                const PoseVerdict one = environment_.ask(query, policy, counts);
                 whole.free = one.free;
                 whole.reach = std::min(whole.reach, one.reach);
                 fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});

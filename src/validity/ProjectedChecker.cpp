@@ -65,8 +65,10 @@ namespace ompl_certificates
         whole.reference = references[robot];
         for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
         {
-            const PoseVerdict one = environment.settle(queryOf(robot, body, poses, motion), whole.reference,
-                                                       policies_[getFirstBody(robot) + body], counts);
+            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
+            SwitchingPolicy &policy = isAdaptive() ? policies_[getFirstBody(robot) + body] : indifferent;
+            const PoseVerdict one =
+                environment.settle(queryOf(robot, body, poses, motion), whole.reference, policy, counts);
             whole.free = one.free;
             whole.reach = std::min(whole.reach, one.reach);
             whole.asked = whole.asked || one.asked;

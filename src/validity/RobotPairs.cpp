@@ -121,8 +121,10 @@ namespace ompl_certificates
             const double frameReach = (bodies.swapped ? a : b).getReach();
             const TravelBound travel{own.linear + frame.at(frameReach), own.angular};
             CheckCounts asked;
+            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
+            SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
             const PoseVerdict one = bodies.frame->environment.settle({bodies.swapped ? b : a, relative, &travel},
-                                                                     NO_CERTIFICATE, bodies.frame->policy, asked);
+                                                                     NO_CERTIFICATE, policy, asked);
             counts.clearanceQueries += asked.clearanceQueries;
             counts.pairExact += asked.exactCalls;
             verdict.reach = std::min(verdict.reach, one.reach);

@@ -118,7 +118,7 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
 TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
 {
     const TemporaryFolder folder;
-    writeFile(folder / "grid.yaml", gridOf("20000", "1"));
+    writeFile(folder / "grid.yaml", gridOf("6000", "1"));
     const std::string out = folder / "out";
     {
         Program program("certificate_experiment", {folder / "grid.yaml", "--out", out});
@@ -147,6 +147,30 @@ TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
     {
         EXPECT_EQ(contentOf(out + "/trials/" + some.rbegin()->first), kept);
     }
+}
+
+TEST(Experiment, runsOnlyTheTrialsThatWereAskedFor)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "grid.yaml", gridOf("50"));
+    const std::vector<std::string> start{folder / "grid.yaml", "--out", folder / "out", "--only"};
+    const auto runOnly = [&start](const std::string &part)
+    {
+        std::vector<std::string> arguments = start;
+        arguments.push_back(part);
+        Program program("certificate_experiment", arguments);
+        const int code = program.wait();
+        return std::to_string(code) + program.errors();
+    };
+    EXPECT_EQ(runOnly("-RRT-"), "0");
+    const auto trials = trialsOf(folder / "out");
+    EXPECT_EQ(trials.size(), 16u);
+    for (const auto &[name, trial] : trials)
+        EXPECT_EQ(trial.at("planner"), "RRT") << name;
+    EXPECT_EQ(runOnly("r3-RRTstar-shared-t0002"), "0");
+    EXPECT_EQ(trialsOf(folder / "out").count("polygons-r3-RRTstar-shared-t0002.json"), 1u);
+    EXPECT_EQ(trialsOf(folder / "out").size(), 17u);
+    EXPECT_NE(runOnly("RRTConnect").find("no trial with 'RRTConnect'"), std::string::npos);
 }
 
 TEST(Experiment, refusesTheFolderOfAnotherGrid)
@@ -209,6 +233,7 @@ TEST(Experiment, refusesBadGrids)
         {good + "nearest: list\n", "nearest"},
         {good + "record: {per_decade: 0}\n", "record.per_decade"},
         {good + "resolution: 2\n", "resolution"},
+        {good + "adaptive: perhaps\n", "adaptive"},
         {with("- random_polygons:", "- file: none.yaml\n    random_polygons:"), "one of file and random_polygons"},
         {"", ""},
         {"a: [", "not valid YAML"}};

@@ -1,5 +1,6 @@
 #include "support/Checkers.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
@@ -26,6 +27,33 @@ namespace
                 tree.push_back(to);
         }
     }
+
+    /** Obstacles whose clearances take longer than any exact check */
+    class SlowClearances : public DearObstacles
+    {
+    public:
+        using DearObstacles::DearObstacles;
+
+        double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override
+        {
+            pause();
+            return DearObstacles::findNearest(point, part);
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            pause();
+            return DearObstacles::clearance(point);
+        }
+
+    private:
+        static void pause()
+        {
+            const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
+            while (std::chrono::steady_clock::now() < end)
+                ;
+        }
+    };
 }
 
 class StatisticsOfATeam : public testing::TestWithParam<unsigned int>
@@ -96,6 +124,42 @@ TEST(Statistics, ShowFewerExactChecksTheMoreIsShared)
     EXPECT_LE(fractions[2], fractions[1]) << "partial";
     EXPECT_LE(fractions[3], fractions[2]) << "shared";
     EXPECT_LT(fractions[3], 0.3);
+}
+
+TEST(Statistics, RepeatThemselvesWhereNoClockDecides)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    const auto team = mixedTeam();
+    Random random(3);
+    std::vector<PlacedBody> bodies;
+    for (int i = 0; i < 10; ++i)
+        bodies.push_back({randomBody(random, 2, random.uniform(0.3, 1.5)), random.pose(2, HALF)});
+    const auto walkAmong = [&](const ObstaclesPtr &obstacles, bool adaptive)
+    {
+        const Checkers checkers(team, obstacles);
+        std::vector<std::vector<std::uint64_t>> all;
+        for (const auto &setup : checkers.certified())
+        {
+            EXPECT_TRUE(setup->getCertificateChecker()->isAdaptive());
+            setup->getCertificateChecker()->setAdaptive(adaptive);
+            setup->getStatistics().reset();
+            walk(*setup, team, 500);
+            const CheckCounts counts = setup->getStatistics().getCounts();
+            all.push_back({counts.robotPoses, counts.certifiedFree, counts.exact, counts.exactCalls,
+                           counts.clearanceQueries, counts.steppedAside, counts.pairExact,
+                           setup->getCertificateChecker()->getCertificateCount()});
+        }
+        return all;
+    };
+    const auto quick = walkAmong(std::make_shared<DearObstacles>(2, bodies), false);
+    EXPECT_EQ(walkAmong(std::make_shared<SlowClearances>(2, bodies), false), quick);
+    const auto adapted = walkAmong(std::make_shared<SlowClearances>(2, bodies), true);
+    for (std::size_t method = 0; method < quick.size(); ++method)
+    {
+        EXPECT_EQ(quick[method][5], 0U);
+        EXPECT_GT(adapted[method][5], 0U);
+        EXPECT_GT(adapted[method][3], quick[method][3]);
+    }
 }
 
 TEST(Statistics, SumOverThreads)

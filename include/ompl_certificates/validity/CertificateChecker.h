@@ -27,6 +27,22 @@ namespace ompl_certificates
             while others use the checker. */
         virtual void clear();
 
+        /** \brief Whether certificates and clearances are passed over where they have not paid lately, as by default; see
+            SwitchingPolicy. If not, all are tried for every pose, so that what is counted depends on the states alone and
+            not on the clock: for experiments that must repeat themselves. No verdict depends on it. Not while others use
+            the checker. */
+        void setAdaptive(bool adaptive)
+        {
+            adaptive_ = adaptive;
+            pairs_.setAdaptive(adaptive);
+        }
+
+        /** \brief Whether what does not pay is passed over; see setAdaptive() */
+        bool isAdaptive() const
+        {
+            return adaptive_;
+        }
+
         /** \brief The number of certificates kept for the obstacles' side */
         virtual std::size_t getCertificateCount() const = 0;
 
@@ -90,6 +106,9 @@ namespace ompl_certificates
             return {team_.getRobot(robot).getBodies()[body], poses[index],
                     motion.travel ? motion.travel + index : nullptr, motion.minimumReach, motion.inside};
         }
+
+    private:
+        bool adaptive_{true};
     };
 }
 

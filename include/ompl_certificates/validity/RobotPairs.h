@@ -57,6 +57,12 @@ namespace ompl_certificates
             negative if they may touch */
         double distance(unsigned int pair, const Pose *first, const Pose *second) const;
 
+        /** \brief See CertificateChecker::setAdaptive() */
+        void setAdaptive(bool adaptive)
+        {
+            adaptive_ = adaptive;
+        }
+
         /** \brief Forget all certificates. Not while others use the pairs. */
         void clear();
 
@@ -95,6 +101,7 @@ namespace ompl_certificates
 
         const TeamStateSpace &team_;
         std::vector<Pair> pairs_;
+        bool adaptive_{true};
         std::vector<std::shared_ptr<BodyFrame>> frames_;
     };
 }
