@@ -95,10 +95,18 @@ namespace demos
             return {{"host", host}, {"processor", processorName()}, {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
         }
 
+        /** Debian leaves OMPL_VERSION empty, so it is put together from its number. */
+        std::string omplVersion()
+        {
+            constexpr int number = OMPL_VERSION_VALUE;
+            return std::to_string(number / 1000000) + "." + std::to_string(number / 1000 % 1000) + "." +
+                   std::to_string(number % 1000);
+        }
+
         Json describeVersions()
         {
             return {{"ompl_certificates", OMPL_CERTIFICATES_VERSION},
-                    {"OMPL", OMPL_VERSION},
+                    {"OMPL", omplVersion()},
                     {"FCL", FCL_VERSION},
                     {"compiler", __VERSION__},
 #ifdef __OPTIMIZE__
