@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the build, the tests and the demos need and this machine lacks, on Debian 12 and Ubuntu 22.04 or 24.04.
-# Further packages can be named as arguments. Does nothing, and needs no network, when everything is there.
+# Further packages can be named as arguments; --experiments stands for those of docs/experiments.md, and --cluster for
+# those that its test with Slurm needs. Does nothing, and needs no network, when everything is there.
 set -euo pipefail
 
 packages=(
@@ -10,8 +11,15 @@ packages=(
   libboost-dev libboost-serialization-dev libboost-filesystem-dev libboost-system-dev
   libyaml-cpp-dev libassimp-dev libboost-program-options-dev nlohmann-json3-dev libcli11-dev
   libgtest-dev libbenchmark-dev libnanoflann-dev
-  "$@"
 )
+
+for argument in "$@"; do
+  case $argument in
+    --experiments) packages+=(python3-pandas python3-matplotlib python3-yaml snakemake ompl-demos) ;;
+    --cluster) packages+=(munge slurmctld slurmd slurm-client) ;;
+    *) packages+=("$argument") ;;
+  esac
+done
 
 if ! command -v apt-get >/dev/null; then
   echo "No apt-get here: install the equivalents of ${packages[*]}" >&2
