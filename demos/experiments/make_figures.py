@@ -89,8 +89,8 @@ def draw_panels(cells, rows, first, title, methods):
     number = f"{counts.min()}" if counts.min() == counts.max() else f"{counts.min()} to {counts.max()}"
     axes[-1][len(sizes) // 2].set_xlabel("iteration", fontsize=9)
     handles, labels = axes[0][0].get_legend_handles_labels()
-    figure.suptitle(f"{title}: mean over {number} trial{'' if number == '1' else 's'}, band from 10th to 90th percentile",
-                    fontsize=11)
+    spread = "one trial" if number == "1" else f"mean over {number} trials, band from 10th to 90th percentile"
+    figure.suptitle(f"{title}: {spread}", fontsize=11)
     figure.legend(handles, labels, loc="lower center", ncol=len(labels), frameon=False, fontsize=9)
     figure.tight_layout(rect=(0, 0.3 / figure.get_figheight(), 1, 1))
     return figure
