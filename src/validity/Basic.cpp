@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -49,11 +48,6 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < getCertificateCount(); ++i)
             all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
         return all;
-    }
-
-    void Basic::addCertificates(const std::vector<Certificate> & /*certificates*/)
-    {
-        throw ompl::Exception("The method basic keeps certificates of whole states only");
     }
 
     bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,

@@ -1,5 +1,7 @@
 #include "ompl_certificates/validity/CertificateChecker.h"
 
+#include <ompl/util/Exception.h>
+
 namespace ompl_certificates
 {
     bool CertificateChecker::isValid(const ompl::base::State *state) const
@@ -34,6 +36,11 @@ namespace ompl_certificates
         }
         getStatistics().add(counts);
         return valid;
+    }
+
+    void CertificateChecker::addCertificates(const std::vector<Certificate> & /*certificates*/)
+    {
+        throw ompl::Exception("The method " + getMethodName() + " takes no single certificates");
     }
 
     void CertificateChecker::clear()

@@ -35,9 +35,6 @@ namespace ompl_certificates
 
         std::vector<Certificate> getCertificates() const override;
 
-        /** \throws ompl::Exception always: what Basic keeps are certificates of whole states */
-        void addCertificates(const std::vector<Certificate> &certificates) override;
-
         unsigned int getGroupCount() const override
         {
             return 1;

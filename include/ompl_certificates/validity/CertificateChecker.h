@@ -51,7 +51,7 @@ namespace ompl_certificates
 
         /** \brief Add certificates of these obstacles, such as were made in another run. They must be true.
             \throws ompl::Exception if this method keeps no single certificates, as Basic */
-        virtual void addCertificates(const std::vector<Certificate> &certificates) = 0;
+        virtual void addCertificates(const std::vector<Certificate> &certificates);
 
         /** \brief The motion that the poses to settle are a sample of */
         struct Motion
