@@ -40,7 +40,8 @@ namespace ompl_certificates
         constexpr double SMALLEST_CELL = 1e-9;
     }
 
-    CertificateTree::CertificateTree(unsigned int dimension) : dimension_(static_cast<int>(dimension))
+    CertificateTree::CertificateTree(unsigned int dimension, std::shared_ptr<CertificateLimit> limit)
+      : dimension_(static_cast<int>(dimension)), limit_(std::move(limit))
     {
         if (dimension != 2 && dimension != 3)
             throw ompl::Exception("A certificate tree has 2 or 3 dimensions, not " + std::to_string(dimension));
@@ -48,8 +49,16 @@ namespace ompl_certificates
         clear();
     }
 
+    CertificateTree::~CertificateTree()
+    {
+        if (limit_)
+            limit_->give(stored_);
+    }
+
     void CertificateTree::clear()
     {
+        if (limit_)
+            limit_->give(stored_);
         buckets_.clear();
         forks_.clear();
         boxes_.clear();
@@ -220,6 +229,8 @@ namespace ompl_certificates
         if (dimension_ == 2 && certificate.point.z() != 0.0)
             throw ompl::Exception("A certificate of the plane must have z = 0, not " +
                                   std::to_string(certificate.point.z()));
+        if (limit_ && !limit_->take())
+            return NO_CERTIFICATE;
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;
@@ -289,6 +300,8 @@ namespace ompl_certificates
             {
                 store_[store_.append()].certificate = certificate;
                 ++stored_;
+                if (limit_)
+                    limit_->take();
             }
     }
 

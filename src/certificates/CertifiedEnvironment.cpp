@@ -59,8 +59,8 @@ namespace ompl_certificates
         };
     }
 
-    CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles)
-      : obstacles_(std::move(obstacles)), certificates_(obstacles_->getDimension())
+    CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit)
+      : obstacles_(std::move(obstacles)), certificates_(obstacles_->getDimension(), std::move(limit))
     {
     }
 

@@ -13,7 +13,7 @@ namespace ompl_certificates
     }
 
     Basic::Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-      : CertificateChecker(si, obstacles), environment_(obstacles), policies_(getBodyCount())
+      : CertificateChecker(si, obstacles), environment_(obstacles, limit_), policies_(getBodyCount())
     {
     }
 
@@ -23,6 +23,7 @@ namespace ompl_certificates
         environment_.clear();
         for (auto &policy : policies_)
             policy.reset();
+        limit_->give(getCertificateCount());
         certificates_.clear();
         teamCertificates_ = 0;
     }
@@ -108,6 +109,8 @@ namespace ompl_certificates
             ++counts.exactColliding;
             return whole;
         }
+        if (!limit_->take(fresh.size()))
+            return whole;
         const std::lock_guard<std::mutex> lock(insertMutex_);
         for (const Certificate &certificate : fresh)
             certificates_[certificates_.append()] = certificate;

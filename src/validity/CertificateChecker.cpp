@@ -4,6 +4,16 @@
 
 namespace ompl_certificates
 {
+    CertificateChecker::CertificateChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
+      : TeamValidityChecker(si, obstacles)
+    {
+        params_.declareParam<std::size_t>(
+            "max_certificates", [this](std::size_t most) { setMaxCertificates(most); },
+            [this] { return getMaxCertificates(); });
+        params_.declareParam<bool>(
+            "adaptive", [this](bool adaptive) { setAdaptive(adaptive); }, [this] { return isAdaptive(); });
+    }
+
     bool CertificateChecker::isValid(const ompl::base::State *state) const
     {
         const WorldLock::Check check(worldLock_);

@@ -10,7 +10,7 @@ namespace ompl_certificates
     {
         const unsigned int trees = share ? 1 : team_.getRobotCount();
         for (unsigned int i = 0; i < trees; ++i)
-            environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles));
+            environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles, limit_));
     }
 
     void ProjectedChecker::clear()

@@ -20,7 +20,8 @@ namespace ompl_certificates
         }
     }
 
-    RobotPairs::RobotPairs(const TeamStateSpace &team) : team_(team)
+    RobotPairs::RobotPairs(const TeamStateSpace &team, std::shared_ptr<CertificateLimit> limit)
+      : team_(team), limit_(std::move(limit))
     {
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
             for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
@@ -48,7 +49,7 @@ namespace ompl_certificates
                 return frame;
         auto obstacles =
             std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getHeights());
-        frames_.push_back(std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles), {}}));
+        frames_.push_back(std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles, limit_), {}}));
         return frames_.back();
     }
 

@@ -36,7 +36,7 @@ namespace ompl_certificates
     }
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles)
-      : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_)
+      : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_, limit_)
     {
         requireObstacles(obstacles_, team_);
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;

@@ -2,12 +2,14 @@
 #define OMPL_CERTIFICATES_CERTIFICATES_CERTIFICATE_TREE_
 
 #include "ompl_certificates/certificates/Certificate.h"
+#include "ompl_certificates/certificates/CertificateLimit.h"
 #include "ompl_certificates/certificates/ChunkedArray.h"
 
 #include <Eigen/Geometry>
 #include <array>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <ompl/datastructures/NearestNeighbors.h>
 #include <vector>
@@ -72,8 +74,11 @@ namespace ompl_certificates
     {
     public:
         /** \brief An empty tree for a workspace of \e dimension 2 or 3
+            \param limit how many certificates it may keep, together with others; none if null
             \throws ompl::Exception for any other dimension */
-        explicit CertificateTree(unsigned int dimension);
+        explicit CertificateTree(unsigned int dimension, std::shared_ptr<CertificateLimit> limit = nullptr);
+
+        ~CertificateTree() override;
 
         /** \brief What a single certificate proves of \e query */
         static Covering cover(const Certificate &certificate, CertificateIndex index, const BallQuery &query);
@@ -88,7 +93,7 @@ namespace ompl_certificates
         /** \brief What certificate \e index alone proves of \e query; nothing if there is none of that index. Cost: 5 ns. */
         Covering coveringBy(CertificateIndex index, const BallQuery &query) const;
 
-        /** \brief Add a certificate and return its index. Cost: logarithmic.
+        /** \brief Add a certificate and return its index, or NO_CERTIFICATE if the limit leaves no room. Cost: logarithmic.
             \throws ompl::Exception if its point is not finite, or its clearance not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
 
@@ -241,6 +246,7 @@ namespace ompl_certificates
         void nearFromRoot(NearSearch &search) const;
 
         const int dimension_;
+        const std::shared_ptr<CertificateLimit> limit_;
         mutable std::mutex insertMutex_;
         ChunkedArray<Bucket> buckets_;
         ChunkedArray<Fork> forks_;

@@ -68,8 +68,9 @@ namespace ompl_certificates
     class CertifiedEnvironment
     {
     public:
-        /** \brief Nothing is known of \e obstacles yet. */
-        explicit CertifiedEnvironment(ObstaclesPtr obstacles);
+        /** \brief Nothing is known of \e obstacles yet.
+            \param limit how many certificates may be kept, together with others; none if null */
+        explicit CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit = nullptr);
 
         /** \brief Settle \e query: by certificates, else by asking the obstacles, and remember the answer.
             \param hint a certificate that may well be near, or NO_CERTIFICATE
@@ -97,7 +98,7 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        /** \brief Add a certificate of these obstacles
+        /** \brief Add a certificate of these obstacles, if there is room
             \throws ompl::Exception as CertificateTree::insert() */
         void add(const Certificate &certificate)
         {

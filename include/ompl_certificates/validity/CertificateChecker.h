@@ -3,6 +3,8 @@
 
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
+#include <ompl/base/GenericParam.h>
+
 namespace ompl_certificates
 {
     /** \brief A validity checker that remembers clearances and checks only what they do not settle. Its verdicts are those of
@@ -17,7 +19,8 @@ namespace ompl_certificates
     class CertificateChecker : public TeamValidityChecker
     {
     public:
-        using TeamValidityChecker::TeamValidityChecker;
+        /** \brief See TeamValidityChecker::TeamValidityChecker() */
+        CertificateChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles);
 
         bool isValid(const ompl::base::State *state) const override;
 
@@ -26,6 +29,32 @@ namespace ompl_certificates
         /** \brief Forget all certificates; references in states become stale, which costs time but changes no verdict. Not
             while others use the checker. */
         virtual void clear();
+
+        /** \brief The parameters of the checker, for programs that set them by name: max_certificates and adaptive */
+        ompl::base::ParamSet &params()
+        {
+            return params_;
+        }
+
+        /** \brief Keep no more than \e most certificates, of obstacles and of pairs of robots together; by default as many
+            as come. When they are that many, no more are added, and poses that they do not settle are checked each time.
+            Those that are there already stay until clear(). */
+        void setMaxCertificates(std::size_t most)
+        {
+            limit_->setMost(most);
+        }
+
+        /** \brief How many certificates may be kept */
+        std::size_t getMaxCertificates() const
+        {
+            return limit_->getMost();
+        }
+
+        /** \brief How many certificates are kept, of obstacles and of pairs of robots together */
+        std::size_t getKeptCertificates() const
+        {
+            return limit_->getCount();
+        }
 
         /** \brief Whether certificates and clearances are passed over where they have not paid lately, as by default; see
             SwitchingPolicy. If not, all are tried for every pose, so that what is counted depends on the states alone and
@@ -109,6 +138,7 @@ namespace ompl_certificates
 
     private:
         bool adaptive_{true};
+        ompl::base::ParamSet params_;
     };
 }
 

@@ -17,8 +17,9 @@ namespace ompl_certificates
     class RobotPairs
     {
     public:
-        /** \brief The pairs of the robots of \e team */
-        explicit RobotPairs(const TeamStateSpace &team);
+        /** \brief The pairs of the robots of \e team
+            \param limit how many certificates may be kept, together with others; none if null */
+        explicit RobotPairs(const TeamStateSpace &team, std::shared_ptr<CertificateLimit> limit = nullptr);
 
         /** \brief The number of pairs of robots */
         unsigned int getPairCount() const
@@ -100,6 +101,7 @@ namespace ompl_certificates
         std::shared_ptr<BodyFrame> frameOf(const Body &body);
 
         const TeamStateSpace &team_;
+        const std::shared_ptr<CertificateLimit> limit_;
         std::vector<Pair> pairs_;
         bool adaptive_{true};
         std::vector<std::shared_ptr<BodyFrame>> frames_;

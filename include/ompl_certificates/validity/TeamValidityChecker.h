@@ -101,6 +101,9 @@ namespace ompl_certificates
 
         ObstaclesPtr obstacles_;
         const TeamStateSpace &team_;
+
+        /** \brief How many certificates may be kept, of obstacles and of pairs of robots together */
+        const std::shared_ptr<CertificateLimit> limit_{std::make_shared<CertificateLimit>()};
         RobotPairs pairs_;
         mutable WorldLock worldLock_;
 
