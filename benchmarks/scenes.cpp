@@ -40,12 +40,15 @@ namespace
     /** The scenes of the project, and those of teams among shared meshes, which may be absent */
     std::vector<std::string> allScenes()
     {
-        std::vector<std::string> files;
-        for (const std::filesystem::path folder : {OMPL_CERTIFICATES_SCENES, OMPL_CERTIFICATES_SHARED_SCENES})
-            if (std::filesystem::is_directory(folder))
-                for (const auto &entry : std::filesystem::directory_iterator(folder))
-                    if (entry.path().extension() == ".yaml")
-                        files.push_back(entry.path().string());
+        std::vector<std::string> files, folders{OMPL_CERTIFICATES_SCENES};
+        if (std::filesystem::is_directory(OMPL_CERTIFICATES_SHARED_MESHES))
+            folders.push_back(OMPL_CERTIFICATES_SHARED_SCENES);
+        else
+            std::cerr << "scenes: " OMPL_CERTIFICATES_SHARED_MESHES " is not there, nor are its scenes in the table\n";
+        for (const std::string &folder : folders)
+            for (const auto &entry : std::filesystem::directory_iterator(folder))
+                if (entry.path().extension() == ".yaml")
+                    files.push_back(entry.path().string());
         std::sort(files.begin(), files.end());
         return files;
     }
