@@ -21,6 +21,8 @@ endif()
 if(OMPL_CERTIFICATES_SANITIZE)
   add_compile_options(-fsanitize=${OMPL_CERTIFICATES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${OMPL_CERTIFICATES_SANITIZE})
+  # Eigen would allocate in another way than in OMPL's library, which frees what it has inlined there.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   # A run that looks for errors looks with all assertions on, Eigen's and the standard library's among them.
   add_compile_options(-UNDEBUG)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
