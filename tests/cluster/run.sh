@@ -127,8 +127,8 @@ start_controller
 administrate()
 {
   while sleep 5; do
-    scontrol update nodename="$node" state=resume
-    squeue --noheader --states=PENDING --format=%A | xargs --no-run-if-empty --max-args=1 scontrol release
+    scontrol update nodename="$node" state=resume || true
+    squeue --noheader --states=PENDING --format=%A | xargs --no-run-if-empty --max-args=1 scontrol release || true
   done >/dev/null 2>&1
 }
 administrate &
