@@ -4,6 +4,7 @@
 //     ompl_benchmark_statistics scene.log -d scene.db
 
 #include "common/CommandLine.h"
+#include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
 #include "common/TeamBenchmark.h"
 
@@ -56,7 +57,7 @@ namespace
             ->capture_default_str();
         app.add_option("--log", options.log,
                        "Write a log for ompl_benchmark_statistics; of several scenes one each, named F_SCENE.log");
-        app.footer("Returns 0 when the benchmark is complete, 2 for bad input.");
+        app.footer("Returns 0 when the benchmark is complete, 1 if it was interrupted, 2 for bad input.");
     }
 
     /** The words of a list; there must be one, and none may be repeated */
@@ -141,7 +142,7 @@ namespace
                 count += 1.0;
                 solved += run.solved ? 1.0 : 0.0;
             }
-        return 100.0 * solved / count;
+        return 100.0 * solved / count;  // no number without runs
     }
 
     void printRatio(double value, double reference)
@@ -175,7 +176,11 @@ namespace
                     else
                         std::printf(" %11.4g", value);
                 }
-                std::printf(" %11.0f\n", solvedPercent(runs, planner, method));
+                const double solved = solvedPercent(runs, planner, method);
+                if (std::isnan(solved))
+                    std::printf(" %11s\n", "-");
+                else
+                    std::printf(" %11.0f\n", solved);
             }
     }
 
@@ -203,13 +208,15 @@ namespace
             demos::TeamBenchmark(*tasks.back().scene, tasks.back().planners, methods, nearest, options.seed);
         }
 
-        for (std::size_t i = 0; i < tasks.size(); ++i)
+        demos::catchInterrupts();
+        for (std::size_t i = 0; i < tasks.size() && !demos::interrupted(); ++i)
         {
             const Task &task = tasks[i];
             for (const std::string &note : task.scene->getNotes())
                 std::printf("note: %s: %s\n", task.scene->getName().c_str(), note.c_str());
             demos::TeamBenchmark benchmark(*task.scene, task.planners, methods, nearest, options.seed);
-            benchmark.benchmark(task.request);
+            if (!benchmark.runAll(task.request))
+                std::puts("interrupted: these are the runs that were complete");
             if (!logs[i].second.empty())
             {
                 std::ostringstream log;
@@ -219,7 +226,7 @@ namespace
             printTable(task.scene->getName(), benchmark.getRuns(), task.planners, methods);
             std::fflush(stdout);
         }
-        return demos::SOLVED;
+        return demos::interrupted() ? demos::NOT_SOLVED : demos::SOLVED;
     }
 }
 

@@ -1,5 +1,7 @@
 #include "common/PlannerFactory.h"
 
+#include "common/Interrupt.h"
+
 #include "ompl_certificates/team/PlannerNeighbors.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -72,7 +74,8 @@ namespace demos
 
             ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
             {
-                const ob::PlannerStatus status = PlannerType::solve(ptc);
+                const ob::PlannerTerminationCondition stopped(interrupted);
+                const ob::PlannerStatus status = PlannerType::solve(ob::plannerOrTerminationCondition(ptc, stopped));
                 if (afterSolve_)
                     afterSolve_();
                 return status;

@@ -1,5 +1,7 @@
 #include "common/TeamBenchmark.h"
 
+#include "common/Interrupt.h"
+
 #include <cmath>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
@@ -19,6 +21,17 @@ namespace demos
             auto host = std::make_shared<TeamSetup>(team, scene.makeObstacles());
             host->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
             return host;
+        }
+
+        /** Thrown through Benchmark::benchmark(), which catches std::runtime_error */
+        struct Interruption
+        {
+        };
+
+        void throwIfInterrupted()
+        {
+            if (interrupted())
+                throw Interruption();
         }
 
         std::size_t certificatesOf(const TeamSetup &setup)
@@ -53,6 +66,19 @@ namespace demos
             }
         setPreRunEvent([this](const ob::PlannerPtr &planner) { prepareRun(planner); });
         setPostRunEvent([this](const ob::PlannerPtr & /*planner*/, RunProperties &run) { recordRun(run); });
+    }
+
+    bool TeamBenchmark::runAll(const Request &request)
+    {
+        try
+        {
+            benchmark(request);
+            return true;
+        }
+        catch (const Interruption &)
+        {
+            return false;
+        }
     }
 
     ob::PlannerPtr TeamBenchmark::makePlanner(const Entry &entry)
@@ -97,6 +123,7 @@ namespace demos
 
     void TeamBenchmark::prepareRun(const ob::PlannerPtr &planner)
     {
+        throwIfInterrupted();
         for (active_ = 0; planners_[active_] != planner;)
             ++active_;
         const Entry &entry = entries_[active_];
@@ -115,6 +142,7 @@ namespace demos
 
     void TeamBenchmark::recordRun(RunProperties &run)
     {
+        throwIfInterrupted();
         const std::vector<std::pair<const char *, std::uint64_t>> counts{
             {"robot_poses", counts_.robotPoses},
             {"certified_free", counts_.certifiedFree},

@@ -1,7 +1,9 @@
 #include "demos/Program.h"
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 namespace
 {
@@ -83,6 +85,41 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
     }
     // Another seed for each run
     EXPECT_TRUE(states[0] != states[1] || states[1] != states[2]);
+}
+
+TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
+{
+    for (const int signal : {SIGINT, SIGTERM})
+    {
+        const TemporaryFolder folder;
+        writeFile(folder / "scene.yaml", easyScene());
+        // RRTstar takes all of its time, so at most a few of these runs are done when it is interrupted.
+        Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTstar", "--methods", "shared",
+                                           "--runs", "1000", "--time", "0.5", "--log", folder / "teams.log"});
+        std::this_thread::sleep_for(std::chrono::seconds(3));
+        program.signal(signal);
+        EXPECT_EQ(program.wait(), 1) << program.errors();
+        EXPECT_NE(program.output().find("interrupted"), std::string::npos) << program.output();
+        EXPECT_EQ(folder.list().size(), 2u) << "no temporary file is left";
+        std::vector<std::string> names;
+        const auto runs = runsOf(contentOf(folder / "teams.log"), "geometric_RRTstar[shared]", names);
+        EXPECT_GE(runs.size(), 1u);
+        EXPECT_LT(runs.size(), 900u);
+        const auto time = std::find(names.begin(), names.end(), "time REAL");
+        ASSERT_NE(time, names.end());
+        for (const auto &run : runs)
+            EXPECT_GE(std::stod(run.at(static_cast<std::size_t>(time - names.begin()))), 0.5) << "only whole runs";
+    }
+}
+
+TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTConnect", "--methods", "shared",
+                                       "--runs", "1", "--time", "0.5", "--log", "/dev/full"});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("/dev/full"), std::string::npos) << program.errors();
 }
 
 TEST(BenchmarkTeam, refusesBadInput)

@@ -145,16 +145,21 @@ TEST_F(PlanTeam, setsParametersOfThePlanner)
 
 TEST_F(PlanTeam, endsTidilyWhenInterrupted)
 {
-    Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--report", folder_ / "report.json",
-                                  "--picture", folder_ / "plan.svg"});
-    std::this_thread::sleep_for(std::chrono::seconds(2));
-    program.signal(SIGINT);
-    EXPECT_EQ(program.wait(), 0) << program.errors();
-    EXPECT_NE(program.output().find("interrupted"), std::string::npos);
-    const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
-    EXPECT_TRUE(report.at("solved").get<bool>());
-    EXPECT_LT(report.at("seconds").at("total").get<double>(), 200.0);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "plan.svg"));
+    for (const int signal : {SIGINT, SIGTERM})
+    {
+        std::filesystem::remove(folder_ / "report.json");
+        std::filesystem::remove(folder_ / "plan.svg");
+        Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--report",
+                                      folder_ / "report.json", "--picture", folder_ / "plan.svg"});
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+        program.signal(signal);
+        EXPECT_EQ(program.wait(), 0) << program.errors();
+        EXPECT_NE(program.output().find("interrupted"), std::string::npos);
+        const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
+        EXPECT_TRUE(report.at("solved").get<bool>());
+        EXPECT_LT(report.at("seconds").at("total").get<double>(), 200.0);
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "plan.svg"));
+    }
 }
 
 TEST_F(PlanTeam, recognizesASceneWithoutSolution)

@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 #include <sstream>
+#include <sys/resource.h>
 
 namespace ompl_certificates
 {
@@ -180,6 +182,24 @@ namespace ompl_certificates
         EXPECT_EQ(fileCount(), 2u);
         writeTextFile("/dev/null", "nothing");
         EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+    }
+
+    TEST_F(Output, AFullDiskLeavesWhatWasThere)
+    {
+        writeTextFile(file("a.txt"), "old");
+        // A limit on the size of files is met as a full disk is: some of the text is written, then no more.
+        rlimit before;
+        ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+        const rlimit small{10000, before.rlim_max};
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+        EXPECT_THROW(writeTextFile(file("a.txt"), std::string(1000000, 'x')), ompl::Exception);
+        EXPECT_THROW(writeTextFile(file("b.txt"), std::string(1000000, 'x')), ompl::Exception);
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, handler);
+        EXPECT_EQ(readTextFile(file("a.txt")), "old");
+        EXPECT_EQ(fileCount(), 1u) << "neither a part of a file nor a temporary one is left";
+        EXPECT_THROW(writeTextFile("/dev/full", "text"), ompl::Exception);
     }
 
     TEST_F(Output, FilesThatCannotBeWrittenAreNamed)
