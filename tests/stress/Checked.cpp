@@ -12,17 +12,35 @@ namespace ompl_certificates
     {
         namespace ob = ompl::base;
 
-        Checked::Checked(const TeamStateSpacePtr &space, const Setting &setting) : team(space)
+        std::shared_ptr<const FclObstacles> Checked::makeObstacles(const std::vector<PlacedBody> &bodies) const
         {
             const unsigned int dimension = team->getWorkspaceDimension();
             const Heights heights = team->getHeights();
-            if (setting.dear)
-                obstacles = std::make_shared<test::DearObstacles>(dimension, setting.obstacles, heights);
-            else
-                obstacles = std::make_shared<FclObstacles>(dimension, setting.obstacles, heights);
-            si = std::make_shared<ob::SpaceInformation>(team);
+            if (dear_)
+                return std::make_shared<test::DearObstacles>(dimension, bodies, heights);
+            return std::make_shared<FclObstacles>(dimension, bodies, heights);
+        }
+
+        void Checked::makeStandard()
+        {
             standard = std::make_shared<TeamValidityChecker>(si, obstacles);
             si->setStateValidityChecker(standard);
+        }
+
+        void Checked::changeObstacles(ObstacleChange change, const std::vector<PlacedBody> &bodies)
+        {
+            obstacles = makeObstacles(bodies);
+            change.after = obstacles;
+            for (const Certified &one : certified)
+                one.checker->changeObstacles(change);
+            makeStandard();
+        }
+
+        Checked::Checked(const TeamStateSpacePtr &space, const Setting &setting) : team(space), dear_(setting.dear)
+        {
+            obstacles = makeObstacles(setting.obstacles);
+            si = std::make_shared<ob::SpaceInformation>(team);
+            makeStandard();
             si->setStateValidityCheckingResolution(setting.resolution);
             si->setup();
             ompl = std::make_shared<ob::DiscreteMotionValidator>(si);

@@ -38,6 +38,11 @@ namespace ompl_certificates
         {
             Checked(const TeamStateSpacePtr &space, const Setting &setting);
 
+            /** \brief Put other obstacles in the place of those that are there: certificates are repaired, the standard check
+                begins anew
+                \param bodies all of them, as they are now */
+            void changeObstacles(ObstacleChange change, const std::vector<PlacedBody> &bodies);
+
             /** \brief FCL's verdict on the true geometry */
             bool isValid(const ompl::base::State *state) const
             {
@@ -50,6 +55,12 @@ namespace ompl_certificates
             std::shared_ptr<TeamValidityChecker> standard;
             std::shared_ptr<ompl::base::DiscreteMotionValidator> ompl;
             std::vector<Certified> certified;
+
+        private:
+            std::shared_ptr<const FclObstacles> makeObstacles(const std::vector<PlacedBody> &bodies) const;
+            void makeStandard();
+
+            bool dear_;
         };
     }
 }

@@ -1,3 +1,4 @@
+#include "Changes.h"
 #include "Compare.h"
 
 #include "support/RandomStates.h"
@@ -340,6 +341,9 @@ namespace ompl_certificates
                  references, 200},
                 {"motions", "motions checked at discrete samples, against OMPL's own validator", motions, 10},
                 {"continuous", "motions proved continuously, against samples of them", continuous, 8},
+                {"changes", "obstacles added, removed and moved among states and motions that were checked before",
+                 changes, 3},
+                {"files", "files of certificates loaded, also those of earlier obstacles and damaged ones", files, 2},
                 {"threads", "three threads on one checker", threads, 0},
                 {"planner", "a short RRT with each method", planner, 0},
             };

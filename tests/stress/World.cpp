@@ -42,6 +42,10 @@ namespace ompl_certificates
             setting.dear = random.chance(0.5);
             setting.resolution = random.logUniform(0.003, 0.1);
             checked = std::make_unique<Checked>(team, setting);
+            set_ = std::make_unique<ObstacleSet>(dimension, team->getHeights());
+            for (const PlacedBody &obstacle : setting.obstacles)
+                names_.push_back(set_->add(obstacle));
+            set_->takeChange();
             secondTeam_->setup();
             for (std::size_t i = 0; i < POOL; ++i)
             {
@@ -131,6 +135,49 @@ namespace ompl_certificates
             }
         }
 
+        PlacedBody World::randomObstacle(double meshChance)
+        {
+            const double size = unit * random.logUniform(0.2, 3.0);
+            const Body body = random.chance(meshChance) ? test::meshBody(dimension, test::randomMesh(random, size))
+                              : random.chance(0.2)      ? randomExtremeBody(size)
+                                                        : test::randomBody(random, dimension, size);
+            Pose pose = random.pose(dimension, HALF * unit);
+            pose.translation() += origin;
+            return {body, pose};
+        }
+
+        void World::changeObstacles()
+        {
+            for (unsigned int count = 1 + random.below(3); count > 0; --count)
+            {
+                auto &there = setting.obstacles;
+                const std::size_t which = there.empty() ? 0 : random.below(there.size());
+                if (there.empty() || random.chance(there.size() < 8 ? 0.4 : 0.1))
+                {
+                    there.push_back(randomObstacle(meshChance_));
+                    names_.push_back(set_->add(there.back()));
+                }
+                else if (random.chance(0.3))
+                {
+                    set_->remove(names_[which]);
+                    names_.erase(names_.begin() + static_cast<std::ptrdiff_t>(which));
+                    there.erase(there.begin() + static_cast<std::ptrdiff_t>(which));
+                }
+                else
+                {
+                    // Anywhere, or by a little
+                    Pose &pose = there[which].pose;
+                    if (random.chance(0.5))
+                        pose = randomObstacle(0.0).pose;
+                    else
+                        pose.translation() += unit * random.logUniform(1e-9, 1.0) * random.direction(dimension);
+                    set_->move(names_[which], pose);
+                }
+            }
+            ++changes;
+            checked->changeObstacles(set_->takeChange(), setting.obstacles);
+        }
+
         std::vector<PlacedBody> World::randomObstacles(double meshChance)
         {
             std::vector<PlacedBody> obstacles;
@@ -138,15 +185,7 @@ namespace ompl_certificates
             if (random.chance(0.15))
                 count = random.below(meshChance > 0.0 ? 20 : 60);
             for (; count > 0; --count)
-            {
-                const double size = unit * random.logUniform(0.2, 3.0);
-                const Body body = random.chance(meshChance) ? test::meshBody(dimension, test::randomMesh(random, size))
-                                  : random.chance(0.2)      ? randomExtremeBody(size)
-                                                            : test::randomBody(random, dimension, size);
-                Pose pose = random.pose(dimension, HALF * unit);
-                pose.translation() += origin;
-                obstacles.push_back({body, pose});
-            }
+                obstacles.push_back(randomObstacle(meshChance));
             return obstacles;
         }
 

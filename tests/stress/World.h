@@ -3,7 +3,10 @@
 
 #include "Checked.h"
 
+#include "support/Folder.h"
 #include "support/Random.h"
+
+#include "ompl_certificates/geometry/ObstacleSet.h"
 
 #include <memory>
 #include <vector>
@@ -55,6 +58,15 @@ namespace ompl_certificates
             Setting setting;
             std::unique_ptr<Checked> checked;
 
+            /** \brief Add, remove or move one to three obstacles */
+            void changeObstacles();
+
+            /** \brief Of how many changes the obstacles are the outcome */
+            unsigned int changes{0};
+
+            /** \brief For files of certificates */
+            test::Folder folder;
+
             /** \brief The same team among other obstacles, made when first asked for: it leaves foreign references in states */
             const Checked &other();
 
@@ -64,12 +76,17 @@ namespace ompl_certificates
         private:
             Body randomRobotBody(bool mesh);
             Body randomExtremeBody(double size);
+            PlacedBody randomObstacle(double meshChance);
             std::vector<PlacedBody> randomObstacles(double meshChance);
             void makeTeam(double meshChance);
 
             TeamStateSpacePtr secondTeam_;
             std::unique_ptr<Checked> other_;
             double meshChance_;
+
+            /** \brief What setting.obstacles holds, and the names in that order */
+            std::unique_ptr<ObstacleSet> set_;
+            std::vector<ObstacleSet::Id> names_;
         };
     }
 }
