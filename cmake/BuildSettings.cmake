@@ -28,6 +28,11 @@ if(OMPL_CERTIFICATES_SANITIZE)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
 
+if(OMPL_CERTIFICATES_BUILD_FUZZERS)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # Language level and warnings of one of our targets, library or program.
 function(ompl_certificates_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_17)
@@ -55,7 +60,8 @@ function(ompl_certificates_library target)
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE "${PROJECT_SOURCE_DIR}/src")
   # Fails the build, not a user's program, if the core reaches up into the scene library. Sanitizers need it off.
-  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT OMPL_CERTIFICATES_SANITIZE)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT OMPL_CERTIFICATES_SANITIZE
+     AND NOT OMPL_CERTIFICATES_BUILD_FUZZERS)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
   set_target_properties(${target} PROPERTIES

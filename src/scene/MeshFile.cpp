@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <ompl/util/Exception.h>
+#include <sstream>
 
 namespace ompl_certificates
 {
@@ -43,35 +44,54 @@ namespace ompl_certificates
 
         /** Counts that a file states of itself, such as "element vertex 8" of PLY and count="8" of COLLADA, are what
             Assimp allocates memory for before it reads on. Each thing counted takes at least a byte. */
-        void checkCounts(const std::string &file, const std::string &text, std::size_t end, const std::string &mark)
+        void checkCount(const std::string &file, const std::string &text, const std::string &digits)
         {
-            for (std::size_t at = text.find(mark); at < end; at = text.find(mark, at + 1))
-            {
-                const std::size_t digits = text.find_first_of("0123456789\n", at);
-                if (digits == std::string::npos)
-                    return;
-                const std::size_t last = std::min(text.find_first_not_of("0123456789", digits), text.size());
-                const std::string count = text.substr(digits, last - digits);
-                if (count.size() > 15 || (!count.empty() && std::stoull(count) > text.size()))
-                    fail(file, "says that it has " + count.substr(0, 30) + " of something, in " +
-                                   std::to_string(text.size()) + " bytes");
-            }
+            if (digits.size() > 15 || (!digits.empty() && std::stoull(digits) > text.size()))
+                fail(file, "says that it has " + digits.substr(0, 30) + " of something, in " +
+                               std::to_string(text.size()) + " bytes");
         }
 
-        /** Where Assimp finds no end of the header it looks for it for ever. */
+        std::string digitsAt(const std::string &text, std::size_t at)
+        {
+            return at < text.size() ? text.substr(at, text.find_first_not_of("0123456789", at) - at) : "";
+        }
+
+        /** Where Assimp finds no end of the header it looks for it for ever. It makes room for the first vertices and the
+            first faces that the header speaks of, and writes to it those of a second such element as well. */
         void checkPly(const std::string &file, const std::string &text)
         {
             const std::string mark = "\nend_header";
             const std::size_t end = text.find(mark), after = end + mark.size();
             if (end == std::string::npos || (text.compare(after, 1, "\n") != 0 && text.compare(after, 2, "\r\n") != 0))
                 fail(file, "is not a mesh that can be read: its header has no line 'end_header'");
-            checkCounts(file, text, end, "element ");
+            std::string header = text.substr(0, end);
+            std::replace_if(
+                header.begin(), header.end(), [](char c) { return c == '\r' || c == '\f' || c == '\0'; }, '\n');
+            std::istringstream lines(header);
+            unsigned int vertices = 0, faces = 0;
+            for (std::string line; std::getline(lines, line);)
+            {
+                std::istringstream words(line);
+                std::string word, name, count;
+                words >> word >> name >> count;
+                if (word != "element")
+                    continue;
+                checkCount(file, text, digitsAt(count, 0));
+                if (name == "vertex")
+                    ++vertices;
+                if (name == "face" || name == "tristrips")
+                    ++faces;
+            }
+            if (vertices > 1 || faces > 1)
+                fail(file, "is not a mesh that can be read: its header has several elements of vertices or of faces");
         }
 
         /** Where an index of a primitive is no number Assimp tries to read it for ever. */
         void checkCollada(const std::string &file, const std::string &text)
         {
-            checkCounts(file, text, text.size(), " count=");
+            const std::string mark = " count=";
+            for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+                checkCount(file, text, digitsAt(text, text.find_first_of("0123456789\n", at)));
             for (std::size_t at = text.find("<p"); at != std::string::npos; at = text.find("<p", at + 2))
             {
                 const std::size_t open = text.find('>', at);

@@ -4,9 +4,10 @@
 #include "YamlShapes.h"
 #include "ompl_certificates/scene/TextFile.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <ompl/util/Exception.h>
+#include <sstream>
+#include <yaml-cpp/eventhandler.h>
 
 namespace ompl_certificates
 {
@@ -14,16 +15,54 @@ namespace ompl_certificates
     {
         constexpr std::size_t MAX_OBSTACLES = 100000, MAX_ROBOTS = 1000;
 
+        /** Takes no notice of what a document holds. */
+        class Ignored : public YAML::EventHandler
+        {
+            void OnDocumentStart(const YAML::Mark & /*mark*/) override
+            {
+            }
+            void OnDocumentEnd() override
+            {
+            }
+            void OnNull(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
+            {
+            }
+            void OnAlias(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
+            {
+            }
+            void OnScalar(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                          const std::string & /*value*/) override
+            {
+            }
+            void OnSequenceStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                                 YAML::EmitterStyle::value /*style*/) override
+            {
+            }
+            void OnSequenceEnd() override
+            {
+            }
+            void OnMapStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                            YAML::EmitterStyle::value /*style*/) override
+            {
+            }
+            void OnMapEnd() override
+            {
+            }
+        };
+
         YAML::Node parse(const std::string &text, const std::string &source)
         {
             try
             {
-                const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-                if (documents.size() != 1)
-                    throw ompl::Exception(source, documents.empty() ? "is empty"
-                                                                    : "must hold one YAML document, not " +
-                                                                          std::to_string(documents.size()));
-                return documents.front();
+                // Not YAML::LoadAll: of a text such as "," it makes documents for ever.
+                std::istringstream stream(text);
+                YAML::Parser parser(stream);
+                Ignored ignored;
+                if (!parser.HandleNextDocument(ignored))
+                    throw ompl::Exception(source, "is empty");
+                if (parser.HandleNextDocument(ignored))
+                    throw ompl::Exception(source, "must hold one YAML document, not several");
+                return YAML::Load(text);
             }
             catch (const YAML::Exception &exception)
             {

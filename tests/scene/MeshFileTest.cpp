@@ -134,6 +134,9 @@ namespace ompl_certificates
         std::string huge = ply, manyFaces = ply, far = OBJ;
         huge.replace(huge.find("vertex 3"), 8, "vertex 4000000000");
         manyFaces.replace(manyFaces.find("face 1"), 6, "face 99999999999999999999");
+        std::string twoFaces = ply, tabs = ply;
+        twoFaces.insert(twoFaces.find("end_header"), "element face 8\n");
+        tabs.replace(tabs.find("element face 1"), 14, "element\tface\t4000000000");
         far.replace(far.find("v 1 0 0"), 7, "v 1e12 0 0");
         std::string noEnd = ply, indices = collada("<node><instance_geometry url=\"#g\"/></node>");
         noEnd.replace(noEnd.find("end_header\n"), 11, "end_header9\n");
@@ -159,6 +162,8 @@ namespace ompl_certificates
             {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ""},
             {"huge.ply", huge, "says that it has 4000000000 of something"},
             {"faces.ply", manyFaces, "says that it has 99999999999999999999 of something"},
+            {"tabs.ply", tabs, "says that it has 4000000000 of something"},
+            {"twice.ply", twoFaces, "several elements of vertices or of faces"},
             {"short.ply", header + "0 0 0\n", ""},
             {"array.dae", array, "says that it has 4000000000 of something"},
             {"header.ply", noEnd, "its header has no line 'end_header'"},

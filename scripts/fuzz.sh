@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Feeds broken scenes, .cfg files, meshes and files of certificates to their readers: fuzz.sh [SECONDS each, 60 [SEED]].
+# What ends a reader otherwise than by ompl::Exception, takes over 20 s or over 2 GB of memory is kept in out/fuzz/,
+# with the inputs that later runs start from.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+seconds=${1:-60}
+seed=${2:-0}  # 0: another one each time
+scripts/install_dependencies.sh clang
+cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_CXX_COMPILER=clang++ \
+  -DOMPL_CERTIFICATES_BUILD_FUZZERS=ON -DOMPL_CERTIFICATES_BUILD_DEMOS=OFF -DOMPL_CERTIFICATES_BUILD_TESTS=OFF \
+  -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+cmake --build build-fuzz
+
+# Leaks inside Assimp and Boost that exceptions cause are theirs and end with the program; they are not looked for.
+export ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=16
+failed=0
+for corpus in tests/fuzz/corpus/*/; do
+  target=$(basename "$corpus")
+  echo
+  echo "==== $target, $seconds s"
+  mkdir -p "out/fuzz/$target"
+  seeds=("$corpus")
+  if [[ "$target" == yaml ]]; then
+    seeds+=(demos/scenes)
+  fi
+  # The outer limit is for libFuzzer, which needs very long to tell where the memory of an input went.
+  timeout --kill-after=10 $((seconds + 120)) \
+    build-fuzz/bin/fuzz_"$target" "out/fuzz/$target" "${seeds[@]}" -artifact_prefix="out/fuzz/$target-" -detect_leaks=0 \
+    -max_total_time="$seconds" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=4096 \
+    -print_final_stats=1 -verbosity=0 || failed=1
+done
+exit "$failed"
