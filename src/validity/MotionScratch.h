@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_MOTION_SCRATCH_
 #define OMPL_CERTIFICATES_VALIDITY_MOTION_SCRATCH_
 
+#include "ThreadNumber.h"
+
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <array>
@@ -65,7 +67,7 @@ namespace ompl_certificates
         std::vector<Stretch<double>> times;
     };
 
-    /** \brief Scratches for as many threads as there are, taken and given back without a lock or an allocation */
+    /** \brief Scratches for as many threads as there are, taken and given back without a lock and mostly without an allocation */
     class MotionScratchPool
     {
     public:
@@ -75,33 +77,29 @@ namespace ompl_certificates
 
         ~MotionScratchPool()
         {
-            for (auto &slot : slots_)
-                delete slot.load();
+            for (Place &place : places_)
+                delete place.scratch.load();
         }
 
         /** \brief A scratch for the time of the lease's life */
         class Lease
         {
         public:
-            explicit Lease(MotionScratchPool &pool) : pool_(pool)
+            explicit Lease(MotionScratchPool &pool)
+              : team_(pool.team_)
+              , place_(pool.places_[threadNumber() % PLACES].scratch)
+              , scratch_(place_.exchange(nullptr, std::memory_order_acquire))
             {
-                for (auto &slot : pool.slots_)
-                    if (slot.load(std::memory_order_relaxed))
-                        if ((scratch_ = slot.exchange(nullptr, std::memory_order_acquire)))
-                            return;
-                scratch_ = new MotionScratch(pool.team_);
+                if (!scratch_)
+                    scratch_ = new MotionScratch(team_);
             }
 
             ~Lease()
             {
-                for (auto &slot : pool_.slots_)
-                {
-                    MotionScratch *empty = nullptr;
-                    if (slot.compare_exchange_strong(empty, scratch_, std::memory_order_release,
-                                                     std::memory_order_relaxed))
-                        return;
-                }
-                delete scratch_;
+                MotionScratch *empty = nullptr;
+                if (!place_.compare_exchange_strong(empty, scratch_, std::memory_order_release,
+                                                    std::memory_order_relaxed))
+                    delete scratch_;
             }
 
             Lease(const Lease &) = delete;
@@ -113,13 +111,23 @@ namespace ompl_certificates
             }
 
         private:
-            MotionScratchPool &pool_;
-            MotionScratch *scratch_{nullptr};
+            const TeamStateSpace &team_;
+            std::atomic<MotionScratch *> &place_;
+            MotionScratch *scratch_;
         };
 
     private:
+        static constexpr std::size_t PLACES = 32;
+
+        /** Each thread has a place of its own, as long as there are no more than these: what a thread used last is in its
+            core's cache. */
+        struct alignas(64) Place
+        {
+            std::atomic<MotionScratch *> scratch{nullptr};
+        };
+
         const TeamStateSpace &team_;
-        std::array<std::atomic<MotionScratch *>, 32> slots_{};
+        std::array<Place, PLACES> places_;
     };
 }
 

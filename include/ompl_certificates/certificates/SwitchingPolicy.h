@@ -15,7 +15,7 @@ namespace ompl_certificates
         costs more than the exact checks that it saves (the paper's crossover). What does not pay is still tried one time
         in PROBE_INTERVAL, to notice when that changes. No verdict depends on the policy. May be used by many threads at
         once, which may then lose a note. */
-    class SwitchingPolicy
+    class alignas(64) SwitchingPolicy
     {
     public:
         /** \brief Whether to look certificates up now. Counts as one chance. */
@@ -84,7 +84,9 @@ namespace ompl_certificates
         static void approach(std::atomic<float> &mean, float value, float memory)
         {
             const float known = mean.load(std::memory_order_relaxed);
-            mean.store(known + (value - known) / memory, std::memory_order_relaxed);
+            // What does not change is not written: threads would wait for each other's cache lines.
+            if (const float next = known + (value - known) / memory; next != known)
+                mean.store(next, std::memory_order_relaxed);
         }
 
         /** \brief Take a new time into account, and judge */

@@ -1,0 +1,76 @@
+// One checker used by several threads at once: how many checks a second they make together.
+//
+//     threads --benchmark_repetitions=5
+//
+// Where two threads have a core each, items_per_second is to be compared; on a busy machine the processor time of a check
+// (CPU), which grows by what threads wait for each other's cache lines.
+
+#include "common/RandomWorld.h"
+#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/validity/TeamSetup.h"
+
+#include <benchmark/benchmark.h>
+#include <memory>
+#include <ompl/base/ScopedState.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using benchmarks::RandomWorld;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** A team of three among 40 obstacles, and the checker that all threads share */
+    TeamSetup &sharedSetup(bool discs)
+    {
+        const auto make = [](bool ofDiscs)
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+            ob::RealVectorBounds bounds(2);
+            bounds.setLow(0.0);
+            bounds.setHigh(RandomWorld::SIZE);
+            auto team = std::make_shared<TeamStateSpace>();
+            for (const std::string name : {"first", "second", "third"})
+                team->addRobot(ofDiscs ? RigidRobot::disc(name, 1.0, bounds)
+                                       : RigidRobot::inSE2(name, Body::box(3.0, 1.5), bounds));
+            auto obstacles = std::make_shared<FclObstacles>(2U, RandomWorld(2, 1).obstacles(40));
+            auto setup = std::make_unique<TeamSetup>(team, obstacles);
+            setup->getSpaceInformation()->setup();
+            return setup;
+        };
+        static const auto ofDiscs = make(true), ofBoxes = make(false);
+        return discs ? *ofDiscs : *ofBoxes;
+    }
+
+    /** What of a checker is asked */
+    enum class Call
+    {
+        STATE,
+        MOTION
+    };
+
+    void check(benchmark::State &state, bool discs, Call call)
+    {
+        const TeamSetup &setup = sharedSetup(discs);
+        const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
+        const ob::StateSamplerPtr sampler = si->allocStateSampler();
+        ob::ScopedState<> from(si), to(si);
+        for (auto _ : state)
+        {
+            sampler->sampleUniform(from.get());
+            if (call == Call::MOTION)
+            {
+                sampler->sampleUniformNear(to.get(), from.get(), 10.0);
+                benchmark::DoNotOptimize(si->checkMotion(from.get(), to.get()));
+            }
+            else
+                benchmark::DoNotOptimize(si->isValid(from.get()));
+        }
+        state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
+    }
+}
+
+BENCHMARK_CAPTURE(check, discs / states, true, Call::STATE)->ThreadRange(1, 2)->UseRealTime();
+BENCHMARK_CAPTURE(check, discs / motions, true, Call::MOTION)->ThreadRange(1, 2)->UseRealTime();
+BENCHMARK_CAPTURE(check, boxes / states, false, Call::STATE)->ThreadRange(1, 2)->UseRealTime();
+BENCHMARK_CAPTURE(check, boxes / motions, false, Call::MOTION)->ThreadRange(1, 2)->UseRealTime();
