@@ -197,6 +197,18 @@ namespace ompl_certificates
     }
 
     template <int DIMENSION>
+    void CertificateTree::prefetch(Index fork) const
+    {
+        const Bucket &bucket = buckets_[bucketAt(fork)];
+        __builtin_prefetch(bucket.x);
+        __builtin_prefetch(bucket.clearance);
+        if constexpr (DIMENSION == 3)
+            __builtin_prefetch(bucket.z);
+        for (int axis = 0; axis < DIMENSION; ++axis)
+            __builtin_prefetch(&boxes_[fork].bound[axis]);
+    }
+
+    template <int DIMENSION>
     Covering CertificateTree::coveringFromRoot(const BallQuery &query) const
     {
         const Root &root = roots_[root_.load(std::memory_order_acquire)];
@@ -212,23 +224,27 @@ namespace ompl_certificates
         const auto sideAt = [way](unsigned int depth)
         { return static_cast<unsigned int>(way >> (62 - 2 * depth)) & 3U; };
         constexpr unsigned int deepest = 31;
+        Index path[deepest];
         unsigned int depth = 0;
-        Index fork = place;
         while (isFork(place) && depth < deepest)
         {
-            fork = place;
+            path[depth] = place;
             place = forks_[place].child[sideAt(depth++)].load(std::memory_order_acquire);
         }
         // What is looked at next, if the smallest cell has nothing, comes from memory meanwhile.
-        const Bucket &above = buckets_[bucketAt(fork)];
-        __builtin_prefetch(above.x);
-        __builtin_prefetch(above.clearance);
-        __builtin_prefetch(&boxes_[fork].bound[0]);
-        __builtin_prefetch(&boxes_[fork].bound[1]);
+        prefetch<DIMENSION>(path[depth - 1]);
+        if (depth > 1)
+            prefetch<DIMENSION>(path[depth - 2]);
         if (place != NONE && searchDown(place, ALL_CHILDREN, search))
             return search.found;
-        while (!searchDown(fork, ALL_CHILDREN & ~(1U << sideAt(--depth)), search) && depth > 0)
-            fork = forks_[fork].parent.load(std::memory_order_acquire);
+        while (depth > 0)
+        {
+            if (depth > 2)
+                prefetch<DIMENSION>(path[depth - 3]);
+            --depth;
+            if (searchDown(path[depth], ALL_CHILDREN & ~(1U << sideAt(depth)), search))
+                break;
+        }
         return search.found;
     }
 

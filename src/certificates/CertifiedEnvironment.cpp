@@ -31,9 +31,9 @@ namespace ompl_certificates
                     start_ = std::chrono::steady_clock::now();
             }
 
-            void noteClearances(bool settled)
+            void noteClearances(double samples)
             {
-                policy_.noteClearances(settled);
+                policy_.noteClearances(samples);
                 if (runs_)
                     policy_.noteClearanceCost(lap());
             }
@@ -91,7 +91,7 @@ namespace ompl_certificates
         if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
             return verdict;
         verdict = {};
-        if (!query.likelyFree && hitsAgain(query, counts))
+        if (query.sampleTime == 0.0 && hitsAgain(query, counts))
             return verdict;
         // A ball is settled by one search either way, which mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
@@ -147,14 +147,17 @@ namespace ompl_certificates
         if (query.minimumReach > 0.0 || policy.asksClearances())
         {
             const bool settled = settleByClearances(query, learn, verdict, counts);
-            stopwatch.noteClearances(settled);
+            // A proof settles the samples that it reaches as well.
+            const bool lasts = settled && verdict.free && query.sampleTime > 0.0;
+            const double more = lasts ? std::min(verdict.reach, 1.0) / query.sampleTime : 0.0;
+            stopwatch.noteClearances(settled ? 1.0 + more : 0.0);
             if (settled)
                 return verdict;
         }
         else
             ++counts.steppedAside;
         verdict.reach = 0.0;
-        verdict.free = !((query.likelyFree && hitsAgain(query, counts)) || collides(query, counts));
+        verdict.free = !((query.sampleTime > 0.0 && hitsAgain(query, counts)) || collides(query, counts));
         stopwatch.noteExact();
         return verdict;
     }

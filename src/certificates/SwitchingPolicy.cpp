@@ -26,7 +26,7 @@ namespace ompl_certificates
         const float asking = clearanceCost_.load(std::memory_order_relaxed);
         if (exact == 0.0F || asking == 0.0F)
             return;
-        const float saved = settledRate_.load(std::memory_order_relaxed) * exact;
+        const float saved = settledSamples_.load(std::memory_order_relaxed) * exact;
         const bool pays = pays_.load(std::memory_order_relaxed);
         pays_.store(asking < (pays ? HYSTERESIS : 1.0F) * saved, std::memory_order_relaxed);
     }
@@ -34,7 +34,7 @@ namespace ompl_certificates
     void SwitchingPolicy::reset()
     {
         lookupRate_.store(1.0F, std::memory_order_relaxed);
-        settledRate_.store(1.0F, std::memory_order_relaxed);
+        settledSamples_.store(1.0F, std::memory_order_relaxed);
         clearanceCost_.store(0.0F, std::memory_order_relaxed);
         exactCost_.store(0.0F, std::memory_order_relaxed);
         pays_.store(true, std::memory_order_relaxed);

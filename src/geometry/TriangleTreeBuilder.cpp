@@ -63,6 +63,7 @@ namespace ompl_certificates
             tree_.extent_ = 0.5 * bounds.sizes().maxCoeff();
             // More than the rounding of the boxes and of any point near them
             const float slack = static_cast<float>(tree_.extent_ * 4e-7);
+            tree_.half_ = (0.5 * bounds.sizes()).cast<float>().array() + slack;
             items_.reserve(tree_.triangles_.size());
             for (std::uint32_t i = 0; i < tree_.triangles_.size(); ++i)
             {

@@ -131,12 +131,9 @@ namespace ompl_certificates
             std::uint32_t here, there;
             Box boxHere, boxThere;
         };
-        const auto whole = [](const TriangleTree &tree) {
-            return Box{Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(static_cast<float>(tree.extent_ * 1.001))};
-        };
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
-        stack[open++] = {0, 0, whole(*this), whole(other)};
+        stack[open++] = {0, 0, {Eigen::Vector3f::Zero(), half_}, {Eigen::Vector3f::Zero(), other.half_}};
         bool unknown = false;
         while (open > 0)
         {

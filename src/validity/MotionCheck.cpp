@@ -84,7 +84,7 @@ namespace ompl_certificates
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, {travel, minimumReach_, t != 1.0}, scratch_.references.data(),
+            return checker_.settleGroup(subject, poses, {travel, minimumReach_, t == 1.0 ? 0.0 : timeOf(1)}, scratch_.references.data(),
                                         counts_);
         }
         const unsigned int pair = subject - groups_;

@@ -8,7 +8,7 @@ namespace
 {
     /** Settle poses whose parts take so long, as the policy says; how many of them clearances were asked for */
     unsigned int settle(SwitchingPolicy &policy, unsigned int poses, std::chrono::microseconds clearances,
-                        std::chrono::microseconds exact, unsigned int settledPerThousand)
+                        std::chrono::microseconds exact, unsigned int settledPerThousand, double samples = 1.0)
     {
         unsigned int asked = 0, luck = 0;
         for (unsigned int i = 0; i < poses; ++i)
@@ -19,7 +19,7 @@ namespace
             {
                 ++asked;
                 const bool settled = luck < settledPerThousand;
-                policy.noteClearances(settled);
+                policy.noteClearances(settled ? samples : 0.0);
                 if (timed)
                     policy.noteClearanceCost(clearances);
                 if (settled)
@@ -70,6 +70,15 @@ TEST(SwitchingPolicy, StepsAsideWhereClearancesCostMoreThanTheySaveAndReturns)
     EXPECT_EQ(settle(policy, 1600, microseconds(10), microseconds(10), 200), 100U);
     settle(policy, 4000, microseconds(1), microseconds(20), 900);
     EXPECT_EQ(settle(policy, 1000, microseconds(1), microseconds(20), 900), 1000U);
+}
+
+TEST(SwitchingPolicy, KnowsThatAProofSavesTheNextSamplesToo)
+{
+    SwitchingPolicy alone, lasting;
+    settle(alone, 1000, microseconds(10), microseconds(1), 500);
+    EXPECT_LT(settle(alone, 1600, microseconds(10), microseconds(1), 500), 200U);
+    settle(lasting, 1000, microseconds(10), microseconds(1), 500, 40.0);
+    EXPECT_EQ(settle(lasting, 1600, microseconds(10), microseconds(1), 500, 40.0), 1600U);
 }
 
 TEST(SwitchingPolicy, NeverStepsAsideWhereNoExactCheckIsNeeded)

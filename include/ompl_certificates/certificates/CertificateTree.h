@@ -239,6 +239,8 @@ namespace ompl_certificates
         template <int DIMENSION>
         Covering coveringFromFork(const BallQuery &query, Index start) const;
         template <int DIMENSION>
+        void prefetch(Index fork) const;
+        template <int DIMENSION>
         bool searchBuckets(Index first, CoverSearch<DIMENSION> &search) const;
         template <int DIMENSION>
         bool searchDown(Index place, unsigned int children, CoverSearch<DIMENSION> &search) const;

@@ -44,10 +44,11 @@ namespace ompl_certificates
             return pays_.load(std::memory_order_relaxed) || isProbe();
         }
 
-        /** \brief Take into account whether clearances have settled a pose */
-        void noteClearances(bool settled)
+        /** \brief Take into account how many samples of a motion clearances have settled: none, that of the pose, or others
+            that their proof reaches as well */
+        void noteClearances(double samples)
         {
-            approach(settledRate_, settled ? 1.0F : 0.0F, COST_MEMORY);
+            approach(settledSamples_, static_cast<float>(samples), COST_MEMORY);
         }
 
         /** \brief Whether to time how long this pose takes to settle. Reading the clock costs about as much as a lookup, so
@@ -95,9 +96,9 @@ namespace ompl_certificates
         std::atomic<float> lookupRate_{1.0F};
         std::atomic<std::uint32_t> chances_{0}, poses_{0};
 
-        /** \brief How often clearances settle a pose; what asking them costs, and the exact check (nanoseconds; 0: not
-            known yet) */
-        std::atomic<float> settledRate_{1.0F}, clearanceCost_{0.0F}, exactCost_{0.0F};
+        /** \brief How many samples clearances settle; what asking them costs, and the exact check (nanoseconds; 0: not known
+            yet) */
+        std::atomic<float> settledSamples_{1.0F}, clearanceCost_{0.0F}, exactCost_{0.0F};
         std::atomic<bool> pays_{true};
     };
 }

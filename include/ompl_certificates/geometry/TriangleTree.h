@@ -132,6 +132,9 @@ namespace ompl_certificates
 
         /** \brief The largest coordinate of a corner, relative to origin_ */
         double extent_{0.0};
+
+        /** \brief Half the sizes of the box of all triangles, whose middle is origin_ */
+        Eigen::Vector3f half_{Eigen::Vector3f::Zero()};
         std::vector<Node> nodes_;
         std::vector<Facet> triangles_;
         std::vector<std::uint32_t> names_;
