@@ -92,6 +92,33 @@ namespace ompl_certificates
             }
         }
 
+        /** A key that at least \e count of the candidates, and mostly few more, do not exceed. Where exactly they end does not
+            matter yet, and counting has no branches to guess, unlike std::nth_element(). */
+        double enoughFor(const std::vector<Candidate> &candidates, std::size_t count)
+        {
+            constexpr unsigned int ROUNDS = 6;
+            double low = INFINITE, high = -INFINITE;
+            for (const Candidate &candidate : candidates)
+            {
+                low = std::min(low, candidate.key);
+                high = std::max(high, candidate.key);
+            }
+            std::size_t atLow = 0, atHigh = candidates.size();
+            for (unsigned int round = 0; round < ROUNDS && atHigh > count + count / 8; ++round)
+            {
+                const double wanted = static_cast<double>(count + count / 16 - std::min(atLow, count));
+                const double part = wanted / static_cast<double>(atHigh - atLow);
+                // In turns by where the keys would be if they were spread evenly, and in halves, for they are not.
+                const double middle = low + (high - low) * (round % 2 == 0 ? std::min(part, 1.0) : 0.5);
+                std::size_t below = 0;
+                for (const Candidate &candidate : candidates)
+                    below += candidate.key <= middle ? 1U : 0U;
+                (below >= count ? high : low) = middle;
+                (below >= count ? atHigh : atLow) = below;
+            }
+            return high;
+        }
+
         /** What a query needs to remember; kept for the thread's next one */
         struct Scratch
         {
@@ -357,10 +384,7 @@ namespace ompl_certificates
     void StateKdTree::compact(Search &search) const
     {
         auto &candidates = search.scratch.candidates;
-        const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(search.count - 1);
-        std::nth_element(candidates.begin(), last, candidates.end(),
-                         [](const Candidate &a, const Candidate &b) { return a.key < b.key; });
-        ruleOutBeyond(search, last->key);
+        ruleOutBeyond(search, enoughFor(candidates, search.count));
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                         [&](const Candidate &candidate) { return !(candidate.square <= search.most); }),
                          candidates.end());
