@@ -1,5 +1,7 @@
 #include "FlatMetric.h"
 
+#include "SpaceClass.h"
+
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <Eigen/Core>
@@ -8,9 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/spaces/SE3StateSpace.h>
-#include <typeinfo>
+#include <ompl/base/spaces/SO2StateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
 
 // The one loop that all the time goes into, compiled for wider registers too; the loader picks. Sanitizers are not up yet
 // when it does.
@@ -33,21 +34,6 @@ namespace ompl_certificates
             for all dot products above 1 - 1e-9, and rounding (less than 2e-6). */
         constexpr double LENGTH_ERROR = 1e-6;
         constexpr float CHORD_ERROR = 5e-6F;
-
-        /** OMPL's: quaternions whose dot product is this close to 1 have the distance 0. */
-        constexpr double SAME_ROTATION = 1e-9;
-
-        /** Not dynamic_cast: a derived class, such as Dubins' cars, may have a distance of its own. */
-        template <typename Space>
-        bool is(const ob::StateSpace &space)
-        {
-            return typeid(space) == typeid(Space);
-        }
-
-        bool isCompound(const ob::StateSpace &space)
-        {
-            return is<ob::CompoundStateSpace>(space) || is<ob::SE2StateSpace>(space) || is<ob::SE3StateSpace>(space);
-        }
 
         OMPL_CERTIFICATES_WIDE void addSquares(const float *row, const float *columns, std::size_t stride,
                                                std::size_t count, unsigned int dimension, float *squares)
@@ -90,15 +76,14 @@ namespace ompl_certificates
         }
     }
 
-    FlatMetric::FlatMetric(const ob::StateSpace &space) : isTeam_(is<TeamStateSpace>(space))
+    FlatMetric::FlatMetric(const ob::StateSpace &space)
     {
         std::vector<unsigned int> path;
-        if (isTeam_)
+        if (isOfClass<TeamStateSpace>(space))
         {
             const auto &team = *space.as<ob::CompoundStateSpace>();
             for (path.push_back(0); path[0] < team.getSubspaceCount(); ++path[0])
             {
-                terms_.push_back(termOf(*team.getSubspace(path[0]), team.getSubspaceWeight(path[0]), path));
                 Group group;
                 collect(*team.getSubspace(path[0]), team.getSubspaceWeight(path[0]), path, group);
                 groups_.push_back(std::move(group));
@@ -106,7 +91,6 @@ namespace ompl_certificates
         }
         else
         {
-            terms_.push_back(termOf(space, 1.0, path));
             groups_.emplace_back();
             collect(space, 1.0, path, groups_.back());
         }
@@ -129,118 +113,6 @@ namespace ompl_certificates
         }
     }
 
-    FlatMetric::Term FlatMetric::termOf(const ob::StateSpace &space, double weight,
-                                        const std::vector<unsigned int> &path)
-    {
-        Term term{Term::SUM, weight, exactSize_, 0, path, {}};
-        if (weight == 0.0)
-            return term;
-        if (isCompound(space))
-        {
-            const auto &compound = *space.as<ob::CompoundStateSpace>();
-            for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
-                term.terms.push_back(termOf(*compound.getSubspace(i), compound.getSubspaceWeight(i), {i}));
-            return term;
-        }
-        if (is<ob::RealVectorStateSpace>(space))
-        {
-            term.kind = Term::VECTOR;
-            term.count = space.getDimension();
-        }
-        else if (is<ob::SO2StateSpace>(space))
-        {
-            term.kind = Term::ANGLE;
-            term.count = 1;
-        }
-        else if (is<ob::SO3StateSpace>(space))
-        {
-            term.kind = Term::ROTATION;
-            term.count = 4;
-        }
-        else
-            exact_ = false;
-        exactSize_ += term.count;
-        return term;
-    }
-
-    void FlatMetric::copyExact(const Term &term, const ob::State *state, double *row)
-    {
-        for (const unsigned int i : term.path)
-            state = static_cast<const ob::CompoundState *>(state)->components[i];
-        for (const Term &part : term.terms)
-            copyExact(part, state, row);
-        row += term.first;
-        if (term.kind == Term::VECTOR)
-            std::copy_n(static_cast<const ob::RealVectorStateSpace::StateType *>(state)->values, term.count, row);
-        else if (term.kind == Term::ANGLE)
-            row[0] = static_cast<const ob::SO2StateSpace::StateType *>(state)->value;
-        else if (term.kind == Term::ROTATION)
-        {
-            const auto *q = static_cast<const ob::SO3StateSpace::StateType *>(state);
-            row[0] = q->x;
-            row[1] = q->y;
-            row[2] = q->z;
-            row[3] = q->w;
-        }
-    }
-
-    void FlatMetric::copyExact(const ob::State *state, double *row) const
-    {
-        for (const Term &term : terms_)
-            copyExact(term, state, row);
-    }
-
-    double FlatMetric::exactDistance(const Term &term, const double *row, const double *other)
-    {
-        double sum = 0.0;
-        if (term.kind == Term::SUM)
-        {
-            for (const Term &part : term.terms)
-                sum += part.weight * exactDistance(part, row, other);
-            return sum;
-        }
-        row += term.first;
-        other += term.first;
-        if (term.kind == Term::VECTOR)
-        {
-            for (unsigned int i = 0; i < term.count; ++i)
-            {
-                const double difference = row[i] - other[i];
-                sum += difference * difference;
-            }
-            return std::sqrt(sum);
-        }
-        if (term.kind == Term::ANGLE)
-        {
-            const double difference = std::abs(row[0] - other[0]);
-            return difference > M_PI ? 2.0 * M_PI - difference : difference;
-        }
-        const double dot = std::abs(row[0] * other[0] + row[1] * other[1] + row[2] * other[2] + row[3] * other[3]);
-        return dot > 1.0 - SAME_ROTATION ? 0.0 : std::acos(dot);
-    }
-
-    double FlatMetric::exactDistance(const double *row, const double *other) const
-    {
-        if (!isTeam_)
-            return exactDistance(terms_[0], row, other);
-        double squares = 0.0;
-        for (const Term &term : terms_)
-        {
-            double distance = 0.0;
-            if (term.kind == Term::VECTOR)  // as most are, and in the loop that counts
-            {
-                for (unsigned int i = term.first; i < term.first + term.count; ++i)
-                    distance += (row[i] - other[i]) * (row[i] - other[i]);
-                distance = std::sqrt(distance);
-            }
-            else
-                distance = exactDistance(term, row, other);
-            distance *= term.weight;
-            squares += distance * distance;
-        }
-        return std::sqrt(squares);
-    }
-
     void FlatMetric::collect(const ob::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group)
     {
         Part part{Kind::VECTOR, weight, 0, 0, path, {}};
@@ -257,7 +129,7 @@ namespace ompl_certificates
             }
             return;
         }
-        if (is<ob::RealVectorStateSpace>(space))
+        if (isOfClass<ob::RealVectorStateSpace>(space))
         {
             part.count = space.getDimension();
             const auto &bounds = space.as<ob::RealVectorStateSpace>()->getBounds();
@@ -267,12 +139,12 @@ namespace ompl_certificates
                 part.center.push_back(std::isfinite(middle) ? middle : 0.0);
             }
         }
-        else if (is<ob::SO2StateSpace>(space))
+        else if (isOfClass<ob::SO2StateSpace>(space))
         {
             part.kind = Kind::ANGLE;
             part.count = 1;
         }
-        else if (is<ob::SO3StateSpace>(space))
+        else if (isOfClass<ob::SO3StateSpace>(space))
         {
             part.kind = Kind::ROTATION;
             part.count = 4;

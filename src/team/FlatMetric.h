@@ -65,25 +65,6 @@ namespace ompl_certificates
         /** \brief The largest true distance of a state with this squared bound; only if isTight() */
         double largest(float square, double magnitude) const;
 
-        /** \brief Whether exactDistance() is known: every part of the space is of a class whose distance this class knows */
-        bool isExact() const
-        {
-            return exact_;
-        }
-
-        /** \brief The number of doubles that exactDistance() needs of a state */
-        unsigned int getExactSize() const
-        {
-            return exactSize_;
-        }
-
-        /** \brief Write these doubles: the state's own coordinates */
-        void copyExact(const ompl::base::State *state, double *row) const;
-
-        /** \brief The space's distance, by the same operations in the same order, and so to the last bit. Only if
-            isExact(), and for states that flatten() accepts. */
-        double exactDistance(const double *row, const double *other) const;
-
         /** \brief States are compared in blocks of this many. */
         static constexpr std::size_t BLOCK = 16;
 
@@ -109,28 +90,6 @@ namespace ompl_certificates
         /** The parts of a robot: its distance is the sum of theirs. */
         using Group = std::vector<Part>;
 
-        /** A space in the formula of the exact distance */
-        struct Term
-        {
-            enum Kind
-            {
-                VECTOR,
-                ANGLE,
-                ROTATION,
-                SUM
-            };
-
-            Kind kind;
-            double weight;
-            unsigned int first, count;
-            std::vector<unsigned int> path;
-            /** Of a sum */
-            std::vector<Term> terms;
-        };
-
-        Term termOf(const ompl::base::StateSpace &space, double weight, const std::vector<unsigned int> &path);
-        static void copyExact(const Term &term, const ompl::base::State *state, double *row);
-        static double exactDistance(const Term &term, const double *row, const double *other);
         void collect(const ompl::base::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group);
         bool flatten(const Part &part, const ompl::base::State *state, float *row, double &magnitude) const;
         float boxBound(const Part &part, const float *row, const float *low, const float *high) const;
@@ -142,11 +101,6 @@ namespace ompl_certificates
         unsigned int plain_{0}, dimension_{0};
         bool tight_{true};
         std::vector<float> lengths_;
-
-        /** One term for each robot in a team; else one */
-        std::vector<Term> terms_;
-        bool isTeam_, exact_{true};
-        unsigned int exactSize_{0};
     };
 }
 

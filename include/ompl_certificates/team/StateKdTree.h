@@ -11,6 +11,7 @@
 
 namespace ompl_certificates
 {
+    class ExactDistance;
     class FlatMetric;
 
     /** \brief A kd-tree over states of a team, or of R^n, SE(2), SE(3) and compounds of these: what PlannerKdTree is made of.
@@ -130,6 +131,7 @@ namespace ompl_certificates
 
         std::unique_ptr<const FlatMetric> metric_;
         unsigned int rowSize_;
+        std::unique_ptr<const ExactDistance> exactDistance_;
         std::vector<Node> nodes_;
         /** The box of what is, or was, in node i: a row of low coordinates, then one of high ones */
         std::vector<float> boxes_;
