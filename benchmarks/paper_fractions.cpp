@@ -3,14 +3,12 @@
 //
 //     paper_fractions --robots 1,2,3 --iterations 100000
 
-#include "common/PlanRun.h"
+#include "common/Options.h"
 #include "ompl_certificates/scene/RandomPolygonScene.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 
@@ -37,26 +35,12 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        std::vector<std::string> methods;
-        for (const Method method : allMethods())
-            if (method != Method::STANDARD)
-                methods.push_back(nameOf(method));
-        app.add_option("--robots", options.robots, "Numbers of robots, separated by commas")
-            ->delimiter(',')
-            ->allow_extra_args(false)
+        benchmarks::addList(app, "--robots", options.robots, "Numbers of robots, separated by commas")
             ->check(CLI::Range(1, 100))
             ->capture_default_str();
-        app.add_option("--methods", options.methods, "Methods, separated by commas")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->check(CLI::IsMember(methods))
-            ->capture_default_str();
-        app.add_option("--iterations", options.iterations, "Iterations of RRT")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        app.add_option("--step", options.step, "The length of RRT's steps")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
+        benchmarks::addMethods(app, options.methods);
+        benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of RRT");
+        benchmarks::addPositive(app, "--step", options.step, "The length of RRT's steps");
         app.add_option(
                "--resolution", options.resolution,
                "The longest segment between two samples of a motion, as a fraction of a robot's space; 1 checks only "
@@ -66,9 +50,7 @@ namespace
             ->capture_default_str();
         app.add_option("--obstacles", options.scene.obstacles, "The number of polygons")->capture_default_str();
         app.add_option("--scene-seed", options.scene.seed, "Which random scene")->capture_default_str();
-        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
+        benchmarks::addPositive(app, "--seed", options.seed, "Seed of OMPL's random numbers");
         app.footer("Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
     }
 
@@ -135,19 +117,5 @@ int main(int argc, char **argv)
     CLI::App app("Repeat the experiment of the paper", "paper_fractions");
     Options options;
     declare(app, options);
-    try
-    {
-        app.parse(argc, argv);
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-        return run(options);
-    }
-    catch (const CLI::ParseError &e)
-    {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    catch (const std::exception &e)
-    {
-        std::cerr << "paper_fractions: " << e.what() << std::endl;
-        return 2;
-    }
+    return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }

@@ -4,17 +4,15 @@
 //     scenes                                   all scenes of the project, and the shared ones where they are present
 //     scenes maze.yaml --planners RRT --robots 3 --methods basic,partial,shared --seeds 10
 
-#include "common/PlanRun.h"
+#include "common/Options.h"
 
 #include "ompl_certificates/scene/SceneFile.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 
@@ -55,34 +53,16 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        std::vector<std::string> methods;
-        for (const Method method : allMethods())
-            if (method != Method::STANDARD)
-                methods.push_back(nameOf(method));
         app.add_option("SCENES", options.scenes,
                        "Scene files; by default those of the project and those among shared meshes, where present")
             ->check(CLI::ExistingFile);
-        app.add_option("--planners", options.planners, "Planners, separated by commas")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->check(CLI::IsMember(benchmarks::plannerNames()))
-            ->capture_default_str();
-        app.add_option("--methods", options.methods, "Methods to compare with the standard one")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->check(CLI::IsMember(methods))
-            ->capture_default_str();
-        app.add_option("--robots", options.robots, "Team sizes: the first robots of each scene")
-            ->delimiter(',')
-            ->allow_extra_args(false)
+        benchmarks::addPlanners(app, options.planners);
+        benchmarks::addMethods(app, options.methods);
+        benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene")
             ->check(CLI::PositiveNumber)
             ->capture_default_str();
-        app.add_option("--iterations", options.iterations, "Iterations of each plan")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        app.add_option("--seeds", options.seeds, "Plans of each row, from seeds 1, 2, ...")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
+        benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
+        benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each row, from seeds 1, 2, ...");
         app.footer(
             "An interrupt ends it after the present row, with the means of what is done.\n"
             "Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
@@ -209,19 +189,5 @@ int main(int argc, char **argv)
     CLI::App app("Teams in many scenes, with and without certificates", "scenes");
     Options options;
     declare(app, options);
-    try
-    {
-        app.parse(argc, argv);
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-        return run(options);
-    }
-    catch (const CLI::ParseError &e)
-    {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    catch (const std::exception &e)
-    {
-        std::cerr << "scenes: " << e.what() << std::endl;
-        return 2;
-    }
+    return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }

@@ -3,14 +3,12 @@
 //     whole_plans ../demos/scenes/*.yaml --planners RRT,RRTstar --iterations 20000 --repeats 5
 //     whole_plans ../demos/scenes/paper_five_discs.yaml --stock --robots 1,2,3,4,5 --planners RRT --iterations 100000
 
-#include "common/PlanRun.h"
+#include "common/Options.h"
 #include "ompl_certificates/scene/YamlScene.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 
@@ -33,36 +31,16 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        std::vector<std::string> methods;
-        for (const Method method : allMethods())
-            if (method != Method::STANDARD)
-                methods.push_back(nameOf(method));
         app.add_option("SCENES", options.scenes, "Scene files (YAML)")->required()->check(CLI::ExistingFile);
-        app.add_option("--planners", options.planners, "Planners, separated by commas")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->check(CLI::IsMember(benchmarks::plannerNames()))
-            ->capture_default_str();
-        app.add_option("--methods", options.methods, "Methods to compare with the standard one")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->check(CLI::IsMember(methods))
-            ->capture_default_str();
-        app.add_option("--robots", options.robots, "Plan for the first so many robots; by default for all")
-            ->delimiter(',')
-            ->allow_extra_args(false)
+        benchmarks::addPlanners(app, options.planners);
+        benchmarks::addMethods(app, options.methods);
+        benchmarks::addList(app, "--robots", options.robots, "Plan for the first so many robots; by default for all")
             ->check(CLI::PositiveNumber);
         app.add_flag("--stock", options.stock,
                      "Compare with OMPL alone: its compound space and its nearest-neighbor structure, too");
-        app.add_option("--iterations", options.iterations, "Iterations of each plan")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        app.add_option("--repeats", options.repeats, "How often each plan is made; medians are printed")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers, the same for all plans")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
+        benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
+        benchmarks::addPositive(app, "--repeats", options.repeats, "How often each plan is made; medians are printed");
+        benchmarks::addPositive(app, "--seed", options.seed, "Seed of OMPL's random numbers, the same for all plans");
         app.add_option("--range", options.range, "The length of the planners' steps; by default the planner's own")
             ->check(CLI::PositiveNumber);
         app.add_flag("--stop-at-goal,!--keep-going", options.stopAtGoal,
@@ -188,19 +166,5 @@ int main(int argc, char **argv)
     CLI::App app("Compare whole plans with and without certificates", "whole_plans");
     Options options;
     declare(app, options);
-    try
-    {
-        app.parse(argc, argv);
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-        return run(options);
-    }
-    catch (const CLI::ParseError &e)
-    {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    catch (const std::exception &e)
-    {
-        std::cerr << "whole_plans: " << e.what() << std::endl;
-        return 2;
-    }
+    return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }

@@ -119,20 +119,28 @@ namespace ompl_certificates
 
     const Broadphase &ObstaclePrisms::get(const std::vector<PlacedBody> &bodies, double height) const
     {
-        const auto suffices = [height](const Entry *entry) { return entry && entry->height >= height; };
-        if (const Entry *known = highest_.load(std::memory_order_acquire); suffices(known))
+        height = std::exp2(std::ceil(std::log2(height)));
+        const auto find = [height](const Entry *entry)
+        {
+            while (entry && entry->height != height)
+                entry = entry->next;
+            return entry;
+        };
+        if (const Entry *known = find(first_.load(std::memory_order_acquire)))
             return known->broadphase;
         const std::lock_guard<std::mutex> lock(mutex_);
-        if (const Entry *known = highest_.load(std::memory_order_relaxed); suffices(known))
+        const Entry *first = first_.load(std::memory_order_relaxed);
+        if (const Entry *known = find(first))
             return known->broadphase;
         Entry &entry = entries_.emplace_front();
         entry.height = height;
+        entry.next = first;
         for (const auto &[body, pose] : bodies)
             for (const auto &part : body.getParts())
                 if (!part.shape.getMesh())
                     Prism(part.shape, height).addTo(entry.broadphase, pose * part.pose);
         entry.broadphase.setup();
-        highest_.store(&entry, std::memory_order_release);
+        first_.store(&entry, std::memory_order_release);
         return entry.broadphase;
     }
 }

@@ -66,7 +66,8 @@ namespace ompl_certificates
     class ObstaclePrisms
     {
     public:
-        /** \brief Prisms at least \e height high, made when first asked for. May be called from many threads at once. */
+        /** \brief Prisms of the power of two that is at least \e height, made when first asked for: FCL's rounding grows with
+            the height, and no verdict may depend on what was asked before. May be called from many threads at once. */
         const Broadphase &get(const std::vector<PlacedBody> &bodies, double height) const;
 
     private:
@@ -74,11 +75,12 @@ namespace ompl_certificates
         {
             double height;
             Broadphase broadphase;
+            const Entry *next;
         };
 
         mutable std::mutex mutex_;
         mutable std::forward_list<Entry> entries_;
-        mutable std::atomic<const Entry *> highest_{nullptr};
+        mutable std::atomic<const Entry *> first_{nullptr};
     };
 }
 

@@ -12,6 +12,10 @@ namespace ompl_certificates
         /** Pays for the rounding of boxes in single precision, relative to the largest coordinate */
         constexpr double ROUNDING = 1e-6;
 
+        /** So many triangles that may just touch are enough to leave the answer to the exact check: where meshes lie upon each
+            other there are as many as triangles, and the first one ends the exact check. */
+        constexpr unsigned int MOST_UNKNOWN = 32;
+
         struct Box
         {
             Eigen::Vector3f center;
@@ -134,7 +138,7 @@ namespace ompl_certificates
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = {0, 0, {Eigen::Vector3f::Zero(), half_}, {Eigen::Vector3f::Zero(), other.half_}};
-        bool unknown = false;
+        unsigned int unknown = 0;
         while (open > 0)
         {
             const Open pair = stack[--open];
@@ -152,7 +156,8 @@ namespace ompl_certificates
                                 *hit = i;
                             return answer;
                         }
-                        unknown = unknown || answer == Touching::UNKNOWN;
+                        if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
+                            return answer;
                     }
                 }
                 continue;
@@ -175,6 +180,6 @@ namespace ompl_certificates
                         stack[open++] = {pair.here, node.child[k], pair.boxHere, boxOf(node, k)};
             }
         }
-        return unknown ? Touching::UNKNOWN : Touching::NO;
+        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
     }
 }
