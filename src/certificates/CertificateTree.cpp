@@ -61,14 +61,10 @@ namespace ompl_certificates
             limit_->give(stored_);
         buckets_.clear();
         forks_.clear();
-        boxes_.clear();
         store_.clear();
         roots_.clear();
-        buckets_.append();
-        forks_.append();
-        boxes_.append();
-        root_ = roots_.append();
-        roots_[root_].place = newBucket(NONE) | UNDIVIDED;
+        root_ = &roots_[roots_.append()];
+        root_.load()->place = Place(newBucket(nullptr));
         stored_ = 0;
         live_ = 0;
     }
@@ -78,23 +74,23 @@ namespace ompl_certificates
         throw ompl::Exception("A certificate tree measures Euclidean distance; it takes no other distance function");
     }
 
-    CertificateTree::Index CertificateTree::newBucket(Index fork)
+    CertificateTree::Bucket *CertificateTree::newBucket(Fork *fork)
     {
-        const Index index = buckets_.append();
-        buckets_[index].fork.store(fork, std::memory_order_relaxed);
-        return index;
+        Bucket &bucket = buckets_[buckets_.append()];
+        bucket.fork.store(fork, std::memory_order_relaxed);
+        return &bucket;
     }
 
-    CertificateTree::Index CertificateTree::newFork(Index bucket, Index parent)
+    CertificateTree::Fork *CertificateTree::newFork(Bucket *bucket, Fork *parent)
     {
-        const Index fork = forks_.append();
-        forks_[fork].bucket.store(bucket, std::memory_order_relaxed);
-        forks_[fork].parent.store(parent, std::memory_order_relaxed);
-        for (auto &axis : boxes_[boxes_.append()].bound)
+        Fork &fork = forks_[forks_.append()];
+        fork.bucket.store(bucket, std::memory_order_relaxed);
+        fork.parent.store(parent, std::memory_order_relaxed);
+        for (auto &axis : fork.bound)
             for (Bound &bound : axis)
                 for (auto &pair : bound)
                     pair.store(packed({-FLOAT_INF, -FLOAT_INF}), std::memory_order_relaxed);
-        return fork;
+        return &fork;
     }
 
     void CertificateTree::raise(Bound &bound, unsigned int child, float value)
@@ -106,12 +102,12 @@ namespace ompl_certificates
         bound[child / 2].store(packed(pair), std::memory_order_relaxed);
     }
 
-    void CertificateTree::extend(Index fork, unsigned int child, const Certificate &certificate)
+    void CertificateTree::extend(Fork &fork, unsigned int child, const Certificate &certificate) const
     {
         for (int axis = 0; axis < dimension_; ++axis)
         {
             const double c = certificate.point[axis], d = certificate.clearance;
-            auto &bounds = boxes_[fork].bound[axis];
+            auto &bounds = fork.bound[axis];
             raise(bounds[0], child, roundUp(c + d));
             raise(bounds[1], child, roundUp(d - c));
             raise(bounds[2], child, roundUp(c - d));
@@ -119,31 +115,31 @@ namespace ompl_certificates
         }
     }
 
-    void CertificateTree::extendByPlace(Index fork, unsigned int child, Index place)
+    void CertificateTree::extendByPlace(Fork &fork, unsigned int child, Place place) const
     {
-        for (Index at = bucketAt(place); at != NONE; at = buckets_[at].next)
-            for (std::uint32_t i = 0; i < buckets_[at].count; ++i)
-                extend(fork, child, store_[buckets_[at].index[i]].certificate);
-        if (isFork(place))
+        for (const Bucket *at = place.bucket(); at; at = at->next)
+            for (std::uint32_t i = 0; i < at->count; ++i)
+                extend(fork, child, store_[at->index[i]].certificate);
+        if (place.isFork())
             for (int axis = 0; axis < dimension_; ++axis)
                 for (int which = 0; which < 4; ++which)
-                    for (const auto &pair : boxes_[place].bound[axis][which])
+                    for (const auto &pair : place.fork()->bound[axis][which])
                         for (const float value : unpacked(pair))
-                            raise(boxes_[fork].bound[axis][which], child, value);
+                            raise(fork.bound[axis][which], child, value);
     }
 
-    void CertificateTree::append(Index first, CertificateIndex index, const Certificate &certificate)
+    void CertificateTree::append(Bucket *first, CertificateIndex index, const Certificate &certificate)
     {
-        Index at = first;
-        while (buckets_[at].count == BUCKET_SIZE && buckets_[at].next != NONE)
-            at = buckets_[at].next;
-        if (buckets_[at].count == BUCKET_SIZE)
+        Bucket *at = first;
+        while (at->count == BUCKET_SIZE && at->next)
+            at = at->next;
+        if (at->count == BUCKET_SIZE)
         {
-            const Index next = newBucket(NONE);
-            buckets_[at].next.store(next, std::memory_order_release);
+            Bucket *next = newBucket(nullptr);
+            at->next.store(next, std::memory_order_release);
             at = next;
         }
-        Bucket &bucket = buckets_[at];
+        Bucket &bucket = *at;
         const std::uint32_t i = bucket.count.load(std::memory_order_relaxed);
         bucket.x[i] = certificate.point.x();
         bucket.y[i] = certificate.point.y();
@@ -156,8 +152,8 @@ namespace ompl_certificates
 
     void CertificateTree::chooseFirstCell()
     {
-        const Root &old = roots_[root_];
-        const Bucket &bucket = buckets_[bucketAt(old.place)];
+        const Root &old = *root_.load();
+        const Bucket &bucket = *old.place.load().bucket();
         Eigen::AlignedBox3d box;
         for (std::uint32_t i = 0; i < bucket.count; ++i)
             box.extend(store_[bucket.index[i]].certificate.point);
@@ -168,11 +164,11 @@ namespace ompl_certificates
         const double wanted = std::max(2.0 * box.sizes().maxCoeff(), 1e-12 * farthest);
         const double extent = std::exp2(std::ceil(std::log2(wanted)) + 1.0), grid = extent / 16.0;
         const Eigen::Vector3d low = ((box.center().array() - 0.5 * extent) / grid).floor() * grid;
-        const Index root = roots_.append();
-        roots_[root].low = low;
-        roots_[root].high = low.array() + extent;
-        roots_[root].place.store(old.place, std::memory_order_relaxed);
-        root_.store(root, std::memory_order_release);
+        Root &root = roots_[roots_.append()];
+        root.low = low;
+        root.high = low.array() + extent;
+        root.place.store(old.place, std::memory_order_relaxed);
+        root_.store(&root, std::memory_order_release);
     }
 
     double CertificateTree::smallestCell(const Eigen::AlignedBox3d &cell) const
@@ -192,12 +188,14 @@ namespace ompl_certificates
                     return false;
             return true;
         };
-        while (!isInside(roots_[root_].cell()))
+        while (!isInside(root_.load()->cell()))
         {
-            const Root &old = roots_[root_];
-            const Index place = old.place, index = roots_.append(), fork = newFork(newBucket(NONE), NONE);
-            buckets_[forks_[fork].bucket].fork.store(fork, std::memory_order_relaxed);
-            Root &root = roots_[index];
+            const Root &old = *root_.load();
+            const Place place = old.place;
+            Bucket *bucket = newBucket(nullptr);
+            Fork *fork = newFork(bucket, nullptr);
+            bucket->fork.store(fork, std::memory_order_relaxed);
+            Root &root = roots_[roots_.append()];
             root.low = old.low;
             root.high = old.high;
             // The last two of the three axes that are divided in turns, or the two of the plane.
@@ -211,14 +209,14 @@ namespace ompl_certificates
                 (below ? root.low : root.high)[axis] += below ? -extent : extent;
                 side += below ? 2U >> i : 0U;
             }
-            extendByPlace(fork, side, place);
-            forks_[fork].child[side].store(place, std::memory_order_relaxed);
-            if (isFork(place))
-                forks_[place].parent.store(fork, std::memory_order_release);
+            extendByPlace(*fork, side, place);
+            fork->child[side].store(place, std::memory_order_relaxed);
+            if (place.isFork())
+                place.fork()->parent.store(fork, std::memory_order_release);
             else
-                buckets_[bucketAt(place)].fork.store(fork, std::memory_order_release);
-            root.place.store(fork, std::memory_order_relaxed);
-            root_.store(index, std::memory_order_release);
+                place.bucket()->fork.store(fork, std::memory_order_release);
+            root.place.store(Place(fork), std::memory_order_relaxed);
+            root_.store(&root, std::memory_order_release);
         }
     }
 
@@ -236,40 +234,41 @@ namespace ompl_certificates
         store_[index].certificate = certificate;
         // Before it is in the tree: who finds it there may ask for it by its index at once.
         stored_.store(index + 1, std::memory_order_release);
-        const auto isFull = [this](Index place) { return buckets_[bucketAt(place)].count == BUCKET_SIZE; };
-        if (roots_[root_].cell().isEmpty() && isFull(roots_[root_].place))
+        const auto isFull = [](Place place) { return place.bucket()->count == BUCKET_SIZE; };
+        if (root_.load()->cell().isEmpty() && isFull(root_.load()->place))
             chooseFirstCell();
-        if (!roots_[root_].cell().isEmpty())
+        if (!root_.load()->cell().isEmpty())
             growRootTo(certificate.point);
 
-        Root &root = roots_[root_];
+        Root &root = *root_.load();
         Eigen::AlignedBox3d cell = root.cell();
         const double smallest = cell.isEmpty() ? INF : smallestCell(cell);
         int axis = root.firstAxis;
-        Index parent = NONE;
-        for (std::atomic<Index> *link = &root.place;;)
+        Fork *parent = nullptr;
+        for (std::atomic<Place> *link = &root.place;;)
         {
-            if (*link == NONE)
+            const Place place = *link;
+            if (place.isNothing())
             {
-                const Index bucket = newBucket(parent);
+                Bucket *bucket = newBucket(parent);
                 append(bucket, index, certificate);
-                link->store(bucket | UNDIVIDED, std::memory_order_release);
+                link->store(Place(bucket), std::memory_order_release);
                 break;
             }
-            const Index bucket = bucketAt(*link);
             const bool isTooSmall = cell.isEmpty() || cell.sizes().head(dimension_).minCoeff() <= smallest;
-            if (!isFull(*link) || (!isFork(*link) && isTooSmall))
+            if (!isFull(place) || (!place.isFork() && isTooSmall))
             {
-                append(bucket, index, certificate);
+                append(place.bucket(), index, certificate);
                 break;
             }
-            if (!isFork(*link))
+            if (place.isFork())
+                parent = place.fork();
+            else
             {
-                const Index fork = newFork(bucket, parent);
-                link->store(fork, std::memory_order_release);
-                buckets_[bucket].fork.store(fork, std::memory_order_release);
+                parent = newFork(place.bucket(), parent);
+                link->store(Place(parent), std::memory_order_release);
+                place.bucket()->fork.store(parent, std::memory_order_release);
             }
-            parent = *link;
             unsigned int side = 0;
             for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)
             {
@@ -279,8 +278,8 @@ namespace ompl_certificates
                 (above ? cell.min() : cell.max())[axis] = middle;
             }
             // What bounds a certificate is there before it can be found.
-            extend(parent, side, certificate);
-            link = &forks_[parent].child[side];
+            extend(*parent, side, certificate);
+            link = &parent->child[side];
         }
         live_.fetch_add(1, std::memory_order_relaxed);
         return index;
@@ -315,7 +314,7 @@ namespace ompl_certificates
     std::size_t CertificateTree::bytes() const
     {
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        return sizeof(*this) + buckets_.bytes() + forks_.bytes() + boxes_.bytes() + store_.bytes();
+        return sizeof(*this) + buckets_.bytes() + forks_.bytes() + store_.bytes();
     }
 
     void CertificateTree::list(std::vector<Certificate> &data) const

@@ -95,15 +95,15 @@ namespace ompl_certificates
         }
 
         /** Below which children there may be a certificate that proves the query, as bits */
-        unsigned int among(const Boxes &boxes) const
+        unsigned int among(const Fork &fork) const
         {
             Flags free{-1, -1, -1, -1}, colliding{-1, -1, -1, -1};
             for (int axis = 0; axis < DIMENSION; ++axis)
             {
-                free &= exceeded[axis][0] < load(boxes.bound[axis][0]);
-                free &= exceeded[axis][1] < load(boxes.bound[axis][1]);
-                colliding &= exceeded[axis][2] < load(boxes.bound[axis][2]);
-                colliding &= exceeded[axis][3] < load(boxes.bound[axis][3]);
+                free &= exceeded[axis][0] < load(fork.bound[axis][0]);
+                free &= exceeded[axis][1] < load(fork.bound[axis][1]);
+                colliding &= exceeded[axis][2] < load(fork.bound[axis][2]);
+                colliding &= exceeded[axis][3] < load(fork.bound[axis][3]);
             }
             const Words either = reinterpret_cast<Words>((free | colliding) & Flags{1, 2, 4, 8});
             const std::uint64_t halves = either[0] | either[1];
@@ -189,34 +189,34 @@ namespace ompl_certificates
     {
         if (seed >= stored_.load(std::memory_order_acquire))
             return covering(query);
-        const Index bucket = store_[seed].bucket.load(std::memory_order_acquire);
-        const Index fork = bucket == NONE ? NONE : buckets_[bucket].fork.load(std::memory_order_acquire);
-        if (fork == NONE)
+        const Bucket *bucket = store_[seed].bucket.load(std::memory_order_acquire);
+        Fork *fork = bucket ? bucket->fork.load(std::memory_order_acquire) : nullptr;
+        if (!fork)
             return covering(query);
         return dimension_ == 2 ? coveringFromFork<2>(query, fork) : coveringFromFork<3>(query, fork);
     }
 
     template <int DIMENSION>
-    void CertificateTree::prefetch(Index fork) const
+    void CertificateTree::prefetch(const Fork &fork)
     {
-        const Bucket &bucket = buckets_[bucketAt(fork)];
+        const Bucket &bucket = *fork.bucket.load(std::memory_order_acquire);
         __builtin_prefetch(bucket.x);
         __builtin_prefetch(bucket.clearance);
         if constexpr (DIMENSION == 3)
             __builtin_prefetch(bucket.z);
         for (int axis = 0; axis < DIMENSION; ++axis)
-            __builtin_prefetch(&boxes_[fork].bound[axis]);
+            __builtin_prefetch(&fork.bound[axis]);
     }
 
     template <int DIMENSION>
     Covering CertificateTree::coveringFromRoot(const BallQuery &query) const
     {
-        const Root &root = roots_[root_.load(std::memory_order_acquire)];
-        Index place = root.place.load(std::memory_order_acquire);
+        const Root &root = *root_.load(std::memory_order_acquire);
+        Place place = root.place.load(std::memory_order_acquire);
         CoverSearch<DIMENSION> search(query);
-        if (!isFork(place))
+        if (!place.isFork())
         {
-            searchBuckets(bucketAt(place), search);
+            searchBuckets(place.bucket(), search);
             return search.found;
         }
         // Down to the smallest cell about the query's center, whose certificates are the likeliest, and up from there.
@@ -224,94 +224,94 @@ namespace ompl_certificates
         const auto sideAt = [way](unsigned int depth)
         { return static_cast<unsigned int>(way >> (62 - 2 * depth)) & 3U; };
         constexpr unsigned int deepest = 31;
-        Index path[deepest];
+        Fork *path[deepest];
         unsigned int depth = 0;
-        while (isFork(place) && depth < deepest)
+        while (place.isFork() && depth < deepest)
         {
-            path[depth] = place;
-            place = forks_[place].child[sideAt(depth++)].load(std::memory_order_acquire);
+            path[depth] = place.fork();
+            place = path[depth]->child[sideAt(depth)].load(std::memory_order_acquire);
+            ++depth;
         }
         // What is looked at next, if the smallest cell has nothing, comes from memory meanwhile.
-        prefetch<DIMENSION>(path[depth - 1]);
+        prefetch<DIMENSION>(*path[depth - 1]);
         if (depth > 1)
-            prefetch<DIMENSION>(path[depth - 2]);
-        if (place != NONE && searchDown(place, ALL_CHILDREN, search))
+            prefetch<DIMENSION>(*path[depth - 2]);
+        if (!place.isNothing() && searchDown(place, ALL_CHILDREN, search))
             return search.found;
         while (depth > 0)
         {
             if (depth > 2)
-                prefetch<DIMENSION>(path[depth - 3]);
+                prefetch<DIMENSION>(*path[depth - 3]);
             --depth;
-            if (searchDown(path[depth], ALL_CHILDREN & ~(1U << sideAt(depth)), search))
+            if (searchDown(Place(path[depth]), ALL_CHILDREN & ~(1U << sideAt(depth)), search))
                 break;
         }
         return search.found;
     }
 
     template <int DIMENSION>
-    Covering CertificateTree::coveringFromFork(const BallQuery &query, Index start) const
+    Covering CertificateTree::coveringFromFork(const BallQuery &query, Fork *start) const
     {
         CoverSearch<DIMENSION> search(query);
-        if (searchDown(start, ALL_CHILDREN, search))
+        if (searchDown(Place(start), ALL_CHILDREN, search))
             return search.found;
-        for (Index at = start, parent; (parent = forks_[at].parent.load(std::memory_order_acquire)) != NONE;
-             at = parent)
+        for (Fork *at = start, *parent; (parent = at->parent.load(std::memory_order_acquire)); at = parent)
         {
             unsigned int from = 0;
-            while (forks_[parent].child[from].load(std::memory_order_acquire) != at)
+            while (parent->child[from].load(std::memory_order_acquire).fork() != at)
                 ++from;
-            if (searchDown(parent, ALL_CHILDREN & ~(1U << from), search))
+            if (searchDown(Place(parent), ALL_CHILDREN & ~(1U << from), search))
                 return search.found;
         }
         return search.found;
     }
 
     template <int DIMENSION>
-    bool CertificateTree::searchBuckets(Index first, CoverSearch<DIMENSION> &search) const
+    bool CertificateTree::searchBuckets(const Bucket *first, CoverSearch<DIMENSION> &search)
     {
-        for (Index at = first; at != NONE; at = buckets_[at].next.load(std::memory_order_acquire))
-            if (search.isIn(buckets_[at]))
+        for (const Bucket *at = first; at; at = at->next.load(std::memory_order_acquire))
+            if (search.isIn(*at))
                 return true;
         return false;
     }
 
     template <int DIMENSION>
-    bool CertificateTree::searchDown(Index place, unsigned int children, CoverSearch<DIMENSION> &search) const
+    bool CertificateTree::searchDown(Place place, unsigned int children, CoverSearch<DIMENSION> &search)
     {
-        if (searchBuckets(bucketAt(place), search))
+        if (searchBuckets(place.bucket(), search))
             return true;
-        if (!isFork(place))
+        if (!place.isFork())
             return false;
         // Forks on the way down, with those of their children that are yet to be searched
         struct Pending
         {
-            Index fork;
+            const Fork *fork;
             unsigned int children;
         };
         constexpr std::size_t capacity = 128;
         Pending pending[capacity];
         std::size_t depth = 0;
-        if ((children &= search.among(boxes_[place])) != 0)
-            pending[depth++] = {place, children};
+        if ((children &= search.among(*place.fork())) != 0)
+            pending[depth++] = {place.fork(), children};
         while (depth > 0)
         {
             Pending &last = pending[depth - 1];
             const auto side = static_cast<unsigned int>(__builtin_ctz(last.children));
-            const Index child = forks_[last.fork].child[side].load(std::memory_order_acquire);
+            const Place child = last.fork->child[side].load(std::memory_order_acquire);
             last.children &= last.children - 1;
             if (last.children == 0)
                 --depth;
-            if (child == NONE)
+            if (child.isNothing())
                 continue;
-            if (searchBuckets(bucketAt(child), search))
+            if (searchBuckets(child.bucket(), search))
                 return true;
-            if (!isFork(child))
+            if (!child.isFork())
                 continue;
-            const unsigned int below = search.among(boxes_[child]);
+            const unsigned int below = search.among(*child.fork());
             if (below == 0)
                 continue;
             if (depth < capacity)
-                pending[depth++] = {child, below};
+                pending[depth++] = {child.fork(), below};
             // Cells that deep are rare: points that are very far apart in some places and close in others.
             else if (searchDown(child, ALL_CHILDREN, search))
                 return true;

@@ -49,10 +49,10 @@ namespace ompl_certificates
             // What is not a number proves nothing and is near to nothing: the place stays, the certificate is gone.
             constexpr double gone = std::numeric_limits<double>::quiet_NaN();
             stored.certificate.clearance = gone;
-            for (Index at = stored.bucket; at != NONE; at = buckets_[at].next)
-                for (std::uint32_t i = 0; i < buckets_[at].count; ++i)
-                    if (buckets_[at].index[i] == index)
-                        buckets_[at].clearance[i] = gone;
+            for (Bucket *at = stored.bucket; at; at = at->next)
+                for (std::uint32_t i = 0; i < at->count; ++i)
+                    if (at->index[i] == index)
+                        at->clearance[i] = gone;
             live_.fetch_sub(1, std::memory_order_relaxed);
             return true;
         }
@@ -61,25 +61,24 @@ namespace ompl_certificates
 
     void CertificateTree::nearFromRoot(NearSearch &search) const
     {
-        const Root &root = roots_[root_.load(std::memory_order_acquire)];
+        const Root &root = *root_.load(std::memory_order_acquire);
         nearDown(root.place.load(std::memory_order_acquire), root.cell(), root.firstAxis, search);
         std::sort_heap(search.heap.begin(), search.heap.end());
     }
 
-    void CertificateTree::nearDown(Index place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
+    void CertificateTree::nearDown(Place place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
     {
-        for (Index at = bucketAt(place); at != NONE; at = buckets_[at].next.load(std::memory_order_acquire))
+        for (const Bucket *at = place.bucket(); at; at = at->next.load(std::memory_order_acquire))
         {
-            const Bucket &bucket = buckets_[at];
-            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
+            const std::uint32_t count = at->count.load(std::memory_order_acquire);
             for (std::uint32_t i = 0; i < count; ++i)
             {
-                const Eigen::Vector3d point(bucket.x[i], bucket.y[i], bucket.z[i]);
-                if (!std::isnan(bucket.clearance[i]))
-                    search.consider((point - search.center).squaredNorm(), bucket.index[i]);
+                const Eigen::Vector3d point(at->x[i], at->y[i], at->z[i]);
+                if (!std::isnan(at->clearance[i]))
+                    search.consider((point - search.center).squaredNorm(), at->index[i]);
             }
         }
-        if (!isFork(place))
+        if (!place.isFork())
             return;
         const int axes[2] = {axis, (axis + 1) % dimension_};
         const Eigen::Vector3d middle = cell.center();
@@ -88,8 +87,8 @@ namespace ompl_certificates
         for (const unsigned int across : {0U, 1U, 2U, 3U})
         {
             const unsigned int side = near ^ across;
-            const Index child = forks_[place].child[side].load(std::memory_order_acquire);
-            if (child == NONE)
+            const Place child = place.fork()->child[side].load(std::memory_order_acquire);
+            if (child.isNothing())
                 continue;
             Eigen::AlignedBox3d part = cell;
             for (int i = 0; i < 2; ++i)

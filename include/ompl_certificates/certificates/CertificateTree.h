@@ -143,9 +143,53 @@ namespace ompl_certificates
         void list(std::vector<Certificate> &data) const override;
 
     private:
-        using Index = std::uint32_t;
-        static constexpr Index NONE = 0;  // element 0 of buckets_, forks_ and boxes_ is never used
         static constexpr std::uint32_t BUCKET_SIZE = 4;
+
+        struct Bucket;
+        struct Fork;
+
+        /** \brief What a cell of the tree leads to: nothing, the bucket of an undivided cell, or a fork. One word: pointers,
+            for a search is mostly the wait for the next node on the way down. */
+        class Place
+        {
+        public:
+            Place() = default;
+
+            explicit Place(Bucket *bucket) : word_(reinterpret_cast<std::uintptr_t>(bucket) | UNDIVIDED)
+            {
+            }
+
+            explicit Place(Fork *fork) : word_(reinterpret_cast<std::uintptr_t>(fork))
+            {
+            }
+
+            bool isNothing() const
+            {
+                return word_ == 0;
+            }
+
+            bool isFork() const
+            {
+                return word_ != 0 && (word_ & UNDIVIDED) == 0;
+            }
+
+            /** \brief The fork, if it is one */
+            Fork *fork() const
+            {
+                return reinterpret_cast<Fork *>(word_);
+            }
+
+            /** \brief The first bucket of the cell, or null if it is nothing */
+            Bucket *bucket() const
+            {
+                return isFork() ? fork()->bucket.load(std::memory_order_acquire)
+                                : reinterpret_cast<Bucket *>(word_ & ~UNDIVIDED);
+            }
+
+        private:
+            static constexpr std::uintptr_t UNDIVIDED = 1;
+            std::uintptr_t word_{0};
+        };
 
         /** \brief The first certificates of a cell; later ones are in the cells that it is divided into. Certificates never
             move. Coordinates and clearances lie side by side for the search. */
@@ -156,48 +200,40 @@ namespace ompl_certificates
             CertificateIndex index[BUCKET_SIZE];
             std::atomic<std::uint32_t> count{0};
             /** More certificates of a cell that is too small to be divided */
-            std::atomic<Index> next{NONE};
+            std::atomic<Bucket *> next{nullptr};
             double z[BUCKET_SIZE];
             /** The cell's fork, or the one above it while it is undivided */
-            std::atomic<Index> fork{NONE};
+            std::atomic<Fork *> fork{nullptr};
         };
-
-        /** \brief A cell that is divided into four, along two axes: the fork's place in its array is also that of its boxes.
-            Small, for most of a search is the way down along forks. */
-        struct alignas(32) Fork
-        {
-            /** The places of the four cells, by the high bit for the side of the first axis and the low bit for the other's */
-            std::atomic<Index> child[4]{};
-            std::atomic<Index> bucket{NONE};
-            std::atomic<Index> parent{NONE};
-        };
-
-        /** \brief Marks the place of an undivided cell: the rest is the index of its bucket, else that of a fork */
-        static constexpr Index UNDIVIDED = Index(1) << 31;
 
         /** \brief A float for each of four children. Two share an atomic, so that readers may load it while it grows. */
         using Bound = std::atomic<std::uint64_t>[2];
 
-        /** \brief Bounds of the certificates below each of a node's children: by axis, the largest c + d, d - c, c - d and
-            -c - d of the points c and the clearances d, rounded up. The first two bound the balls that are free, the
-            others those that collide. */
-        struct alignas(64) Boxes
+        /** \brief A cell that is divided into four, along two axes. The way down needs the first 64 bytes only. */
+        struct alignas(64) Fork
         {
-            Bound bound[3][4];
+            /** The four cells, by the high bit for the side of the first axis and the low bit for the other's */
+            std::atomic<Place> child[4]{};
+            std::atomic<Bucket *> bucket{nullptr};
+            std::atomic<Fork *> parent{nullptr};
+
+            /** Bounds of the certificates below each of the children: by axis, the largest c + d, d - c, c - d and -c - d of
+                the points c and the clearances d, rounded up. The first two bound the balls that are free, the others
+                those that collide. */
+            alignas(64) Bound bound[3][4];
         };
 
         struct Stored
         {
             Certificate certificate;
             /** The bucket, or the first of the chain of buckets, that it is in */
-            std::atomic<Index> bucket{NONE};
+            std::atomic<Bucket *> bucket{nullptr};
         };
 
         /** \brief The whole tree. A new one when it has to grow beyond its cell, so that readers find place and cell in one. */
         struct Root
         {
-            /** A bucket or a fork */
-            std::atomic<Index> place{NONE};
+            std::atomic<Place> place{};
             /** Its extents are powers of two, so that halving them is exact. Empty until the first bucket is full. */
             Eigen::Vector3d low{1.0, 1.0, 1.0}, high{0.0, 0.0, 0.0};
             /** Where in the turns of the axes the first division of the cell is */
@@ -213,23 +249,12 @@ namespace ompl_certificates
         struct CoverSearch;
         struct NearSearch;
 
-        static bool isFork(Index place)
-        {
-            return place != NONE && (place & UNDIVIDED) == 0;
-        }
-
-        /** \brief The bucket at a place other than NONE */
-        Index bucketAt(Index place) const
-        {
-            return isFork(place) ? forks_[place].bucket.load(std::memory_order_acquire) : place & ~UNDIVIDED;
-        }
-
-        Index newBucket(Index fork);
-        Index newFork(Index bucket, Index parent);
+        Bucket *newBucket(Fork *fork);
+        Fork *newFork(Bucket *bucket, Fork *parent);
         static void raise(Bound &bound, unsigned int child, float value);
-        void extend(Index fork, unsigned int child, const Certificate &certificate);
-        void extendByPlace(Index fork, unsigned int child, Index place);
-        void append(Index bucket, CertificateIndex index, const Certificate &certificate);
+        void extend(Fork &fork, unsigned int child, const Certificate &certificate) const;
+        void extendByPlace(Fork &fork, unsigned int child, Place place) const;
+        void append(Bucket *first, CertificateIndex index, const Certificate &certificate);
         void chooseFirstCell();
         double smallestCell(const Eigen::AlignedBox3d &cell) const;
         void growRootTo(const Eigen::Vector3d &point);
@@ -237,14 +262,14 @@ namespace ompl_certificates
         template <int DIMENSION>
         Covering coveringFromRoot(const BallQuery &query) const;
         template <int DIMENSION>
-        Covering coveringFromFork(const BallQuery &query, Index start) const;
+        Covering coveringFromFork(const BallQuery &query, Fork *start) const;
         template <int DIMENSION>
-        void prefetch(Index fork) const;
+        static void prefetch(const Fork &fork);
         template <int DIMENSION>
-        bool searchBuckets(Index first, CoverSearch<DIMENSION> &search) const;
+        static bool searchBuckets(const Bucket *first, CoverSearch<DIMENSION> &search);
         template <int DIMENSION>
-        bool searchDown(Index place, unsigned int children, CoverSearch<DIMENSION> &search) const;
-        void nearDown(Index place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const;
+        static bool searchDown(Place place, unsigned int children, CoverSearch<DIMENSION> &search);
+        void nearDown(Place place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const;
         void nearFromRoot(NearSearch &search) const;
 
         const int dimension_;
@@ -252,10 +277,9 @@ namespace ompl_certificates
         mutable std::mutex insertMutex_;
         ChunkedArray<Bucket> buckets_;
         ChunkedArray<Fork> forks_;
-        ChunkedArray<Boxes> boxes_;
         ChunkedArray<Stored> store_;
         ChunkedArray<Root> roots_;
-        std::atomic<Index> root_{0};
+        std::atomic<Root *> root_{nullptr};
         /** Certificates that were added, and those of them that were not removed */
         std::atomic<CertificateIndex> stored_{0}, live_{0};
     };
