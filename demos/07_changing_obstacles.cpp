@@ -7,6 +7,7 @@
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
 
@@ -35,6 +36,7 @@ namespace
 int main()
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+    ompl::RNG::setSeed(1);  // the same figures each time
     ompl::base::RealVectorBounds bounds(2);
     bounds.setLow(0.0);
     bounds.setHigh(40.0);

@@ -56,9 +56,9 @@ namespace ompl_certificates
                                                SHARED + "2D/Maze_planar.cfg", SHARED + "2D/RandomPolygons_planar.cfg",
                                                SHARED + "3D/Apartment.cfg", SHARED + "3D/Twistycool.cfg",
                                                SHARED + "3D/bugtrap.cfg", SHARED + "3D/cubicles.cfg"),
-                             [](const auto &info)
+                             [](const auto &scene)
                              {
-                                 std::string name = fs::path(info.param).stem().string();
+                                 std::string name = fs::path(scene.param).stem().string();
                                  for (char &c : name)
                                      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
                                  return name;
