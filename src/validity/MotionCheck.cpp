@@ -84,8 +84,8 @@ namespace ompl_certificates
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, {travel, minimumReach_, t == 1.0 ? 0.0 : timeOf(1)}, scratch_.references.data(),
-                                        counts_);
+            return checker_.settleGroup(subject, poses, {travel, minimumReach_, t == 1.0 ? 0.0 : timeOf(1)},
+                                        scratch_.references.data(), counts_);
         }
         const unsigned int pair = subject - groups_;
         const unsigned int first = checker_.getPairs().getFirst(pair), second = checker_.getPairs().getSecond(pair);
