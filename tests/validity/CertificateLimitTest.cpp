@@ -94,6 +94,46 @@ TEST(Memory, OfCertificatesIsThatOfTheDocumentation)
     }
 }
 
+// With OMPL_CERTIFICATES_TEST_SCALE=100 a million motions for each method
+TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    Random random(1);
+    const TeamStateSpacePtr team = anyTeam(0);
+    const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 60));
+    constexpr std::size_t most = 100;
+    for (const auto &setup : checkers.certified())
+    {
+        const auto checker = setup->getCertificateChecker();
+        checker->setMaxCertificates(most);
+        ob::ScopedState<> from = randomState(random, team), to = from;
+        const unsigned int motions = scaled(10000);
+        std::size_t early = 0;
+        for (unsigned int i = 0; i <= motions; ++i)
+        {
+            if (i % (motions / 10) == 0)
+            {
+                const std::size_t heap = mallinfo2().uordblks;
+                std::printf("%s, %u motions: %zu certificates, heap %zu bytes\n", checker->getMethodName().c_str(), i,
+                            checker->getKeptCertificates(), heap);
+                if (i == 2 * (motions / 10))
+                    early = heap;
+                if (early > 0)
+                {
+                    EXPECT_LE(heap, early + 4096);
+                }
+            }
+            to = randomState(random, team);
+            team->interpolate(from.get(), to.get(), 0.1, to.get());
+            if (checker->isValid(to.get()) && setup->getSpaceInformation()->checkMotion(from.get(), to.get()))
+                from = to;
+            else if (i % 50 == 0)
+                from = randomState(random, team);
+        }
+        EXPECT_GT(checker->getKeptCertificates(), most - team->getRobotCount());
+    }
+}
+
 TEST(Memory, OfTeamStatesIsThatOfTheDocumentation)
 {
     const auto bounds = cubeBounds(2, HALF);
