@@ -7,7 +7,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 seconds=${1:-60}
 seed=${2:-0}  # 0: another one each time
-scripts/install_dependencies.sh clang
+# The second is Debian 12's, with libFuzzer and the sanitizers, which clang only recommends.
+scripts/install_dependencies.sh clang libclang-rt-14-dev
 cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_CXX_COMPILER=clang++ \
   -DOMPL_CERTIFICATES_BUILD_FUZZERS=ON -DOMPL_CERTIFICATES_BUILD_DEMOS=OFF -DOMPL_CERTIFICATES_BUILD_TESTS=OFF \
   -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
