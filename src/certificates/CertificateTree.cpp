@@ -46,7 +46,7 @@ namespace ompl_certificates
         if (dimension != 2 && dimension != 3)
             throw ompl::Exception("A certificate tree has 2 or 3 dimensions, not " + std::to_string(dimension));
         distFun_ = [](const Certificate &a, const Certificate &b) { return (a.point - b.point).norm(); };
-        clear();
+        CertificateTree::clear();
     }
 
     CertificateTree::~CertificateTree()

@@ -99,6 +99,7 @@ namespace ompl_certificates
     Body Body::convexPolygon(const std::vector<Eigen::Vector2d> &points)
     {
         std::vector<Eigen::Vector3d> flat;
+        flat.reserve(points.size());
         for (const auto &point : points)
             flat.emplace_back(point.x(), point.y(), 0.0);
         return single(Shape::polytope(2, flat));

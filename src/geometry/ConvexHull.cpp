@@ -134,6 +134,7 @@ namespace ompl_certificates
                     // Put the corners in the plane's own coordinates and let the planar hull order them.
                     const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
                     std::vector<Eigen::Vector3d> flat;
+                    flat.reserve(corners.size());
                     for (const std::size_t v : corners)
                         flat.emplace_back(x.dot(points[v] - points[i]), y.dot(points[v] - points[i]), 0.0);
                     ConvexHull::Face face{outward, offset, {}};

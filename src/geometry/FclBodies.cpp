@@ -34,7 +34,7 @@ namespace ompl_certificates
         PlacedBody spatialBody(const fcl::CollisionObjectd &object)
         {
             const auto *geometry = object.collisionGeometry().get();
-            const Pose pose(object.getTransform());
+            const Pose &pose = object.getTransform();
             switch (object.getNodeType())
             {
                 case fcl::GEOM_SPHERE:

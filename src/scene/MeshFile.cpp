@@ -239,7 +239,7 @@ namespace ompl_certificates
                                 sum += transform * pointOf(mesh.mVertices[i]);
                             count += mesh.mNumVertices;
                         });
-            const Eigen::Vector3d mean = sum / static_cast<double>(count);
+            Eigen::Vector3d mean = sum / static_cast<double>(count);
             if (!mean.allFinite())
                 fail(file, "has a vertex whose coordinates are not finite");
             return mean;

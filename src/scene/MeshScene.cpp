@@ -154,9 +154,9 @@ namespace ompl_certificates
         {
         public:
             MazePlan(unsigned int columns, unsigned int rows, SeededRandom &random)
-              : right_(columns * rows, true), above_(columns * rows, true)
+              : right_(std::size_t(columns) * rows, true), above_(std::size_t(columns) * rows, true)
             {
-                std::vector<bool> seen(columns * rows, false);
+                std::vector<bool> seen(std::size_t(columns) * rows, false);
                 std::vector<unsigned int> way{0};
                 seen[0] = true;
                 while (!way.empty())
@@ -225,7 +225,8 @@ namespace ompl_certificates
         const MazePlan plan(COLUMNS, ROWS, random);
         for (unsigned int cell = 0; cell < COLUMNS * ROWS; ++cell)
         {
-            const double x = CELL * (cell % COLUMNS + 1), y = CELL * (cell / COLUMNS + 1);
+            const unsigned int row = cell / COLUMNS;
+            const double x = CELL * (cell % COLUMNS + 1), y = CELL * (row + 1);
             if (cell % COLUMNS + 1 < COLUMNS && plan.isClosed(cell, false))
                 wall(x, y - CELL, x, y);
             if (cell / COLUMNS + 1 < ROWS && plan.isClosed(cell, true))
@@ -245,7 +246,8 @@ namespace ompl_certificates
                    (least > 0 && std::abs(static_cast<int>(cell % COLUMNS) - static_cast<int>(cells.back() % COLUMNS)) <
                                      static_cast<int>(least)));
             cells.push_back(cell);
-            return std::vector<double>{CELL * (cell % COLUMNS + 0.5), CELL * (cell / COLUMNS + 0.5),
+            const unsigned int row = cell / COLUMNS;
+            return std::vector<double>{CELL * (cell % COLUMNS + 0.5), CELL * (row + 0.5),
                                        rounded(0.5 * PI * random.integer(0, 3) - PI, 1e-4)};
         };
         MeshScene scene;

@@ -67,7 +67,7 @@ namespace ompl_certificates
         std::vector<double> readState(const CfgFile &file, const std::string &key, unsigned int dimension)
         {
             std::vector<double> state;
-            for (unsigned int i = 0; i < dimension; ++i)
+            for (unsigned int i = 0; i < dimension && i < std::size(AXES); ++i)
                 state.push_back(file.number(PROBLEM, key + "." + AXES[i]));
             const double theta = file.number(PROBLEM, key + ".theta");
             if (dimension == 2)

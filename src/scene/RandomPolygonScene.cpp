@@ -111,7 +111,7 @@ namespace ompl_certificates
             const double low = settings_.radius, high = settings_.size - settings_.radius;
             for (int i = 0; i < TRIES; ++i)
             {
-                const Eigen::Vector2d point = grid.round({random.uniform(low, high), random.uniform(low, high)});
+                Eigen::Vector2d point = grid.round({random.uniform(low, high), random.uniform(low, high)});
                 const bool apart = std::all_of(others.begin(), others.end(),
                                                [&](const Eigen::Vector2d &other)
                                                { return (point - other).norm() > 2.0 * settings_.radius + margin; });

@@ -36,8 +36,8 @@ namespace ompl_certificates
         }
     }
 
-    YamlNode::YamlNode(YAML::Node node, std::string key, std::string file)
-      : node_(std::move(node)), key_(std::move(key)), file_(std::move(file))
+    YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file)
+      : node_(node), key_(std::move(key)), file_(std::move(file))
     {
     }
 

@@ -19,7 +19,7 @@ namespace ompl_certificates
         static constexpr double MIN_SIZE = 1e-9;
 
         /** \brief Node \e node of \e file at the path \e key, such as robots[1].shape */
-        YamlNode(YAML::Node node, std::string key, std::string file);
+        YamlNode(const YAML::Node &node, std::string key, std::string file);
 
         /** \brief Complain about this node
             \throws ompl::Exception always */
