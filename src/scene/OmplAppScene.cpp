@@ -115,7 +115,7 @@ namespace ompl_certificates
         {
             ob::RealVectorBounds bounds(dimension);
             const bool given = hasVolume(file, dimension);
-            for (unsigned int i = 0; i < dimension; ++i)
+            for (unsigned int i = 0; i < dimension && i < std::size(AXES); ++i)
             {
                 const std::string low = std::string("volume.min.") + AXES[i],
                                   high = std::string("volume.max.") + AXES[i];

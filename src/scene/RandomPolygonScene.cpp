@@ -45,7 +45,9 @@ namespace ompl_certificates
                                                    const Grid &grid)
         {
             constexpr double turn = boost::math::constants::two_pi<double>();
-            const Eigen::Vector2d center(random.uniform(0.0, settings.size), random.uniform(0.0, settings.size));
+            // One after the other: compilers differ in the order in which they evaluate arguments.
+            const double y = random.uniform(0.0, settings.size), x = random.uniform(0.0, settings.size);
+            const Eigen::Vector2d center(x, y);
             const double radius = settings.size * random.uniform(settings.smallest, settings.largest);
             const unsigned int corners = random.integer(3, 8);
             const double first = random.uniform(0.0, turn), step = turn / corners;

@@ -10,21 +10,21 @@
 namespace ompl_certificates
 {
     /** \brief Lets another structure do the work, and takes the time. */
-    template <typename _T>
-    class TimedNeighbors : public ompl::NearestNeighbors<_T>
+    template <typename T>
+    class TimedNeighbors : public ompl::NearestNeighbors<T>
     {
     public:
-        using typename ompl::NearestNeighbors<_T>::DistanceFunction;
+        using typename ompl::NearestNeighbors<T>::DistanceFunction;
 
-        TimedNeighbors(std::shared_ptr<ompl::NearestNeighbors<_T>> timed, std::shared_ptr<NearestClock> clock)
+        TimedNeighbors(std::shared_ptr<ompl::NearestNeighbors<T>> timed, std::shared_ptr<NearestClock> clock)
           : timed_(std::move(timed)), clock_(std::move(clock))
         {
-            ompl::NearestNeighbors<_T>::setDistanceFunction(timed_->getDistanceFunction());
+            ompl::NearestNeighbors<T>::setDistanceFunction(timed_->getDistanceFunction());
         }
 
         void setDistanceFunction(const DistanceFunction &distance) override
         {
-            ompl::NearestNeighbors<_T>::setDistanceFunction(distance);
+            ompl::NearestNeighbors<T>::setDistanceFunction(distance);
             timed_->setDistanceFunction(distance);
         }
 
@@ -39,37 +39,37 @@ namespace ompl_certificates
             timed_->clear();
         }
 
-        void add(const _T &data) override
+        void add(const T &data) override
         {
             const Timer timer(*clock_);
             timed_->add(data);
         }
 
-        void add(const std::vector<_T> &data) override
+        void add(const std::vector<T> &data) override
         {
             const Timer timer(*clock_);
             timed_->add(data);
         }
 
-        bool remove(const _T &data) override
+        bool remove(const T &data) override
         {
             const Timer timer(*clock_);
             return timed_->remove(data);
         }
 
-        _T nearest(const _T &data) const override
+        T nearest(const T &data) const override
         {
             const Timer timer(*clock_);
             return timed_->nearest(data);
         }
 
-        void nearestK(const _T &data, std::size_t k, std::vector<_T> &nbh) const override
+        void nearestK(const T &data, std::size_t k, std::vector<T> &nbh) const override
         {
             const Timer timer(*clock_);
             timed_->nearestK(data, k, nbh);
         }
 
-        void nearestR(const _T &data, double radius, std::vector<_T> &nbh) const override
+        void nearestR(const T &data, double radius, std::vector<T> &nbh) const override
         {
             const Timer timer(*clock_);
             timed_->nearestR(data, radius, nbh);
@@ -80,7 +80,7 @@ namespace ompl_certificates
             return timed_->size();
         }
 
-        void list(std::vector<_T> &data) const override
+        void list(std::vector<T> &data) const override
         {
             const Timer timer(*clock_);
             timed_->list(data);
@@ -105,7 +105,7 @@ namespace ompl_certificates
             std::chrono::steady_clock::time_point start_;
         };
 
-        std::shared_ptr<ompl::NearestNeighbors<_T>> timed_;
+        std::shared_ptr<ompl::NearestNeighbors<T>> timed_;
         std::shared_ptr<NearestClock> clock_;
     };
 }

@@ -95,15 +95,15 @@ namespace ompl_certificates
 
         As with GNAT, an element's state must not change while the element is stored, and constant functions may be called
         from many threads at once. */
-    template <typename _T>
-    class PlannerKdTree : public ompl::NearestNeighbors<_T>
+    template <typename T>
+    class PlannerKdTree : public ompl::NearestNeighbors<T>
     {
     public:
-        using typename ompl::NearestNeighbors<_T>::DistanceFunction;
-        using ompl::NearestNeighbors<_T>::add;
+        using typename ompl::NearestNeighbors<T>::DistanceFunction;
+        using ompl::NearestNeighbors<T>::add;
 
         /** \brief The state of an element */
-        using StateFunction = std::function<const ompl::base::State *(const _T &)>;
+        using StateFunction = std::function<const ompl::base::State *(const T &)>;
 
         /** \brief Find the space when the first state is added */
         PlannerKdTree() : PlannerKdTree(nullptr)
@@ -114,20 +114,20 @@ namespace ompl_certificates
             spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do not show their
             state need \e stateOf. */
         explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
-                               std::shared_ptr<ompl::NearestNeighbors<_T>> other = nullptr)
+                               std::shared_ptr<ompl::NearestNeighbors<T>> other = nullptr)
           : space_(std::move(space))
           , stateFunction_(std::move(stateOf))
-          , gnat_(other ? std::move(other) : std::make_shared<ompl::NearestNeighborsGNAT<_T>>())
+          , gnat_(other ? std::move(other) : std::make_shared<ompl::NearestNeighborsGNAT<T>>())
         {
         }
 
         /** \brief Elements that are stored are sorted in anew. */
         void setDistanceFunction(const DistanceFunction &distance) override
         {
-            std::vector<_T> elements;
+            std::vector<T> elements;
             list(elements);
             clear();
-            ompl::NearestNeighbors<_T>::setDistanceFunction(distance);
+            ompl::NearestNeighbors<T>::setDistanceFunction(distance);
             add(elements);
         }
 
@@ -151,7 +151,7 @@ namespace ompl_certificates
             elements_.clear();
         }
 
-        void add(const _T &data) override
+        void add(const T &data) override
         {
             if (!tree_ && !other_)
                 begin(data);
@@ -165,7 +165,7 @@ namespace ompl_certificates
                 elements_.push_back(data);
         }
 
-        bool remove(const _T &data) override
+        bool remove(const T &data) override
         {
             if (other_)
                 return other_->remove(data);
@@ -181,7 +181,7 @@ namespace ompl_certificates
         }
 
         /** \throws ompl::Exception if there is no element */
-        _T nearest(const _T &data) const override
+        T nearest(const T &data) const override
         {
             if (other_)
                 return other_->nearest(data);
@@ -192,14 +192,14 @@ namespace ompl_certificates
             return elements_[found.empty() ? 0 : found.front().second];
         }
 
-        void nearestK(const _T &data, std::size_t k, std::vector<_T> &nbh) const override
+        void nearestK(const T &data, std::size_t k, std::vector<T> &nbh) const override
         {
             if (other_)
                 return other_->nearestK(data, k, nbh);
             collect(search(data, k, std::numeric_limits<double>::infinity()), nbh);
         }
 
-        void nearestR(const _T &data, double radius, std::vector<_T> &nbh) const override
+        void nearestR(const T &data, double radius, std::vector<T> &nbh) const override
         {
             if (other_)
                 return other_->nearestR(data, radius, nbh);
@@ -211,7 +211,7 @@ namespace ompl_certificates
             return other_ ? other_->size() : elements_.size();
         }
 
-        void list(std::vector<_T> &data) const override
+        void list(std::vector<T> &data) const override
         {
             if (other_)
                 other_->list(data);
@@ -223,13 +223,13 @@ namespace ompl_certificates
         /** Among so many elements the planner's distance is compared with the space's. */
         static constexpr std::size_t TRIALS = 8;
 
-        const ompl::base::State *stateOf(const _T &data) const
+        const ompl::base::State *stateOf(const T &data) const
         {
             return stateFunction_ ? stateFunction_(data) : detail::stateOf(data, detail::Prefer<5>());
         }
 
         /** Decide where elements go, now that there is one to learn the space from. */
-        void begin(const _T &data)
+        void begin(const T &data)
         {
             const auto *state = stateOf(data);
             const ompl::base::StateSpace *space = space_.get();
@@ -245,9 +245,9 @@ namespace ompl_certificates
         }
 
         /** Step aside if distances between \e data and the elements are not the space's. */
-        void test(const _T &data)
+        void test(const T &data)
         {
-            for (const _T &element : elements_)
+            for (const T &element : elements_)
             {
                 const double distance = this->distFun_(data, element);
                 if (distance != this->distFun_(element, data))
@@ -261,7 +261,7 @@ namespace ompl_certificates
                     tree_->distrust();
         }
 
-        void stepAside(ompl::NearestNeighbors<_T> &other)
+        void stepAside(ompl::NearestNeighbors<T> &other)
         {
             tree_.reset();
             other_ = &other;
@@ -270,7 +270,7 @@ namespace ompl_certificates
             elements_.clear();
         }
 
-        const StateKdTree::Neighbors &search(const _T &data, std::size_t count, double radius) const
+        const StateKdTree::Neighbors &search(const T &data, std::size_t count, double radius) const
         {
             thread_local StateKdTree::Neighbors found;
             found.clear();
@@ -281,7 +281,7 @@ namespace ompl_certificates
             return found;
         }
 
-        void collect(const StateKdTree::Neighbors &found, std::vector<_T> &nbh) const
+        void collect(const StateKdTree::Neighbors &found, std::vector<T> &nbh) const
         {
             nbh.clear();
             nbh.reserve(found.size());
@@ -296,12 +296,12 @@ namespace ompl_certificates
         std::unique_ptr<StateKdTree> tree_;
         /** There even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
             get, and with them the tree that is grown, do not depend on which structure the planner was given. */
-        std::shared_ptr<ompl::NearestNeighbors<_T>> gnat_;
-        ompl::NearestNeighborsLinear<_T> linear_;
+        std::shared_ptr<ompl::NearestNeighbors<T>> gnat_;
+        ompl::NearestNeighborsLinear<T> linear_;
         /** The one of them that has the elements, if the tree has not */
-        ompl::NearestNeighbors<_T> *other_{nullptr};
+        ompl::NearestNeighbors<T> *other_{nullptr};
         /** The elements in the tree, by their numbers */
-        std::vector<_T> elements_;
+        std::vector<T> elements_;
     };
 }
 
