@@ -91,7 +91,7 @@ namespace ompl_certificates
         if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
             return verdict;
         verdict = {};
-        if (query.sampleTime == 0.0 && hitsAgain(query, counts))
+        if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
         // A ball is settled by one search either way, which mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
@@ -148,8 +148,7 @@ namespace ompl_certificates
         {
             const bool settled = settleByClearances(query, learn, verdict, counts);
             // A proof settles the samples that it reaches as well.
-            const bool lasts = settled && verdict.free && query.sampleTime > 0.0;
-            const double more = lasts ? std::min(verdict.reach, 1.0) / query.sampleTime : 0.0;
+            const double more = verdict.free ? std::min(verdict.reach, 1.0) * query.samplesAhead : 0.0;
             stopwatch.noteClearances(settled ? 1.0 + more : 0.0);
             if (settled)
                 return verdict;
@@ -157,7 +156,7 @@ namespace ompl_certificates
         else
             ++counts.steppedAside;
         verdict.reach = 0.0;
-        verdict.free = !((query.sampleTime > 0.0 && hitsAgain(query, counts)) || collides(query, counts));
+        verdict.free = !((query.samplesAhead > 0.0 && hitsAgain(query, counts)) || collides(query, counts));
         stopwatch.noteExact();
         return verdict;
     }

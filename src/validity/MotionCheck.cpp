@@ -12,6 +12,9 @@ namespace ompl_certificates
 
         /** Neighbouring stretches overlap by this fraction, which pays for the rounding of times. */
         constexpr double OVERLAP = 1e-9;
+
+        /** Over how many motions it is judged how likely one is free, and the least that this is taken for */
+        constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
     }
 
     MotionCheck::MotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
@@ -84,7 +87,7 @@ namespace ompl_certificates
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, {travel, minimumReach_, t == 1.0 ? 0.0 : timeOf(1)},
+            return checker_.settleGroup(subject, poses, {travel, minimumReach_, samplesAhead(t)},
                                         scratch_.references.data(), counts_);
         }
         const unsigned int pair = subject - groups_;
@@ -145,6 +148,12 @@ namespace ompl_certificates
         }
     }
 
+    double MotionCheck::samplesAhead(double t) const
+    {
+        // Of a motion that collides few samples are looked at before that is found.
+        return t == 1.0 ? 0.0 : std::max(scratch_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
+    }
+
     int MotionCheck::samplesWithin(double reach) const
     {
         const double samples = std::min(reach * (1.0 - OVERLAP), 1.0) * segments_;
@@ -170,6 +179,13 @@ namespace ompl_certificates
         if (segments_ < 2)
             return true;
         proveFromStart();
+        const bool free = areInnerSamplesFree();
+        scratch_.freeMotions += ((free ? 1.0 : 0.0) - scratch_.freeMotions) / MOTION_MEMORY;
+        return free;
+    }
+
+    bool MotionCheck::areInnerSamplesFree()
+    {
         auto &queue = scratch_.samples;
         queue.clear();
         for (unsigned int subject = 0; subject < subjectCount(); ++subject)

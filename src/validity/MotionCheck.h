@@ -61,6 +61,12 @@ namespace ompl_certificates
         /** \brief The first and the last sample that neither end of the motion proves free */
         std::pair<int, int> openSamples(unsigned int subject) const;
 
+        /** \brief Whether the samples that openSamples() leaves are free */
+        bool areInnerSamplesFree();
+
+        /** \brief How many samples a proof at time \e t probably spares, if it lasts for all of the motion */
+        double samplesAhead(double t) const;
+
         /** \brief How many samples to either side of one are closer in time than \e reach */
         int samplesWithin(double reach) const;
 

@@ -21,7 +21,7 @@ namespace ompl_certificates
         Time first, last;
     };
 
-    /** \brief The memory that the check of one motion needs, kept from motion to motion */
+    /** \brief What the check of one motion needs to remember, kept from motion to motion */
     struct MotionScratch
     {
         explicit MotionScratch(const TeamStateSpace &space)
@@ -65,6 +65,9 @@ namespace ompl_certificates
 
         std::vector<Stretch<int>> samples;
         std::vector<Stretch<double>> times;
+
+        /** \brief The share of motions lately that were free, of those with free ends */
+        double freeMotions{1.0};
     };
 
     /** \brief Scratches for as many threads as there are, taken and given back without a lock and mostly without an allocation */

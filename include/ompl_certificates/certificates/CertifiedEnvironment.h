@@ -24,9 +24,9 @@ namespace ompl_certificates
         /** \brief A certificate that proves less than this, in time of the motion, is passed over for a new clearance */
         double minimumReach{0.0};
 
-        /** \brief The time of the motion between its samples if the pose lies between free ends, else 0. Such a pose is
-            probably free, so collisions are tried last, and a proof that lasts settles the next samples too. */
-        double sampleTime{0.0};
+        /** \brief How many samples a proof probably spares that lasts for all of the motion, if the pose lies between free ends;
+            else 0. Such a pose is probably free, so collisions are tried last. */
+        double samplesAhead{0.0};
 
         /** \brief How fast the center of a ball of the body moves, at most */
         double speedOf(const Ball &ball) const

@@ -91,8 +91,9 @@ namespace ompl_certificates
             /** \brief Certificates that prove less, in time of the motion, are passed over */
             double minimumReach{0.0};
 
-            /** \brief The time between samples if this one lies between free ends, else 0 */
-            double sampleTime{0.0};
+            /** \brief How many samples a proof for all of the motion probably spares, if this one lies between free ends;
+                else 0 */
+            double samplesAhead{0.0};
         };
 
         /** \brief Robots that are settled together: those from \e first to \e last - 1 */
@@ -133,7 +134,7 @@ namespace ompl_certificates
         {
             const std::size_t index = getFirstBody(robot) + body;
             return {team_.getRobot(robot).getBodies()[body], poses[index],
-                    motion.travel ? motion.travel + index : nullptr, motion.minimumReach, motion.sampleTime};
+                    motion.travel ? motion.travel + index : nullptr, motion.minimumReach, motion.samplesAhead};
         }
 
     private:
