@@ -90,8 +90,8 @@ namespace ompl_certificates
             std::size_t atLow = 0, atHigh = candidates.size();
             for (unsigned int round = 0; round < ROUNDS && atHigh > count + count / 8; ++round)
             {
-                const double wanted = static_cast<double>(count + count / 16 - std::min(atLow, count));
-                const double part = wanted / static_cast<double>(atHigh - atLow);
+                const std::size_t wanted = count + count / 16 - std::min(atLow, count);
+                const double part = static_cast<double>(wanted) / static_cast<double>(atHigh - atLow);
                 // In turns by where the keys would be if they were spread evenly, and in halves, for they are not.
                 const double middle = low + (high - low) * (round % 2 == 0 ? std::min(part, 1.0) : 0.5);
                 std::size_t below = 0;

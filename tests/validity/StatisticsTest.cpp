@@ -49,7 +49,7 @@ namespace
     private:
         static void pause()
         {
-            const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
+            const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(250);
             while (std::chrono::steady_clock::now() < end)
                 ;
         }
