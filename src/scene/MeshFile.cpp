@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -86,10 +87,23 @@ namespace ompl_certificates
                 fail(file, "is not a mesh that can be read: its header has several elements of vertices or of faces");
         }
 
-        /** Where an index of a primitive is no number Assimp tries to read it for ever. */
+        /** Whether the tag that begins at \e tag has a count above 0 */
+        bool countsSomething(const std::string &text, std::size_t tag)
+        {
+            const std::size_t end = std::min(text.find('>', tag), text.size()), at = text.find(" count=", tag);
+            return at < end &&
+                   std::strtod(digitsAt(text, text.find_first_of("0123456789>", at)).c_str(), nullptr) > 0.0;
+        }
+
+        /** Where an index of a primitive is no number Assimp tries to read it for ever; where an accessor is of an empty array
+            it reads from nowhere. */
         void checkCollada(const std::string &file, const std::string &text)
         {
-            const std::string mark = " count=";
+            const std::string mark = " count=", array = "<float_array";
+            for (std::size_t at = text.find(array); at != std::string::npos; at = text.find(array, at + 1))
+                if (const std::size_t accessor = text.find("<accessor", at);
+                    !countsSomething(text, at) && accessor != std::string::npos && countsSomething(text, accessor))
+                    fail(file, "is not a mesh that can be read: a <float_array> is empty that is made use of");
             for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
                 checkCount(file, text, digitsAt(text, text.find_first_of("0123456789\n", at)));
             for (std::size_t at = text.find("<p"); at != std::string::npos; at = text.find("<p", at + 2))

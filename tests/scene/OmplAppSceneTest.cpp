@@ -137,7 +137,9 @@ namespace ompl_certificates
         folder_.write("broken.obj", "v 0 0 0\n");
         folder_.write("flat.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
         expectBroken("", "[problem] start.x: missing");
-        expectBroken("hello\n", "not a .cfg file: ");
+        expectBroken("hello\n", "not a .cfg file: there is no '=' in 'hello'");
+        expectBroken("[a]\nrobot %invalid_line% %invalid_line%\n", "not a .cfg file: ");
+        expectBroken("[a] %invalid_line%\n", "not a .cfg file");
         expectBroken("x = 1\n", "'x' is in no section");
         expectBroken(PLANAR + "[planer]\nrrt=\n", "[planer] rrt: unknown section");
         expectBroken(PLANAR + "speed = 4\n", "[problem] speed: unknown key");
