@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Feeds broken scenes, .cfg files, meshes and files of certificates to their readers: fuzz.sh [SECONDS each, 60 [SEED]].
+# Feeds broken scenes, .cfg files, meshes and files of certificates to their readers: fuzz.sh [SECONDS each, 60 [SEED
+# [INPUTS]]]. A number of inputs, of one seed, makes a run that can be repeated, if the time suffices for them.
 # What ends a reader otherwise than by ompl::Exception, takes over 20 s or over 2 GB of memory is kept in out/fuzz/,
 # with the inputs that later runs start from.
 set -euo pipefail
@@ -7,6 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 seconds=${1:-60}
 seed=${2:-0}  # 0: another one each time
+inputs=${3:--1}  # -1: as many as there is time for
 # The second is Debian 12's, with libFuzzer and the sanitizers, which clang only recommends.
 scripts/install_dependencies.sh clang libclang-rt-14-dev
 cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_CXX_COMPILER=clang++ \
@@ -20,7 +22,7 @@ failed=0
 for corpus in tests/fuzz/corpus/*/; do
   target=$(basename "$corpus")
   echo
-  echo "==== $target, $seconds s"
+  echo "==== $target, at most $seconds s"
   mkdir -p "out/fuzz/$target"
   seeds=("$corpus")
   if [[ "$target" == yaml ]]; then
@@ -29,7 +31,7 @@ for corpus in tests/fuzz/corpus/*/; do
   # The outer limit is for libFuzzer, which needs very long to tell where the memory of an input went.
   timeout --kill-after=10 $((seconds + 120)) \
     build-fuzz/bin/fuzz_"$target" "out/fuzz/$target" "${seeds[@]}" -artifact_prefix="out/fuzz/$target-" -detect_leaks=0 \
-    -max_total_time="$seconds" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=4096 \
+    -max_total_time="$seconds" -runs="$inputs" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=4096 \
     -print_final_stats=1 -verbosity=0 || failed=1
 done
 exit "$failed"
