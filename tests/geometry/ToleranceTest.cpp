@@ -1,6 +1,8 @@
 #include "support/MeshObstacles.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -38,6 +40,25 @@ namespace
             ASSERT_FALSE(!collides && isCertifiedColliding(obstacles, body, pose)) << "unit " << unit;
             (collides == first ? low : high) = middle;
         }
+    }
+
+    using Outline = std::vector<Eigen::Vector2d>;
+
+    /** How far an edge of \e a has all of \e b before it: the distance of convex polygons that are near each other, if one
+        of both orders gives a positive one */
+    double gapBefore(const Outline &a, const Outline &b)
+    {
+        double widest = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            const Eigen::Vector2d edge = a[(i + 1) % a.size()] - a[i],
+                                  normal = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+            double gap = std::numeric_limits<double>::infinity();
+            for (const auto &corner : b)
+                gap = std::min(gap, normal.dot(corner - a[i]));
+            widest = std::max(widest, gap);
+        }
+        return widest;
     }
 }
 
@@ -84,4 +105,54 @@ TEST(Tolerance, CoversWhatFclMakesOfDiscsAndTriangles)
         for (int i = 0; i < 20; ++i)
             ASSERT_NO_FATAL_FAILURE(expectTrueAround(random, obstacles, body, 10.0));
     }
+}
+
+// FCL's solver finds prisms touching that are equally high, exactly level, and a hundredth of their size apart.
+TEST(Tolerance, CoversWhatFclMakesOfLevelPrisms)
+{
+    unsigned int compared = 0;
+    for (unsigned int seed = 0; seed < scaled(400); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        // Corners on a circle: all of them are the outline's, in order.
+        Outline outline;
+        std::vector<Eigen::Vector3d> corners;
+        for (double angle = random.uniform(0.1, 1.0); angle < 6.2; angle += random.uniform(0.3, 2.0))
+        {
+            outline.emplace_back(std::cos(angle), 0.5 * std::sin(angle));
+            for (const double z : {-1.0, 1.0})
+                corners.emplace_back(outline.back().x(), outline.back().y(), z);
+        }
+        if (outline.size() < 3)
+            continue;
+        const Body body = dimension == 2 ? Body::convexPolygon(outline) : Body::convexPolytope(corners);
+        const FclObstacles obstacles(dimension, {{body, Pose::Identity()}});
+        for (int i = 0; i < 20; ++i)
+        {
+            const Eigen::Vector3d along = random.direction(2);
+            Pose pose = planarPose(0.0, 0.0, random.uniform(-4.0, 4.0));
+            const auto gapAt = [&](double distance)
+            {
+                pose.translation() = distance * along;
+                Outline moved;
+                for (const auto &corner : outline)
+                    moved.emplace_back((pose * Eigen::Vector3d(corner.x(), corner.y(), 0.0)).head<2>());
+                return std::max(gapBefore(outline, moved), gapBefore(moved, outline));
+            };
+            double touching = 0.0, apart = 3.0;
+            while (apart - touching > 1e-9)
+                (gapAt(0.5 * (touching + apart)) > 0.0 ? apart : touching) = 0.5 * (touching + apart);
+            for (const double change : {-1e-2, -1e-3, -1e-4, 1e-4, 1e-3, 1e-2})
+            {
+                const double gap = gapAt(apart + change);
+                if (std::abs(gap) < 2.0 * exactCheckTolerance(2.0))
+                    continue;
+                ++compared;
+                ASSERT_EQ(obstacles.collides(body, pose), gap < 0.0) << "gap " << gap;
+            }
+        }
+    }
+    EXPECT_GT(compared, scaled(400) * 20);
 }

@@ -94,6 +94,9 @@ namespace ompl_certificates
         /** \brief Add what counts of a mesh at \e pose to surface_ */
         void addTriangles(const TriangleMesh &mesh, const Pose &pose);
 
+        /** \brief Whether \e shape touches an obstacle of shapes_ */
+        bool collidesWithShapes(const Shape &shape, const Pose &partPose) const;
+
         /** \brief collides() for a part of a planar body at \e partPose */
         bool collidesInPlane(const Body::Part &part, const Pose &partPose) const;
 
