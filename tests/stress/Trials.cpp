@@ -29,16 +29,12 @@ namespace ompl_certificates
                 compareState(world, state, tally);
             }
 
-            /** Bisects to where a robot's verdict changes, comparing all the way. */
-            void grazing(World &world, Tally &tally)
+            /** Bisects to where a robot's verdict changes on its way, comparing all the time. */
+            void moveUntilItTouches(World &world, Tally &tally, ob::State *state, unsigned int robot,
+                                    const Eigen::Vector3d &along)
             {
-                auto *state = world.anyState();
-                const unsigned int robot = world.random.below(world.team->getRobotCount());
-                test::randomize(world.random, world.team, state);
-                world.touch(state, robot);
                 double *position = world.positionOf(state, robot);
                 const std::vector<double> start(position, position + world.dimension);
-                const Eigen::Vector3d along = world.random.direction(world.dimension);
                 const auto at = [&](double t)
                 {
                     for (unsigned int i = 0; i < world.dimension; ++i)
@@ -63,6 +59,61 @@ namespace ompl_certificates
                 }
                 for (int i = 0; i < 6; ++i)
                     at(high + world.random.sign() * world.unit * world.random.logUniform(1e-13, 1e-2));
+            }
+
+            void grazing(World &world, Tally &tally)
+            {
+                auto *state = world.anyState();
+                const unsigned int robot = world.random.below(world.team->getRobotCount());
+                test::randomize(world.random, world.team, state);
+                world.touch(state, robot);
+                moveUntilItTouches(world, tally, state, robot, world.random.direction(world.dimension));
+            }
+
+            /** Puts positions on the world's grid, and turns about one axis at most, often not at all. */
+            void alignWithGrid(World &world, const ob::StateSpacePtr &space, ob::State *state)
+            {
+                if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space.get()))
+                    for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+                        alignWithGrid(world, compound->getSubspace(i), state->as<ob::CompoundState>()->components[i]);
+                else if (dynamic_cast<const ob::SO2StateSpace *>(space.get()))
+                    state->as<ob::SO2StateSpace::StateType>()->value =
+                        world.random.chance(0.7) ? 0.0 : world.random.uniform(-3.0, 3.0);
+                else if (dynamic_cast<const ob::SO3StateSpace *>(space.get()))
+                {
+                    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+                    axis[world.random.below(3)] = 1.0;
+                    state->as<ob::SO3StateSpace::StateType>()->setAxisAngle(
+                        axis.x(), axis.y(), axis.z(), world.random.chance(0.7) ? 0.0 : world.random.uniform(-3.0, 3.0));
+                }
+                else
+                {
+                    double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+                    std::copy_n(values, world.dimension, point.data());
+                    point = world.onGrid(point);
+                    std::copy_n(point.data(), world.dimension, values);
+                }
+            }
+
+            void level(World &world, Tally &tally)
+            {
+                auto *state = world.anyState();
+                test::randomize(world.random, world.team, state);
+                alignWithGrid(world, world.team, state);
+                // From where another robot or an obstacle is, more often than chance would have it.
+                const unsigned int robot = world.random.below(world.team->getRobotCount()),
+                                   other = world.random.below(world.team->getRobotCount());
+                const auto &obstacles = world.setting.obstacles;
+                double *position = world.positionOf(state, robot);
+                if (world.random.chance(0.5))
+                    std::copy_n(world.positionOf(state, other), world.dimension, position);
+                else if (!obstacles.empty())
+                    std::copy_n(obstacles[world.random.below(obstacles.size())].pose.translation().data(),
+                                world.dimension, position);
+                Eigen::Vector3d along = world.random.direction(world.dimension);
+                along[world.random.below(world.dimension)] = 0.0;
+                moveUntilItTouches(world, tally, state, robot, along);
             }
 
             void solids(World &world, Tally &tally)
@@ -335,6 +386,8 @@ namespace ompl_certificates
             static const std::vector<Kind> kinds{
                 {"states", "states anywhere, near others, and in contact", states, 200},
                 {"grazing", "robots bisected to where they just touch", grazing, 8},
+                {"level", "the same, exactly level with each other or an obstacle, along an axis or within a plane",
+                 level, 8},
                 {"solids", "robots with their middle inside obstacles or on their faces", solids, 100},
                 {"angles", "angles at +-pi and beyond, quaternions q, -q and unnormalised", angles, 100},
                 {"references", "stale, foreign and senseless references, clear(), copies, states of another space",

@@ -140,9 +140,12 @@ namespace ompl_certificates
             const double size = unit * random.logUniform(0.2, 3.0);
             const Body body = random.chance(meshChance) ? test::meshBody(dimension, test::randomMesh(random, size))
                               : random.chance(0.2)      ? randomExtremeBody(size)
-                                                        : test::randomBody(random, dimension, size);
+                              : random.chance(0.2) ? team->getRobot(random.below(team->getRobotCount())).getBodies()[0]
+                                                   : test::randomBody(random, dimension, size);
             Pose pose = random.pose(dimension, HALF * unit);
             pose.translation() += origin;
+            if (random.chance(0.2))
+                pose = poseAt(onGrid(pose.translation()));
             return {body, pose};
         }
 
@@ -210,6 +213,14 @@ namespace ompl_certificates
                 component = component->as<ob::CompoundState>()->components[0];
             }
             return component->as<ob::RealVectorStateSpace::StateType>()->values;
+        }
+
+        Eigen::Vector3d World::onGrid(const Eigen::Vector3d &point) const
+        {
+            Eigen::Vector3d rounded = origin;
+            for (unsigned int i = 0; i < dimension; ++i)
+                rounded[i] += 0.25 * unit * std::round((point[i] - origin[i]) / (0.25 * unit));
+            return rounded;
         }
 
         void World::shift(ob::State *state, unsigned int robot, const Eigen::Vector3d &by) const

@@ -45,6 +45,9 @@ namespace ompl_certificates
                 return pool[random.below(pool.size())];
             }
 
+            /** \brief The nearest point of a grid, on which some of the obstacles are as well, upright */
+            Eigen::Vector3d onGrid(const Eigen::Vector3d &point) const;
+
             /** \brief Shift the robot's position */
             void shift(ompl::base::State *state, unsigned int robot, const Eigen::Vector3d &by) const;
 

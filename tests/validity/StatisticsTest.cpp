@@ -17,7 +17,10 @@ namespace
     void walk(const TeamSetup &setup, const TeamStateSpacePtr &team, unsigned int steps)
     {
         Random random(5);
+        // From a valid state: near one that is not, little would be looked at but that.
         std::vector<ob::ScopedState<>> tree{randomState(random, team)};
+        while (!setup.getSpaceInformation()->isValid(tree[0].get()))
+            tree[0] = randomState(random, team);
         for (unsigned int i = 0; i < steps; ++i)
         {
             const auto &from = tree[random.below(tree.size())];
