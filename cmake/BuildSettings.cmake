@@ -19,7 +19,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 if(OMPL_CERTIFICATES_SANITIZE)
-  add_compile_options(-fsanitize=${OMPL_CERTIFICATES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  add_compile_options(-fsanitize=${OMPL_CERTIFICATES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${OMPL_CERTIFICATES_SANITIZE})
   # Eigen would allocate in another way than in OMPL's library, which frees what it has inlined there.
   add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
@@ -29,8 +29,7 @@ if(OMPL_CERTIFICATES_SANITIZE)
 endif()
 
 if(OMPL_CERTIFICATES_BUILD_FUZZERS)
-  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -g)
-  add_link_options(-fsanitize=address,undefined)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
 # Language level and warnings of one of our targets, library or program.
@@ -60,8 +59,7 @@ function(ompl_certificates_library target)
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE "${PROJECT_SOURCE_DIR}/src")
   # Fails the build, not a user's program, if the core reaches up into the scene library. Sanitizers need it off.
-  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT OMPL_CERTIFICATES_SANITIZE
-     AND NOT OMPL_CERTIFICATES_BUILD_FUZZERS)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT OMPL_CERTIFICATES_SANITIZE)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
   set_target_properties(${target} PROPERTIES

@@ -9,12 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 seed=${2:-0}  # 0: another one each time
 inputs=${3:--1}  # -1: as many as there is time for
-# The second is Debian 12's, with libFuzzer and the sanitizers, which clang only recommends.
-scripts/install_dependencies.sh clang libclang-rt-14-dev
-cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_CXX_COMPILER=clang++ \
-  -DOMPL_CERTIFICATES_BUILD_FUZZERS=ON -DOMPL_CERTIFICATES_BUILD_DEMOS=OFF -DOMPL_CERTIFICATES_BUILD_TESTS=OFF \
-  -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
-cmake --build build-fuzz
+scripts/build_sanitized.sh fuzz_{certificates,cfg,mesh,yaml}
 
 # Leaks inside Assimp and Boost that exceptions cause are theirs and end with the program; they are not looked for.
 export ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=16
@@ -30,8 +25,8 @@ for corpus in tests/fuzz/corpus/*/; do
   fi
   # The outer limit is for libFuzzer, which needs very long to tell where the memory of an input went.
   timeout --kill-after=10 $((seconds + 120)) \
-    build-fuzz/bin/fuzz_"$target" "out/fuzz/$target" "${seeds[@]}" -artifact_prefix="out/fuzz/$target-" -detect_leaks=0 \
-    -max_total_time="$seconds" -runs="$inputs" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=4096 \
-    -print_final_stats=1 -verbosity=0 || failed=1
+    build-sanitize/bin/fuzz_"$target" "out/fuzz/$target" "${seeds[@]}" -artifact_prefix="out/fuzz/$target-" -detect_leaks=0 \
+    -max_total_time="$seconds" -runs="$inputs" -seed="$seed" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 \
+    -max_len=4096 -print_final_stats=1 -verbosity=0 || failed=1
 done
 exit "$failed"
