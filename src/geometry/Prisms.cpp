@@ -52,8 +52,10 @@ namespace ompl_certificates
             geometry->computeLocalAABB();
             pieces_.push_back({std::move(geometry), poseAt({x, 0.0, 0.0})});
         };
+        // FCL's solver may go on for ever with a cylinder that has no width.
+        const double radius = std::max(shape.getRadius(), 1e-9 * height);
         const auto cylinderAt = [&](double x)
-        { add(std::make_shared<fcl::Cylinderd>(scale * shape.getRadius(), scale * height), x); };
+        { add(std::make_shared<fcl::Cylinderd>(scale * radius, scale * height), x); };
         const Eigen::Vector3d &size = shape.getSize();
         switch (shape.getKind())
         {

@@ -270,6 +270,25 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
     EXPECT_TRUE(std::isinf(above.clearance({0.0, 0.0, 0.0})));
 }
 
+/** FCL's solver goes on for ever with some cylinders without width. This test then does as well. */
+TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsInFiniteTime)
+{
+    const Body point = Body::disc(0.0);
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Body mesh = meshBody(2, randomMesh(random, 10.0));
+        const FclObstacles obstacles(2, {{mesh}});
+        for (int i = 0; i < 100; ++i)
+        {
+            const Eigen::Vector3d at = surfacePointOf(random, mesh);
+            const Pose pose = planarPose(at.x(), at.y(), random.uniform(-3.0, 3.0));
+            ASSERT_FALSE(obstacles.collides(point, pose) && isCertifiedFree(obstacles, point, pose));
+        }
+    }
+}
+
 /** FCL's constructors of a collision object compute the geometry's box anew, while other threads read it. */
 TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
 {
