@@ -28,10 +28,6 @@ if(OMPL_CERTIFICATES_SANITIZE)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
 
-if(OMPL_CERTIFICATES_BUILD_FUZZERS)
-  add_compile_options(-fsanitize=fuzzer-no-link)
-endif()
-
 # Language level and warnings of one of our targets, library or program.
 function(ompl_certificates_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_17)

@@ -1,5 +1,7 @@
 #include "ompl_certificates/geometry/ConvexHull.h"
 
+#include "TriangleDistance.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,30 +13,21 @@ namespace ompl_certificates
 {
     namespace
     {
-        double distanceToSegment(const Eigen::Vector3d &point, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
-        {
-            const Eigen::Vector3d ab = b - a;
-            const double t = std::clamp((point - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-            return (point - a - t * ab).norm();
-        }
-
         double distanceToFace(const ConvexHull &hull, const ConvexHull::Face &face, const Eigen::Vector3d &point)
         {
             const auto &corners = face.vertices;
-            if (corners.size() == 2)
-                return distanceToSegment(point, hull.vertices[corners[0]], hull.vertices[corners[1]]);
             bool beside = false;
-            double nearest = std::numeric_limits<double>::infinity();
+            double squared = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i < corners.size(); ++i)
             {
                 const Eigen::Vector3d &a = hull.vertices[corners[i]];
                 const Eigen::Vector3d &b = hull.vertices[corners[(i + 1) % corners.size()]];
                 beside = beside || face.normal.cross(b - a).dot(point - a) < 0.0;
                 // Of all edges: next to a corner, or where two edges are straight, rounding decides which one it is beside.
-                nearest = std::min(nearest, distanceToSegment(point, a, b));
+                squared = std::min(squared, squaredDistanceToSegment(point - a, b - a));
             }
             // Beside no edge: the foot of the perpendicular lies in the face.
-            return beside ? nearest : std::abs(face.normal.dot(point) - face.offset);
+            return beside ? std::sqrt(squared) : std::abs(face.normal.dot(point) - face.offset);
         }
 
         double cross2(const Eigen::Vector3d &o, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
@@ -171,13 +164,23 @@ namespace ompl_certificates
     double ConvexHull::signedDistance(const Eigen::Vector3d &point) const
     {
         double highest = -std::numeric_limits<double>::infinity();
+        // An edge of a polygon is looked at where it is seen: clearances among polygons are asked for all the time.
+        double squared = std::numeric_limits<double>::infinity();
         for (const Face &face : faces)
-            highest = std::max(highest, face.normal.dot(point) - face.offset);
+        {
+            const double height = face.normal.dot(point) - face.offset;
+            highest = std::max(highest, height);
+            if (height > 0.0 && face.vertices.size() == 2)
+            {
+                const Eigen::Vector3d &a = vertices[face.vertices[0]], &b = vertices[face.vertices[1]];
+                squared = std::min(squared, squaredDistanceToSegment(point - a, b - a));
+            }
+        }
         if (highest <= 0.0)
             return highest;
-        double nearest = std::numeric_limits<double>::infinity();
+        double nearest = std::sqrt(squared);
         for (const Face &face : faces)
-            if (face.normal.dot(point) > face.offset)
+            if (face.vertices.size() > 2 && face.normal.dot(point) > face.offset)
                 nearest = std::min(nearest, distanceToFace(*this, face, point));
         return nearest;
     }

@@ -52,18 +52,18 @@ namespace ompl_certificates
             geometry->computeLocalAABB();
             pieces_.push_back({std::move(geometry), poseAt({x, 0.0, 0.0})});
         };
-        // FCL's solver may go on for ever with a cylinder that has no width.
-        const double radius = std::max(shape.getRadius(), 1e-9 * height);
+        // FCL's solver may go on for ever with what has no width.
+        const auto widened = [least = 1e-9 * height](double width) { return scale * std::max(width, least); };
         const auto cylinderAt = [&](double x)
-        { add(std::make_shared<fcl::Cylinderd>(scale * radius, scale * height), x); };
+        { add(std::make_shared<fcl::Cylinderd>(widened(shape.getRadius()), scale * height), x); };
         const Eigen::Vector3d &size = shape.getSize();
         switch (shape.getKind())
         {
             case Shape::Kind::BOX:
-                add(std::make_shared<fcl::Boxd>(scale * size.x(), scale * size.y(), scale * height), 0.0);
+                add(std::make_shared<fcl::Boxd>(widened(size.x()), widened(size.y()), scale * height), 0.0);
                 break;
             case Shape::Kind::CAPSULE:
-                add(std::make_shared<fcl::Boxd>(scale * size.z(), scale * 2.0 * shape.getRadius(), scale * height),
+                add(std::make_shared<fcl::Boxd>(widened(size.z()), widened(2.0 * shape.getRadius()), scale * height),
                     0.0);
                 cylinderAt(-0.5 * size.z());
                 cylinderAt(0.5 * size.z());
