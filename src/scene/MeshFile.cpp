@@ -87,25 +87,38 @@ namespace ompl_certificates
                 fail(file, "is not a mesh that can be read: its header has several elements of vertices or of faces");
         }
 
+        /** A few characters of the line, to be shown in a message */
+        std::string excerpt(const std::string &text, std::size_t at)
+        {
+            const std::string part = text.substr(at, 10);
+            const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
+            return {part.begin(), std::find_if(part.begin(), part.end(), isControl)};
+        }
+
         /** Whether the tag that begins at \e tag has a count above 0 */
         bool countsSomething(const std::string &text, std::size_t tag)
         {
             const std::size_t end = std::min(text.find('>', tag), text.size()), at = text.find(" count=", tag);
-            return at < end &&
-                   std::strtod(digitsAt(text, text.find_first_of("0123456789>", at)).c_str(), nullptr) > 0.0;
+            return at < end && std::strtod(digitsAt(text, at + std::strlen(" count=\"")).c_str(), nullptr) > 0.0;
         }
 
-        /** Where an index of a primitive is no number Assimp tries to read it for ever; where an accessor is of an empty array
-            it reads from nowhere. */
+        /** Where an index of a primitive is no number Assimp tries to read it for ever; where an accessor is of an empty array,
+            which is one whose count is no number, too, it reads from nowhere. */
         void checkCollada(const std::string &file, const std::string &text)
         {
             const std::string mark = " count=", array = "<float_array";
+            for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+            {
+                const std::size_t quote = at + mark.size();
+                const std::string digits = digitsAt(text, quote + 1);
+                if (digits.empty() || text[quote + 1 + digits.size()] != text[quote])
+                    fail(file, "is not a mesh that can be read: count=" + excerpt(text, quote) + " is not a number");
+                checkCount(file, text, digits);
+            }
             for (std::size_t at = text.find(array); at != std::string::npos; at = text.find(array, at + 1))
                 if (const std::size_t accessor = text.find("<accessor", at);
                     !countsSomething(text, at) && accessor != std::string::npos && countsSomething(text, accessor))
                     fail(file, "is not a mesh that can be read: a <float_array> is empty that is made use of");
-            for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
-                checkCount(file, text, digitsAt(text, text.find_first_of("0123456789\n", at)));
             for (std::size_t at = text.find("<p"); at != std::string::npos; at = text.find("<p", at + 2))
             {
                 const std::size_t open = text.find('>', at);
@@ -114,7 +127,7 @@ namespace ompl_certificates
                     continue;
                 const std::size_t wrong = text.find_first_not_of("0123456789 \t\r\n", open + 1);
                 if (wrong != std::string::npos && text[wrong] != '<')
-                    fail(file, "is not a mesh that can be read: in <p> there is '" + text.substr(wrong, 10) +
+                    fail(file, "is not a mesh that can be read: in <p> there is '" + excerpt(text, wrong) +
                                    "', not a number");
             }
         }

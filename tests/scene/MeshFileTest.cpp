@@ -142,8 +142,9 @@ namespace ompl_certificates
         noEnd.replace(noEnd.find("end_header\n"), 11, "end_header9\n");
         indices.replace(indices.find("0 1 2</p>"), 5, "0 1 x");
         std::string array = collada("<node><instance_geometry url=\"#g\"/></node>");
-        std::string nowhere = array;
-        nowhere.replace(nowhere.find("count=\"9\""), 9, "count=\"0+\"");
+        std::string nowhere = array, noCount = array;
+        nowhere.replace(nowhere.find("count=\"9\""), 9, "count=\"0\"");
+        noCount.replace(noCount.find("count=\"9\""), 9, "count=\"x9\"");
         array.replace(array.find("count=\"9\""), 9, "count=\"4000000000\"");
         const Broken files[] = {
             {"empty.obj", "", "is empty"},
@@ -168,6 +169,7 @@ namespace ompl_certificates
             {"twice.ply", twoFaces, "several elements of vertices or of faces"},
             {"short.ply", header + "0 0 0\n", ""},
             {"nowhere.dae", nowhere, "a <float_array> is empty"},
+            {"counted.dae", noCount, ": count=\"x9\""},
             {"array.dae", array, "says that it has 4000000000 of something"},
             {"header.ply", noEnd, "its header has no line 'end_header'"},
             {"indices.dae", indices, "in <p> there is 'x</p></tri', not a number"},
