@@ -9,12 +9,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 seed=${2:-0}  # 0: another one each time
 inputs=${3:--1}  # -1: as many as there is time for
-scripts/build_sanitized.sh fuzz_{certificates,cfg,mesh,yaml}
+corpora=(tests/fuzz/corpus/*/)
+scripts/build_sanitized.sh $(basename -a "${corpora[@]}" | sed s/^/fuzz_/)
 
 # Leaks inside Assimp and Boost that exceptions cause are theirs and end with the program; they are not looked for.
 export ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=16
 failed=0
-for corpus in tests/fuzz/corpus/*/; do
+for corpus in "${corpora[@]}"; do
   target=$(basename "$corpus")
   echo
   echo "==== $target, at most $seconds s"
