@@ -21,27 +21,32 @@ namespace ompl_certificates
         /** How many clearances may be asked of one pose before the exact check is the cheaper one */
         constexpr unsigned int MOST_CLEARANCES = 8;
 
-        /** Tells a policy what the ways to settle a pose have cost, if it is the pose's turn to be timed */
-        class Stopwatch
+        /** Settles a pose in the way that a policy chooses, and tells it how long that took if it is the pose's turn */
+        class Settling
         {
         public:
-            explicit Stopwatch(SwitchingPolicy &policy) : policy_(policy), runs_(policy.isTimed())
+            Settling(SwitchingPolicy &policy, bool needsClearances)
+              : policy_(policy), timed_(policy.isTimed()), way_(policy.choose(needsClearances, timed_))
             {
-                if (runs_)
+                if (timed_)
                     start_ = std::chrono::steady_clock::now();
+            }
+
+            SwitchingPolicy::Way getWay() const
+            {
+                return way_;
             }
 
             void noteClearances(double samples)
             {
-                policy_.noteClearances(samples);
-                if (runs_)
-                    policy_.noteClearanceCost(lap());
+                if (timed_)
+                    policy_.noteClearances(lap(), samples);
             }
 
             void noteExact()
             {
-                if (runs_)
-                    policy_.noteExactCost(lap());
+                if (timed_)
+                    policy_.noteExact(way_, lap());
             }
 
         private:
@@ -54,7 +59,8 @@ namespace ompl_certificates
             }
 
             SwitchingPolicy &policy_;
-            const bool runs_;
+            const bool timed_;
+            const SwitchingPolicy::Way way_;
             std::chrono::steady_clock::time_point start_;
         };
     }
@@ -142,33 +148,37 @@ namespace ompl_certificates
     {
         PoseVerdict verdict;
         verdict.asked = true;
-        Stopwatch stopwatch(policy);
         // Only clearances tell how long a body stays free, which a continuous check must know.
-        if (query.minimumReach > 0.0 || policy.asksClearances())
+        Settling settling(policy, query.minimumReach > 0.0);
+        const auto [clearances, contact] = settling.getWay();
+        if (clearances)
         {
             const bool settled = settleByClearances(query, learn, verdict, counts);
             // A proof settles the samples that it reaches as well.
             const double more = verdict.free ? std::min(verdict.reach, 1.0) * query.samplesAhead : 0.0;
-            stopwatch.noteClearances(settled ? 1.0 + more : 0.0);
+            settling.noteClearances(settled ? 1.0 + more : 0.0);
             if (settled)
                 return verdict;
         }
         else
             ++counts.steppedAside;
         verdict.reach = 0.0;
-        verdict.free = !((query.samplesAhead > 0.0 && hitsAgain(query, counts)) || collides(query, counts));
-        stopwatch.noteExact();
+        verdict.free = !((query.samplesAhead > 0.0 && hitsAgain(query, counts)) || collides(query, contact, counts));
+        settling.noteExact();
         return verdict;
     }
 
-    bool CertifiedEnvironment::collides(const PoseQuery &query, CheckCounts &counts) const
+    bool CertifiedEnvironment::collides(const PoseQuery &query, bool tryContact, CheckCounts &counts) const
     {
-        ObstaclePart hit = NO_PART;
-        const Touching touching = obstacles_->touches(query.body, query.pose, &hit);
-        if (hit != NO_PART)
-            hits_.note(enclosingBall(query), hit);
-        if (touching != Touching::UNKNOWN)
-            return touching == Touching::YES;
+        if (tryContact)
+        {
+            ObstaclePart hit = NO_PART;
+            const Touching touching = obstacles_->touches(query.body, query.pose, &hit);
+            if (hit != NO_PART)
+                hits_.note(enclosingBall(query), hit);
+            if (touching != Touching::UNKNOWN)
+                return touching == Touching::YES;
+        }
         ++counts.exactCalls;
         return obstacles_->collides(query.body, query.pose);
     }

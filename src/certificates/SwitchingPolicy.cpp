@@ -1,44 +1,126 @@
 #include "ompl_certificates/certificates/SwitchingPolicy.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ompl_certificates
 {
     namespace
     {
-        /** A time counts as at most this multiple of the known mean: the rest is another program's turn. */
-        constexpr float LARGEST_SURPRISE = 8.0F;
+        /** A way is tried with so many poses at once to get an idea of its cost, and taken only once so many are known. The
+            first one is not counted: it also pays for what is made when it is first needed. */
+        constexpr std::uint32_t FEW_NOTES = 3, ENOUGH_NOTES = 9;
 
-        /** Clearances are given up only where they cost that much more than they save, and taken up again where they
-            cost less: not to and fro by chance. */
-        constexpr float HYSTERESIS = 1.25F;
+        /** How many poses a mean remembers */
+        constexpr float MEMORY = 64.0F;
+
+        /** A time counts as at most this multiple of the known mean: the rest is another program's turn. The exact checks of
+            a body vary more than its clearances, so it is their largest mean there. */
+        constexpr float LARGEST_SURPRISE = 16.0F;
+
+        /** Another way is taken only where it is so much cheaper: not to and fro by chance. */
+        constexpr float HYSTERESIS = 1.1F;
+
+        /** What a proof is worth in later motions, to which it is handed on: poses settled without clearances count as so
+            much dearer. */
+        constexpr float WORTH_OF_PROOFS = 1.5F;
+
+        /** Another way that costs the same is tried in one of so many timed poses, at first and later; one that costs more
+            so much more seldom: trying it takes a hundredth of the time, however bad it is. */
+        constexpr float FIRST_TRIAL_INTERVAL = 8.0F, TRIAL_INTERVAL = 16.0F, LONGEST_TRIAL_INTERVAL = 4096.0F;
     }
 
-    void SwitchingPolicy::noteCost(std::atomic<float> &cost, std::chrono::nanoseconds time)
+    float SwitchingPolicy::note(Cost &cost, std::chrono::nanoseconds time, float most)
     {
-        const auto nanoseconds = static_cast<float>(time.count());
-        const float known = cost.load(std::memory_order_relaxed);
-        if (known == 0.0F)
-            cost.store(nanoseconds, std::memory_order_relaxed);
-        else
-            approach(cost, std::min(nanoseconds, LARGEST_SURPRISE * known), COST_MEMORY);
-        const float exact = exactCost_.load(std::memory_order_relaxed);
-        const float asking = clearanceCost_.load(std::memory_order_relaxed);
-        if (exact == 0.0F || asking == 0.0F)
-            return;
-        const float saved = settledSamples_.load(std::memory_order_relaxed) * exact;
-        const bool pays = pays_.load(std::memory_order_relaxed);
-        pays_.store(asking < (pays ? HYSTERESIS : 1.0F) * saved, std::memory_order_relaxed);
+        const std::uint32_t notes = cost.notes.load(std::memory_order_relaxed);
+        if (notes < ENOUGH_NOTES)
+            cost.notes.store(notes + 1, std::memory_order_relaxed);
+        const float memory = notes < ENOUGH_NOTES ? static_cast<float>(std::max(notes, 1U)) : MEMORY;
+        if (notes > 0)
+            approach(cost.mean, std::min(static_cast<float>(time.count()), most), memory);
+        return memory;
+    }
+
+    void SwitchingPolicy::noteClearances(std::chrono::nanoseconds time, double samples)
+    {
+        const float known = clearances_.mean.load(std::memory_order_relaxed);
+        const float memory =
+            note(clearances_, time, known == 0.0F ? std::numeric_limits<float>::max() : LARGEST_SURPRISE * known);
+        approach(unsettled_, samples == 0.0 ? 1.0F : 0.0F, memory);
+        approach(samples_, std::max(static_cast<float>(samples), 1.0F), memory);
+        judge();
+    }
+
+    void SwitchingPolicy::noteExact(Way way, std::chrono::nanoseconds time)
+    {
+        float largest = 0.0F;
+        for (const Cost &cost : exact_)
+            largest = std::max(largest, cost.mean.load(std::memory_order_relaxed));
+        note(exact_[numberOf(way)], time,
+             largest == 0.0F ? std::numeric_limits<float>::max() : LARGEST_SURPRISE * largest);
+        judge();
+    }
+
+    float SwitchingPolicy::costOf(std::uint32_t way) const
+    {
+        const float exact = exact_[way].mean.load(std::memory_order_relaxed);
+        if (!wayOf(way).clearances)
+            return WORTH_OF_PROOFS * exact;
+        return (clearances_.mean.load(std::memory_order_relaxed) + unsettled_.load(std::memory_order_relaxed) * exact) /
+               samples_.load(std::memory_order_relaxed);
+    }
+
+    void SwitchingPolicy::judge()
+    {
+        for (const bool needsClearances : {false, true})
+        {
+            std::uint32_t best = best_[needsClearances].load(std::memory_order_relaxed);
+            float least = costOf(best) / HYSTERESIS;
+            for (std::uint32_t way = 0; way < (needsClearances ? WAYS_WITH_CLEARANCES : WAYS); ++way)
+                if (exact_[way].notes.load(std::memory_order_relaxed) == ENOUGH_NOTES && costOf(way) < least)
+                {
+                    best = way;
+                    least = costOf(way);
+                }
+            best_[needsClearances].store(best, std::memory_order_relaxed);
+        }
+    }
+
+    std::uint32_t SwitchingPolicy::tryOut(bool needsClearances)
+    {
+        const std::uint32_t ways = needsClearances ? WAYS_WITH_CLEARANCES : WAYS;
+        const std::uint32_t best = best_[needsClearances].load(std::memory_order_relaxed);
+        const std::uint32_t turn = turns_.load(std::memory_order_relaxed) + 1;
+        turns_.store(turn, std::memory_order_relaxed);
+        const float least = std::max(costOf(best), 1.0F);
+        for (std::uint32_t i = 0; i < ways; ++i)
+        {
+            const std::uint32_t way = (turn + i) % ways;
+            const std::uint32_t notes = exact_[way].notes.load(std::memory_order_relaxed);
+            if (notes < FEW_NOTES)
+                return way;
+            const float ratio = std::max(costOf(way) / least, 1.0F);
+            const float interval = ratio * (notes < ENOUGH_NOTES ? FIRST_TRIAL_INTERVAL : TRIAL_INTERVAL);
+            if (way != best &&
+                (turn + way) % static_cast<std::uint32_t>(std::min(interval, LONGEST_TRIAL_INTERVAL)) == 0)
+                return way;
+        }
+        return best;
     }
 
     void SwitchingPolicy::reset()
     {
         lookupRate_.store(1.0F, std::memory_order_relaxed);
-        settledSamples_.store(1.0F, std::memory_order_relaxed);
-        clearanceCost_.store(0.0F, std::memory_order_relaxed);
-        exactCost_.store(0.0F, std::memory_order_relaxed);
-        pays_.store(true, std::memory_order_relaxed);
-        chances_.store(0, std::memory_order_relaxed);
-        poses_.store(0, std::memory_order_relaxed);
+        for (auto *count : {&chances_, &poses_, &turns_})
+            count->store(0, std::memory_order_relaxed);
+        unsettled_.store(0.0F, std::memory_order_relaxed);
+        samples_.store(1.0F, std::memory_order_relaxed);
+        for (Cost *cost : {&clearances_, &exact_[0], &exact_[1], &exact_[2], &exact_[3]})
+        {
+            cost->mean.store(0.0F, std::memory_order_relaxed);
+            cost->notes.store(0, std::memory_order_relaxed);
+        }
+        for (auto &best : best_)
+            best.store(0, std::memory_order_relaxed);
     }
 }

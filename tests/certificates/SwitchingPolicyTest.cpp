@@ -6,32 +6,63 @@ using namespace ompl_certificates;
 
 namespace
 {
-    /** Settle poses whose parts take so long, as the policy says; how many of them clearances were asked for */
-    unsigned int settle(SwitchingPolicy &policy, unsigned int poses, std::chrono::microseconds clearances,
-                        std::chrono::microseconds exact, unsigned int settledPerThousand, double samples = 1.0)
+    using std::chrono::microseconds;
+
+    /** What the parts of settling a pose cost, and how many poses of a thousand clearances and contact tests settle */
+    struct Costs
     {
-        unsigned int asked = 0, luck = 0;
+        microseconds clearances{0};
+        unsigned int settledByClearances{0};
+        microseconds contact{0};
+        unsigned int settledByContact{0};
+        microseconds exact{0};
+
+        /** What the exact check of those poses costs that clearances settle */
+        microseconds exactWhereClear{exact};
+
+        /** How many samples a proof settles */
+        double samples{1.0};
+    };
+
+    /** How many poses were settled with clearances, and how many with the contact test */
+    struct Tried
+    {
+        unsigned int clearances{0}, contact{0};
+    };
+
+    Tried settle(SwitchingPolicy &policy, unsigned int poses, const Costs &costs, bool needsClearances = false)
+    {
+        Tried tried;
+        unsigned int luck = 0;
         for (unsigned int i = 0; i < poses; ++i)
         {
-            const bool timed = policy.isTimed();
             luck = (luck + 617) % 1000;
-            if (policy.asksClearances())
-            {
-                ++asked;
-                const bool settled = luck < settledPerThousand;
-                policy.noteClearances(settled ? samples : 0.0);
-                if (timed)
-                    policy.noteClearanceCost(clearances);
-                if (settled)
-                    continue;
-            }
+            const bool timed = policy.isTimed();
+            const SwitchingPolicy::Way way = policy.choose(needsClearances, timed);
+            tried.clearances += way.clearances ? 1 : 0;
+            tried.contact += way.contact ? 1 : 0;
+            const bool clear = luck < costs.settledByClearances;
+            if (way.clearances && timed)
+                policy.noteClearances(costs.clearances, clear ? costs.samples : 0.0);
+            if (way.clearances && clear)
+                continue;
+            microseconds time = way.contact ? costs.contact : microseconds(0);
+            if (!way.contact || (luck + 389) % 1000 >= costs.settledByContact)
+                time += clear ? costs.exactWhereClear : costs.exact;
             if (timed)
-                policy.noteExactCost(exact);
+                policy.noteExact(way, time);
         }
-        return asked;
+        return tried;
     }
 
-    using std::chrono::microseconds;
+    Costs clearancesOf(unsigned int cost, unsigned int settledPerThousand, unsigned int exact)
+    {
+        Costs costs;
+        costs.clearances = microseconds(cost);
+        costs.settledByClearances = settledPerThousand;
+        costs.exact = costs.exactWhereClear = microseconds(exact);
+        return costs;
+    }
 }
 
 TEST(SwitchingPolicy, LooksUpAtFirst)
@@ -59,49 +90,101 @@ TEST(SwitchingPolicy, LooksUpNowAndThenWhereThatFailsAndAlwaysWhenItSucceedsAgai
 TEST(SwitchingPolicy, AsksClearancesWhereTheySaveMoreThanTheyCost)
 {
     SwitchingPolicy policy;
-    EXPECT_EQ(settle(policy, 2000, microseconds(2), microseconds(20), 500), 2000U);
+    settle(policy, 1000, clearancesOf(2, 500, 20));
+    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)).clearances, 9800U);
 }
 
 TEST(SwitchingPolicy, StepsAsideWhereClearancesCostMoreThanTheySaveAndReturns)
 {
     SwitchingPolicy policy;
-    settle(policy, 1000, microseconds(10), microseconds(10), 200);
-    // One pose in sixteen goes on to be tried.
-    EXPECT_EQ(settle(policy, 1600, microseconds(10), microseconds(10), 200), 100U);
-    settle(policy, 4000, microseconds(1), microseconds(20), 900);
-    EXPECT_EQ(settle(policy, 1000, microseconds(1), microseconds(20), 900), 1000U);
+    settle(policy, 1000, clearancesOf(10, 200, 10));
+    const unsigned int tried = settle(policy, 10000, clearancesOf(10, 200, 10)).clearances;
+    EXPECT_LT(tried, 200U);
+    EXPECT_GT(tried, 20U) << "it would not notice that they pay again";
+    settle(policy, 40000, clearancesOf(1, 900, 20));
+    EXPECT_GT(settle(policy, 10000, clearancesOf(1, 900, 20)).clearances, 9800U);
 }
 
 TEST(SwitchingPolicy, KnowsThatAProofSavesTheNextSamplesToo)
 {
     SwitchingPolicy alone, lasting;
-    settle(alone, 1000, microseconds(10), microseconds(1), 500);
-    EXPECT_LT(settle(alone, 1600, microseconds(10), microseconds(1), 500), 200U);
-    settle(lasting, 1000, microseconds(10), microseconds(1), 500, 40.0);
-    EXPECT_EQ(settle(lasting, 1600, microseconds(10), microseconds(1), 500, 40.0), 1600U);
+    Costs costs = clearancesOf(10, 500, 1);
+    settle(alone, 1000, costs);
+    EXPECT_LT(settle(alone, 10000, costs).clearances, 200U);
+    costs.samples = 40.0;
+    settle(lasting, 1000, costs);
+    EXPECT_GT(settle(lasting, 10000, costs).clearances, 9800U);
 }
 
-TEST(SwitchingPolicy, NeverStepsAsideWhereNoExactCheckIsNeeded)
+TEST(SwitchingPolicy, KnowsThatClearancesSettleWhatIsQuicklyCheckedToo)
 {
     SwitchingPolicy policy;
-    EXPECT_EQ(settle(policy, 500, microseconds(10), microseconds(0), 1000), 500U);
+    Costs costs = clearancesOf(30, 500, 40);
+    costs.exactWhereClear = microseconds(2);
+    settle(policy, 1000, costs);
+    EXPECT_LT(settle(policy, 10000, costs).clearances, 200U);
 }
 
-TEST(SwitchingPolicy, IsNotMisledByAnotherProgramsTurn)
+TEST(SwitchingPolicy, LeavesTheContactTestOutWhereItCostsMoreThanItSavesAndReturns)
 {
     SwitchingPolicy policy;
-    settle(policy, 1000, microseconds(2), microseconds(20), 500);
-    policy.noteClearanceCost(std::chrono::seconds(1));
-    EXPECT_EQ(settle(policy, 100, microseconds(2), microseconds(20), 500), 100U);
+    Costs costs = clearancesOf(1, 500, 10);
+    costs.contact = microseconds(20);
+    costs.settledByContact = 900;
+    settle(policy, 1000, costs);
+    Tried tried = settle(policy, 10000, costs);
+    EXPECT_LT(tried.contact, 200U);
+    EXPECT_GT(tried.contact, 20U) << "it would not notice that it pays again";
+    EXPECT_GT(tried.clearances, 9700U);
+    costs.exact = microseconds(200);
+    settle(policy, 40000, costs);
+    tried = settle(policy, 10000, costs);
+    EXPECT_GT(tried.contact, 9800U);
+}
+
+TEST(SwitchingPolicy, TriesWhatCostsMuchMoreSeldom)
+{
+    SwitchingPolicy policy;
+    settle(policy, 1000, clearancesOf(1, 1000, 1000));
+    // The two ways without clearances cost a thousand times as much.
+    EXPECT_GE(settle(policy, 100000, clearancesOf(1, 1000, 1000)).clearances, 99990U);
+}
+
+TEST(SwitchingPolicy, AlwaysAsksClearancesWhereTheyAreNeeded)
+{
+    SwitchingPolicy policy;
+    EXPECT_EQ(settle(policy, 5000, clearancesOf(10, 200, 1), true).clearances, 5000U);
+    EXPECT_LT(settle(policy, 5000, clearancesOf(10, 200, 1)).clearances, 500U);
+}
+
+TEST(SwitchingPolicy, DoesNotCountWhatTheFirstPosePaysForAll)
+{
+    SwitchingPolicy policy;
+    const SwitchingPolicy::Way all = policy.choose(false, false);
+    EXPECT_TRUE(all.clearances && all.contact);
+    policy.noteClearances(std::chrono::seconds(1), 0.0);
+    policy.noteExact(all, std::chrono::seconds(1));
+    settle(policy, 1000, clearancesOf(2, 500, 20));
+    EXPECT_GT(settle(policy, 1000, clearancesOf(2, 500, 20)).clearances, 950U);
+}
+
+TEST(SwitchingPolicy, IsNotMisledForLongByAnotherProgramsTurn)
+{
+    SwitchingPolicy policy;
+    settle(policy, 1000, clearancesOf(2, 500, 20));
+    policy.noteClearances(std::chrono::seconds(1), 1.0);
+    policy.noteExact(policy.choose(false, false), std::chrono::seconds(1));
+    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)).clearances, 9000U);
 }
 
 TEST(SwitchingPolicy, JudgesAnewAfterReset)
 {
     SwitchingPolicy policy;
-    settle(policy, 1000, microseconds(10), microseconds(5), 100);
+    settle(policy, 1000, clearancesOf(10, 100, 5));
     for (int i = 0; i < 1000; ++i)
         policy.noteLookup(false);
+    EXPECT_FALSE(policy.choose(false, false).clearances);
     policy.reset();
     EXPECT_TRUE(policy.looksUp());
-    EXPECT_TRUE(policy.asksClearances());
+    EXPECT_TRUE(policy.choose(false, false).clearances);
 }

@@ -111,6 +111,7 @@ TEST(References, OfADiscThatWasFoundFreeProveItFreeAgain)
     for (const Method method : {Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
     {
         const TeamSetup setup(team, obstacles, method);
+        std::dynamic_pointer_cast<CertificateChecker>(setup.getTeamChecker())->setAdaptive(false);
         unsigned int free = 0, asked = 0;
         for (int i = 0; i < 300; ++i)
         {

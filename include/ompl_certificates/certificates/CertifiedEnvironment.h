@@ -130,8 +130,9 @@ namespace ompl_certificates
         /** \brief Settle \e query by clearances, if they do; counts them in \e verdict and \e counts */
         bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
 
-        /** \brief Whether the body collides, by the obstacles' quick test or else by the exact check; remembers what it hits */
-        bool collides(const PoseQuery &query, CheckCounts &counts) const;
+        /** \brief Whether the body collides: if \e tryContact by the obstacles' quick test, which remembers what it hits, or
+            else by the exact check */
+        bool collides(const PoseQuery &query, bool tryContact, CheckCounts &counts) const;
 
         /** \brief Whether the body certainly hits the part of the obstacles that was hit last around it */
         bool hitsAgain(const PoseQuery &query, CheckCounts &counts) const;

@@ -1,23 +1,35 @@
 #ifndef OMPL_CERTIFICATES_CERTIFICATES_SWITCHING_POLICY_
 #define OMPL_CERTIFICATES_CERTIFICATES_SWITCHING_POLICY_
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 
 namespace ompl_certificates
 {
-    /** \brief Which of the ways to settle a pose without the exact check pay for one body, judged by what they have cost
-        and settled lately.
+    /** \brief Which of the ways to settle a pose pay for one body, judged by what they have cost and settled lately.
 
         Looking certificates up is judged by how often it finds one: where it mostly fails, as for long bodies near
-        obstacles, the obstacles are asked at once. Asking clearances is judged by the clock: it is given up where it
-        costs more than the exact checks that it saves (the paper's crossover). What does not pay is still tried one time
-        in PROBE_INTERVAL, to notice when that changes. No verdict depends on the policy. May be used by many threads at
-        once, which may then lose a note. */
+        obstacles, the obstacles are asked at once. How they are asked is judged by the clock: with or without clearances
+        first (the paper's crossover), with or without the quick contact test before the exact check. Of these four ways
+        the one is taken that takes the least time for every sample of a motion that it settles; each way is measured
+        with the poses that it gets, since what a clearance settles is mostly what is quickly checked too. The others are
+        still tried now and then, to notice when that changes, the more seldom the more they cost. No verdict depends on
+        the policy. May be used by many threads at once, which may then lose a note. */
     class alignas(64) SwitchingPolicy
     {
     public:
+        /** \brief What comes before the exact check of a pose */
+        struct Way
+        {
+            /** \brief Whether clearances are asked */
+            bool clearances;
+
+            /** \brief Whether the quick contact test is tried, Obstacles::touches() */
+            bool contact;
+        };
+
         /** \brief Whether to look certificates up now. Counts as one chance. */
         bool looksUp()
         {
@@ -38,19 +50,6 @@ namespace ompl_certificates
             approach(lookupRate_, found ? 1.0F : 0.0F, LOOKUP_MEMORY);
         }
 
-        /** \brief Whether to ask clearances before the exact check. Counts as one chance. */
-        bool asksClearances()
-        {
-            return pays_.load(std::memory_order_relaxed) || isProbe();
-        }
-
-        /** \brief Take into account how many samples of a motion clearances have settled: none, that of the pose, or others
-            that their proof reaches as well */
-        void noteClearances(double samples)
-        {
-            approach(settledSamples_, static_cast<float>(samples), COST_MEMORY);
-        }
-
         /** \brief Whether to time how long this pose takes to settle. Reading the clock costs about as much as a lookup, so
             one pose in TIMING_INTERVAL is timed. */
         bool isTimed()
@@ -60,27 +59,53 @@ namespace ompl_certificates
             return poses % TIMING_INTERVAL == 0;
         }
 
-        /** \brief Take into account how long clearances were asked for a pose */
-        void noteClearanceCost(std::chrono::nanoseconds time)
+        /** \brief How to settle a pose
+            \param needsClearances whether they must be asked, for only they tell what is to be known
+            \param timed whether the policy will be told how long it took: only then is tried what does not pay */
+        Way choose(bool needsClearances, bool timed)
         {
-            noteCost(clearanceCost_, time);
+            return wayOf(timed ? tryOut(needsClearances) : best_[needsClearances].load(std::memory_order_relaxed));
         }
 
-        /** \brief Take into account how long an exact check took */
-        void noteExactCost(std::chrono::nanoseconds time)
-        {
-            noteCost(exactCost_, time);
-        }
+        /** \brief Take into account how long clearances were asked for a pose, and how many samples of its motion they have
+            settled: none, its own, and others that the proof reaches as well */
+        void noteClearances(std::chrono::nanoseconds time, double samples);
+
+        /** \brief Take into account how long the exact check of a pose took, with the contact test if \e way has it; if it
+            has clearances, they have not settled the pose */
+        void noteExact(Way way, std::chrono::nanoseconds time);
 
         /** \brief Judge anew, as if all had paid so far */
         void reset();
 
     private:
         static constexpr float SMALLEST_LOOKUP_RATE = 0.8F;
-        static constexpr float LOOKUP_MEMORY = 128.0F, COST_MEMORY = 64.0F;
+        static constexpr float LOOKUP_MEMORY = 128.0F;
         static constexpr std::uint32_t PROBE_INTERVAL = 16;
-
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
+
+        /** \brief Ways have numbers: one bit for each of the two that is left out */
+        static constexpr std::uint32_t WAYS = 4, WAYS_WITH_CLEARANCES = 2;
+
+        static Way wayOf(std::uint32_t number)
+        {
+            return {number < WAYS_WITH_CLEARANCES, number % 2 == 0};
+        }
+
+        static std::uint32_t numberOf(Way way)
+        {
+            return (way.clearances ? 0 : WAYS_WITH_CLEARANCES) + (way.contact ? 0 : 1);
+        }
+
+        /** \brief What something has cost lately */
+        struct Cost
+        {
+            /** \brief The mean of the times in nanoseconds */
+            std::atomic<float> mean{0.0F};
+
+            /** \brief How many times are known, up to enough to judge by */
+            std::atomic<std::uint32_t> notes{0};
+        };
 
         static void approach(std::atomic<float> &mean, float value, float memory)
         {
@@ -90,16 +115,32 @@ namespace ompl_certificates
                 mean.store(next, std::memory_order_relaxed);
         }
 
-        /** \brief Take a new time into account, and judge */
-        void noteCost(std::atomic<float> &cost, std::chrono::nanoseconds time);
+        /** \brief Take a time into account, but no more than \e most of it
+            \return how many poses its mean now remembers */
+        static float note(Cost &cost, std::chrono::nanoseconds time, float most);
+
+        /** \brief The number of the way for a timed pose: mostly the best one */
+        std::uint32_t tryOut(bool needsClearances);
+
+        /** \brief What a way costs for each sample of a motion that it settles (nanoseconds) */
+        float costOf(std::uint32_t way) const;
+
+        /** \brief Find out which ways are the best */
+        void judge();
 
         std::atomic<float> lookupRate_{1.0F};
-        std::atomic<std::uint32_t> chances_{0}, poses_{0};
+        std::atomic<std::uint32_t> chances_{0}, poses_{0}, turns_{0};
 
-        /** \brief How many samples clearances settle; what asking them costs, and the exact check (nanoseconds; 0: not known
-            yet) */
-        std::atomic<float> settledSamples_{1.0F}, clearanceCost_{0.0F}, exactCost_{0.0F};
-        std::atomic<bool> pays_{true};
+        /** \brief What asking clearances costs; the share of poses that it leaves unsettled, and how many samples are
+            settled by it or by the exact check that follows */
+        Cost clearances_;
+        std::atomic<float> unsettled_{0.0F}, samples_{1.0F};
+
+        /** \brief What the exact check costs at the end of each way */
+        std::array<Cost, WAYS> exact_;
+
+        /** \brief The numbers of the best way of all, and of those with clearances */
+        std::array<std::atomic<std::uint32_t>, 2> best_{};
     };
 }
 
