@@ -271,9 +271,10 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
 }
 
 /** FCL's solver goes on for ever with some cylinders without width. This test then does as well. */
-TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsInFiniteTime)
+TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsAndSegmentsInFiniteTime)
 {
-    const Body point = Body::disc(0.0);
+    const Body bodies[] = {Body::disc(0.0), Body::box(1e-11, 1e-11), Body::box(1.0, 1e-11),
+                           Body::planarCapsule(1e-11, 1.0)};
     for (unsigned int seed = 0; seed < scaled(300); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -284,7 +285,8 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsInFiniteTime)
         {
             const Eigen::Vector3d at = surfacePointOf(random, mesh);
             const Pose pose = planarPose(at.x(), at.y(), random.uniform(-3.0, 3.0));
-            ASSERT_FALSE(obstacles.collides(point, pose) && isCertifiedFree(obstacles, point, pose));
+            for (const Body &body : bodies)
+                ASSERT_FALSE(obstacles.collides(body, pose) && isCertifiedFree(obstacles, body, pose));
         }
     }
 }
