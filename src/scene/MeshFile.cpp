@@ -1,5 +1,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
+#include "PlyText.h"
+
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
@@ -43,8 +45,8 @@ namespace ompl_certificates
             return text;
         }
 
-        /** Counts that a file states of itself, such as "element vertex 8" of PLY and count="8" of COLLADA, are what
-            Assimp allocates memory for before it reads on. Each thing counted takes at least a byte. */
+        /** Counts that a file states of itself, such as count="8", are what Assimp allocates memory for before it reads on.
+            Each thing counted takes at least a byte. */
         void checkCount(const std::string &file, const std::string &text, const std::string &digits)
         {
             if (digits.size() > 15 || (!digits.empty() && std::stoull(digits) > text.size()))
@@ -55,36 +57,6 @@ namespace ompl_certificates
         std::string digitsAt(const std::string &text, std::size_t at)
         {
             return at < text.size() ? text.substr(at, text.find_first_not_of("0123456789", at) - at) : "";
-        }
-
-        /** Where Assimp finds no end of the header it looks for it for ever. It makes room for the first vertices and the
-            first faces that the header speaks of, and writes to it those of a second such element as well. */
-        void checkPly(const std::string &file, const std::string &text)
-        {
-            const std::string mark = "\nend_header";
-            const std::size_t end = text.find(mark), after = end + mark.size();
-            if (end == std::string::npos || (text.compare(after, 1, "\n") != 0 && text.compare(after, 2, "\r\n") != 0))
-                fail(file, "is not a mesh that can be read: its header has no line 'end_header'");
-            std::string header = text.substr(0, end);
-            std::replace_if(
-                header.begin(), header.end(), [](char c) { return c == '\r' || c == '\f' || c == '\0'; }, '\n');
-            std::istringstream lines(header);
-            unsigned int vertices = 0, faces = 0;
-            for (std::string line; std::getline(lines, line);)
-            {
-                std::istringstream words(line);
-                std::string word, name, count;
-                words >> word >> name >> count;
-                if (word != "element")
-                    continue;
-                checkCount(file, text, digitsAt(count, 0));
-                if (name == "vertex")
-                    ++vertices;
-                if (name == "face" || name == "tristrips")
-                    ++faces;
-            }
-            if (vertices > 1 || faces > 1)
-                fail(file, "is not a mesh that can be read: its header has several elements of vertices or of faces");
         }
 
         /** A few characters of the line, to be shown in a message */
@@ -132,7 +104,8 @@ namespace ompl_certificates
             }
         }
 
-        void checkFile(const std::string &file)
+        /** The extension of the name of a file that may be a mesh */
+        std::string kindOf(const std::string &file)
         {
             std::error_code error;
             if (fs::is_directory(file, error))
@@ -141,7 +114,13 @@ namespace ompl_certificates
             const std::array<std::string, 4> known{".dae", ".stl", ".obj", ".ply"};
             if (std::find(known.begin(), known.end(), kind) == known.end())
                 fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");
+            return kind;
+        }
+
+        std::string readText(const std::string &file)
+        {
             errno = 0;
+            std::error_code error;
             std::ifstream stream(file, std::ios::binary);
             if (!stream)
                 fail(file,
@@ -153,11 +132,24 @@ namespace ompl_certificates
                 fail(file, "is larger than " + std::to_string(MAX_BYTES >> 20u) + " MB");
             if (bytes == 0)
                 fail(file, "is empty");
-            if (kind != ".ply" && kind != ".dae")
-                return;
             std::string text(bytes, ' ');
             stream.read(text.data(), static_cast<std::streamsize>(bytes));
-            (kind == ".ply" ? checkPly : checkCollada)(file, text);
+            return text;
+        }
+
+        /** Give the file to Assimp, if it can be trusted with it. */
+        const aiScene *importFile(Assimp::Importer &importer, const std::string &file)
+        {
+            const std::string kind = kindOf(file), text = readText(file);
+            if (kind == ".ply")
+            {
+                const std::string plain = plainPly(text);
+                return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, "ply");
+            }
+            if (kind == ".dae")
+                checkCollada(file, text);
+            // An OBJ file may name others that lie beside it.
+            return importer.ReadFile(file, 0);
         }
 
         /** Assimp's further steps take the faces as they are, and end the program where they make no sense. */
@@ -280,7 +272,6 @@ namespace ompl_certificates
 
     MeshFile::MeshFile(const std::string &file) : name_(file)
     {
-        checkFile(file);
         const auto require = [&file](const Assimp::Importer &importer, const aiScene *scene)
         {
             if (!scene || !scene->mRootNode)
@@ -291,7 +282,7 @@ namespace ompl_certificates
             Assimp::Importer importer;
             // Else bones of a file without meshes would be given bodies.
             importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-            const aiScene *scene = importer.ReadFile(file, 0);
+            const aiScene *scene = importFile(importer, file);
             require(importer, scene);
             checkFaces(file, *scene);
             scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);

@@ -2,6 +2,7 @@
 #include "ompl_certificates/scene/YamlScene.h"
 #include "support/Folder.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -40,6 +41,33 @@ namespace ompl_certificates
                    "</triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">" +
                    nodes +
                    "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+        }
+
+        /** \e text with the first \e old in it replaced */
+        std::string with(std::string text, const std::string &old, const std::string &replacement)
+        {
+            return text.replace(text.find(old), old.size(), replacement);
+        }
+
+        /** PLY's triangle in binary, which says that its face has so many corners */
+        std::string binaryPly(bool isBigEndian, std::uint32_t corners)
+        {
+            std::string text = with(with(PLY, "ascii", isBigEndian ? "binary_big_endian" : "binary_little_endian"),
+                                    "list uchar", "list uint");
+            text.resize(text.find("end_header\n") + 11);
+            const auto append = [&](auto number)
+            {
+                char bytes[sizeof(number)];
+                std::memcpy(bytes, &number, sizeof(number));
+                if (isBigEndian)
+                    std::reverse(bytes, bytes + sizeof(number));
+                text.append(bytes, sizeof(number));
+            };
+            for (const float coordinate : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F})
+                append(coordinate);
+            for (const std::uint32_t number : {corners, 0U, 1U, 2U})
+                append(number);
+            return text;
         }
 
         std::string binaryStl(std::uint32_t says, std::uint32_t has)
@@ -138,8 +166,7 @@ namespace ompl_certificates
         twoFaces.insert(twoFaces.find("end_header"), "element face 8\n");
         tabs.replace(tabs.find("element face 1"), 14, "element\tface\t4000000000");
         far.replace(far.find("v 1 0 0"), 7, "v 1e12 0 0");
-        std::string noEnd = ply, indices = collada("<node><instance_geometry url=\"#g\"/></node>");
-        noEnd.replace(noEnd.find("end_header\n"), 11, "end_header9\n");
+        std::string indices = collada("<node><instance_geometry url=\"#g\"/></node>");
         indices.replace(indices.find("0 1 2</p>"), 5, "0 1 x");
         std::string array = collada("<node><instance_geometry url=\"#g\"/></node>");
         std::string nowhere = array, noCount = array;
@@ -163,15 +190,30 @@ namespace ompl_certificates
             {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""},
             {"far.obj", far, "1e9"},
             {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ""},
-            {"huge.ply", huge, "says that it has 4000000000 of something"},
-            {"faces.ply", manyFaces, "says that it has 99999999999999999999 of something"},
-            {"tabs.ply", tabs, "says that it has 4000000000 of something"},
-            {"twice.ply", twoFaces, "several elements of vertices or of faces"},
-            {"short.ply", header + "0 0 0\n", ""},
+            {"huge.ply", huge, "says that it has 4000000000 of 'vertex'"},
+            {"faces.ply", manyFaces, "says that it has 99999999999999999999 of 'face'"},
+            {"tabs.ply", tabs, "says that it has 4000000000 of 'face'"},
+            {"twice.ply", twoFaces, "not one element of vertices and one of faces"},
+            {"short.ply", header + "0 0 0\n", "it ends after 1 of its 3 'vertex'"},
+            {"list.ply", with(ply, "3 0 1 2", "4000000000 0 1 2"), "a line has fewer numbers"},
+            {"digits.ply", with(ply, "3 0 1 2", std::string(99, '2') + " 0 1 2"), "not the length of a list"},
+            {"minus.ply", with(ply, "3 0 1 2", "-3 0 1 2"), "there is '-3', not the length of a list"},
+            {"glued.ply", with(ply, "0 2 0", "0 2 nan4000000000"), "there is 'nan4000000', not a number"},
+            {"binary.ply", binaryPly(false, 4000000000u), "within a list"},
+            {"bytes.ply", binaryPly(true, 4000000000u), "within a list"},
+            {"cut.ply", binaryPly(true, 3).substr(0, 200), "it ends before"},
+            {"negative.ply", with(binaryPly(false, 4000000000u), "list uint", "list int"), "negative length"},
+            {"real.ply", with(ply, "list uchar", "list float"), "no whole number but a float"},
+            {"type.ply", with(ply, "float z", "word z"), "a property of type 'word'"},
+            {"nothing.ply", with(ply, "property list uchar int vertex_indices\n", ""), "'face' without properties"},
+            {"edges.ply", with(ply, "element vertex", "element edge 1\nproperty int a\nelement vertex"),
+             "other elements before"},
+            {"format.ply", with(ply, "ascii", "binary"), "its format is neither"},
+            {"line.ply", with(ply, "end_header", "elephant\nend_header"), "has a line 'elephant'"},
             {"nowhere.dae", nowhere, "a <float_array> is empty"},
             {"counted.dae", noCount, ": count=\"x9\""},
             {"array.dae", array, "says that it has 4000000000 of something"},
-            {"header.ply", noEnd, "its header has no line 'end_header'"},
+            {"header.ply", ply.substr(0, ply.find("end_header")), "its header has no line 'end_header'"},
             {"indices.dae", indices, "in <p> there is 'x</p></tri', not a number"},
             {"count.stl", binaryStl(4000000000u, 1), ""},
             {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
@@ -197,6 +239,28 @@ namespace ompl_certificates
         EXPECT_THROW(MeshFile(folder / "missing.obj"), ompl::Exception);
         EXPECT_THROW(MeshFile(folder / ""), ompl::Exception);
         EXPECT_THROW(MeshFile(""), ompl::Exception);
+    }
+
+    TEST(MeshFile, ReadsAllFormsOfPly)
+    {
+        const Folder folder;
+        const std::string ply = PLY;
+        const std::pair<const char *, std::string> files[] = {
+            {"plain", ply},
+            {"little", binaryPly(false, 3)},
+            {"big", binaryPly(true, 3)},
+            {"spaces", with(with(ply, "0 0 0\n", "\t0  0 0 \r\n\n\n"), "end_header\n", "end_header\r\n\n")},
+            // Assimp takes such a comment for an element.
+            {"comments", with(ply, "element vertex", "comment face 3\ncomment made by hand\nelement vertex")},
+            {"first", with(ply, "format", "comment before the format\nformat")},
+            {"more", with(ply, "end_header", "element edge 1\nproperty int vertex1\nend_header") + "7\n"}};
+        for (const auto &[name, content] : files)
+        {
+            SCOPED_TRACE(name);
+            const MeshFile file(folder.write("a.ply", content));
+            EXPECT_EQ(file.getMesh()->getTriangles().size(), 1u);
+            expectBox(file, Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 2, 0));
+        }
     }
 
     /** Cut off anywhere, a file is read or refused, and nothing worse happens. */

@@ -1,0 +1,277 @@
+#include "PlyText.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        struct Type
+        {
+            std::size_t size;
+            bool isInteger, isSigned;
+        };
+
+        struct Property
+        {
+            /** The line of the header */
+            std::string line;
+            Type type;
+            /** The type of its length, if it is a list; else of no size */
+            Type lengthType;
+        };
+
+        struct Element
+        {
+            std::string name;
+            std::size_t count;
+            std::vector<Property> properties;
+        };
+
+        struct Header
+        {
+            std::string format;
+            std::vector<Element> elements;
+            /** Where the data begins */
+            std::size_t end;
+        };
+
+        [[noreturn]] void fail(const std::string &complaint)
+        {
+            throw std::runtime_error(complaint);
+        }
+
+        Type typeOf(const std::string &name)
+        {
+            static const std::map<std::string, Type> types{
+                {"char", {1, true, true}},     {"int8", {1, true, true}},     {"uchar", {1, true, false}},
+                {"uint8", {1, true, false}},   {"short", {2, true, true}},    {"int16", {2, true, true}},
+                {"ushort", {2, true, false}},  {"uint16", {2, true, false}},  {"int", {4, true, true}},
+                {"int32", {4, true, true}},    {"uint", {4, true, false}},    {"uint32", {4, true, false}},
+                {"float", {4, false, true}},   {"float32", {4, false, true}}, {"double", {8, false, true}},
+                {"float64", {8, false, true}},
+            };
+            const auto found = types.find(name);
+            if (found == types.end())
+                fail("its header has a property of type '" + name.substr(0, 30) + "'");
+            return found->second;
+        }
+
+        bool isWholeNumber(std::string_view word)
+        {
+            return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+        }
+
+        Property propertyOf(const std::vector<std::string> &words)
+        {
+            std::string line = words[0];
+            for (std::size_t i = 1; i < words.size(); ++i)
+                line += " " + words[i];
+            if (words.size() == 3)
+                return {line, typeOf(words[1]), {}};
+            if (words.size() != 5 || words[1] != "list")
+                fail("its header has a property that is neither a value nor a list");
+            const Property property{line, typeOf(words[3]), typeOf(words[2])};
+            if (!property.lengthType.isInteger)
+                fail("its header has a list whose length is no whole number but a " + words[2]);
+            return property;
+        }
+
+        /** Drop what is not of the mesh. */
+        void keepMesh(std::vector<Element> &elements)
+        {
+            const auto isVertices = [](const Element &element) { return element.name == "vertex"; };
+            const auto isFaces = [](const Element &element)
+            { return element.name == "face" || element.name == "tristrips"; };
+            const auto isOther = [&](const Element &element) { return !isVertices(element) && !isFaces(element); };
+            while (!elements.empty() && isOther(elements.back()))
+                elements.pop_back();
+            if (std::any_of(elements.begin(), elements.end(), isOther))
+                fail("its header has other elements before those of vertices and faces");
+            if (std::count_if(elements.begin(), elements.end(), isVertices) != 1 ||
+                std::count_if(elements.begin(), elements.end(), isFaces) != 1)
+                fail("its header has not one element of vertices and one of faces");
+            for (const Element &element : elements)
+                if (element.properties.empty())
+                    fail("its header has an element '" + element.name + "' without properties");
+        }
+
+        Header readHeader(const std::string &text)
+        {
+            Header header;
+            for (std::size_t at = 0;;)
+            {
+                const std::size_t end = text.find('\n', at);
+                if (end == std::string::npos)
+                    fail("its header has no line 'end_header'");
+                std::istringstream stream(text.substr(at, end - at));
+                std::vector<std::string> words;
+                for (std::string word; stream >> word;)
+                    words.push_back(word);
+                const bool isFirst = at == 0;
+                at = end + 1;
+                if (isFirst && (words.size() != 1 || (words[0] != "ply" && words[0] != "PLY")))
+                    fail("its first line is not 'ply'");
+                if (isFirst || words.empty() || words[0] == "comment" || words[0] == "obj_info")
+                    continue;
+                for (const std::string &word : words)
+                    if (!std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isgraph(c) != 0; }))
+                        fail("its header has characters that cannot be printed");
+                if (words[0] == "format" && words.size() == 3 && header.format.empty())
+                    header.format = words[1];
+                else if (words[0] == "element" && words.size() == 3)
+                {
+                    // Each takes at least a byte.
+                    if (!isWholeNumber(words[2]) || words[2].size() > 15 || std::stoull(words[2]) > text.size())
+                        fail("it says that it has " + words[2].substr(0, 30) + " of '" + words[1].substr(0, 30) +
+                             "', in " + std::to_string(text.size()) + " bytes");
+                    header.elements.push_back({words[1], std::stoull(words[2]), {}});
+                }
+                else if (words[0] == "property" && !header.elements.empty())
+                    header.elements.back().properties.push_back(propertyOf(words));
+                else if (words[0] == "end_header" && words.size() == 1)
+                {
+                    header.end = at;
+                    break;
+                }
+                else
+                    fail("its header has a line '" + words[0].substr(0, 30) + "' that makes no sense there");
+            }
+            keepMesh(header.elements);
+            return header;
+        }
+
+        /** The words of a line, one after the other */
+        class Words
+        {
+        public:
+            explicit Words(std::string_view line) : rest_(line)
+            {
+            }
+
+            /** \brief The next one, empty after the last */
+            std::string_view next()
+            {
+                rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
+                const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t"));
+                rest_.remove_prefix(word.size());
+                return word;
+            }
+
+        private:
+            std::string_view rest_;
+        };
+
+        void checkNumber(std::string_view word)
+        {
+            if (word.empty())
+                fail("a line has fewer numbers than its element and its lists need");
+            const std::string_view name = word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0);
+            if (name != "nan" && name != "inf" && word.find_first_not_of("0123456789+-.eE") != std::string_view::npos)
+                fail("there is '" + std::string(word.substr(0, 10)) + "', not a number");
+        }
+
+        void checkLine(const Element &element, std::string_view line)
+        {
+            Words words(line);
+            for (const Property &property : element.properties)
+            {
+                std::size_t values = 1;
+                if (property.lengthType.size > 0)
+                {
+                    const std::string_view length = words.next();
+                    // However long: the line ends, and so this does, where numbers are lacking.
+                    if (!isWholeNumber(length) || length.size() > 15)
+                        fail("there is '" + std::string(length.substr(0, 10)) + "', not the length of a list");
+                    values = std::stoull(std::string(length));
+                }
+                for (; values > 0; --values)
+                    checkNumber(words.next());
+            }
+        }
+
+        /** The lines of the elements */
+        std::string plainLines(const Header &header, const std::string &text)
+        {
+            constexpr std::string_view lineEnds("\n\r\f\0", 4);
+            std::string_view rest = std::string_view(text).substr(header.end);
+            std::string lines;
+            for (const Element &element : header.elements)
+                for (std::size_t i = 0; i < element.count;)
+                {
+                    if (rest.empty())
+                        fail("it ends after " + std::to_string(i) + " of its " + std::to_string(element.count) + " '" +
+                             element.name + "'");
+                    const std::string_view line = rest.substr(0, rest.find_first_of(lineEnds));
+                    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+                    if (Words(line).next().empty())
+                        continue;
+                    checkLine(element, line);
+                    lines.append(line).append("\n");
+                    ++i;
+                }
+            return lines;
+        }
+
+        /** The length of a list that is at \e bytes */
+        std::size_t lengthAt(const char *bytes, const Type &type, bool isBigEndian)
+        {
+            std::size_t length = 0;
+            for (std::size_t i = 0; i < type.size; ++i)
+                length = length << 8U | static_cast<unsigned char>(bytes[isBigEndian ? i : type.size - 1 - i]);
+            if (type.isSigned && (length >> (8 * type.size - 1)) != 0)
+                fail("there is a list of negative length");
+            return length;
+        }
+
+        /** The bytes of the elements */
+        std::string plainBytes(const Header &header, const std::string &text)
+        {
+            std::size_t at = header.end;
+            const auto pass = [&](std::size_t count, std::size_t size)
+            {
+                if (count > (text.size() - at) / size)
+                    fail("it ends before the elements that its header speaks of, or within a list");
+                at += count * size;
+            };
+            for (const Element &element : header.elements)
+                for (std::size_t i = 0; i < element.count; ++i)
+                    for (const Property &property : element.properties)
+                    {
+                        std::size_t values = 1;
+                        if (const Type &type = property.lengthType; type.size > 0)
+                        {
+                            const std::size_t before = at;
+                            pass(1, type.size);
+                            values = lengthAt(&text[before], type, header.format == "binary_big_endian");
+                        }
+                        pass(values, property.type.size);
+                    }
+            return text.substr(header.end, at - header.end);
+        }
+    }
+
+    std::string plainPly(const std::string &text)
+    {
+        const Header header = readHeader(text);
+        std::string plain = "ply\nformat " + header.format + " 1.0\n";
+        for (const Element &element : header.elements)
+        {
+            plain += "element " + element.name + " " + std::to_string(element.count) + "\n";
+            for (const Property &property : element.properties)
+                plain += property.line + "\n";
+        }
+        plain += "end_header\n";
+        if (header.format == "ascii")
+            return plain + plainLines(header, text);
+        if (header.format == "binary_little_endian" || header.format == "binary_big_endian")
+            return plain + plainBytes(header, text);
+        fail("its format is neither ascii nor binary_little_endian nor binary_big_endian");
+    }
+}
