@@ -110,7 +110,7 @@ namespace ompl_certificates
             std::error_code error;
             if (fs::is_directory(file, error))
                 fail(file, "is a directory, not a mesh");
-            const std::string kind = lowerCase(fs::path(file).extension().string());
+            std::string kind = lowerCase(fs::path(file).extension().string());
             const std::array<std::string, 4> known{".dae", ".stl", ".obj", ".ply"};
             if (std::find(known.begin(), known.end(), kind) == known.end())
                 fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");

@@ -77,7 +77,7 @@ namespace ompl_certificates
                 return {line, typeOf(words[1]), {}};
             if (words.size() != 5 || words[1] != "list")
                 fail("its header has a property that is neither a value nor a list");
-            const Property property{line, typeOf(words[3]), typeOf(words[2])};
+            Property property{line, typeOf(words[3]), typeOf(words[2])};
             if (!property.lengthType.isInteger)
                 fail("its header has a list whose length is no whole number but a " + words[2]);
             return property;
