@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
+#include "ColladaCheck.h"
 #include "PlyText.h"
 
 #include <algorithm>
@@ -11,13 +12,11 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <ompl/util/Exception.h>
-#include <sstream>
 
 namespace ompl_certificates
 {
@@ -43,65 +42,6 @@ namespace ompl_certificates
             std::transform(text.begin(), text.end(), text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
             return text;
-        }
-
-        /** Counts that a file states of itself, such as count="8", are what Assimp allocates memory for before it reads on.
-            Each thing counted takes at least a byte. */
-        void checkCount(const std::string &file, const std::string &text, const std::string &digits)
-        {
-            if (digits.size() > 15 || (!digits.empty() && std::stoull(digits) > text.size()))
-                fail(file, "says that it has " + digits.substr(0, 30) + " of something, in " +
-                               std::to_string(text.size()) + " bytes");
-        }
-
-        std::string digitsAt(const std::string &text, std::size_t at)
-        {
-            return at < text.size() ? text.substr(at, text.find_first_not_of("0123456789", at) - at) : "";
-        }
-
-        /** A few characters of the line, to be shown in a message */
-        std::string excerpt(const std::string &text, std::size_t at)
-        {
-            const std::string part = text.substr(at, 10);
-            const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
-            return {part.begin(), std::find_if(part.begin(), part.end(), isControl)};
-        }
-
-        /** Whether the tag that begins at \e tag has a count above 0 */
-        bool countsSomething(const std::string &text, std::size_t tag)
-        {
-            const std::size_t end = std::min(text.find('>', tag), text.size()), at = text.find(" count=", tag);
-            return at < end && std::strtod(digitsAt(text, at + std::strlen(" count=\"")).c_str(), nullptr) > 0.0;
-        }
-
-        /** Where an index of a primitive is no number Assimp tries to read it for ever; where an accessor is of an empty array,
-            which is one whose count is no number, too, it reads from nowhere. */
-        void checkCollada(const std::string &file, const std::string &text)
-        {
-            const std::string mark = " count=", array = "<float_array";
-            for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
-            {
-                const std::size_t quote = at + mark.size();
-                const std::string digits = digitsAt(text, quote + 1);
-                if (digits.empty() || text[quote + 1 + digits.size()] != text[quote])
-                    fail(file, "is not a mesh that can be read: count=" + excerpt(text, quote) + " is not a number");
-                checkCount(file, text, digits);
-            }
-            for (std::size_t at = text.find(array); at != std::string::npos; at = text.find(array, at + 1))
-                if (const std::size_t accessor = text.find("<accessor", at);
-                    !countsSomething(text, at) && accessor != std::string::npos && countsSomething(text, accessor))
-                    fail(file, "is not a mesh that can be read: a <float_array> is empty that is made use of");
-            for (std::size_t at = text.find("<p"); at != std::string::npos; at = text.find("<p", at + 2))
-            {
-                const std::size_t open = text.find('>', at);
-                if (open == std::string::npos ||
-                    (open != at + 2 && std::isspace(static_cast<unsigned char>(text[at + 2])) == 0))
-                    continue;
-                const std::size_t wrong = text.find_first_not_of("0123456789 \t\r\n", open + 1);
-                if (wrong != std::string::npos && text[wrong] != '<')
-                    fail(file, "is not a mesh that can be read: in <p> there is '" + excerpt(text, wrong) +
-                                   "', not a number");
-            }
         }
 
         /** The extension of the name of a file that may be a mesh */
@@ -147,7 +87,7 @@ namespace ompl_certificates
                 return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, "ply");
             }
             if (kind == ".dae")
-                checkCollada(file, text);
+                checkCollada(text);
             // An OBJ file may name others that lie beside it.
             return importer.ReadFile(file, 0);
         }

@@ -159,20 +159,7 @@ namespace ompl_certificates
             const char *complaint;
         };
         const std::string ply = PLY, header = ply.substr(0, ply.find("end_header") + 11);
-        std::string huge = ply, manyFaces = ply, far = OBJ;
-        huge.replace(huge.find("vertex 3"), 8, "vertex 4000000000");
-        manyFaces.replace(manyFaces.find("face 1"), 6, "face 99999999999999999999");
-        std::string twoFaces = ply, tabs = ply;
-        twoFaces.insert(twoFaces.find("end_header"), "element face 8\n");
-        tabs.replace(tabs.find("element face 1"), 14, "element\tface\t4000000000");
-        far.replace(far.find("v 1 0 0"), 7, "v 1e12 0 0");
-        std::string indices = collada("<node><instance_geometry url=\"#g\"/></node>");
-        indices.replace(indices.find("0 1 2</p>"), 5, "0 1 x");
-        std::string array = collada("<node><instance_geometry url=\"#g\"/></node>");
-        std::string nowhere = array, noCount = array;
-        nowhere.replace(nowhere.find("count=\"9\""), 9, "count=\"0\"");
-        noCount.replace(noCount.find("count=\"9\""), 9, "count=\"x9\"");
-        array.replace(array.find("count=\"9\""), 9, "count=\"4000000000\"");
+        const std::string triangle = collada("<node><instance_geometry url=\"#g\"/></node>"), count = "count=\"9\"";
         const Broken files[] = {
             {"empty.obj", "", "is empty"},
             {"empty.dae", "", "is empty"},
@@ -188,12 +175,15 @@ namespace ompl_certificates
             {"lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "has no triangles"},
             {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", ""},
             {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""},
-            {"far.obj", far, "1e9"},
+            {"far.obj", with(OBJ, "v 1 0 0", "v 1e12 0 0"), "1e9"},
             {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ""},
-            {"huge.ply", huge, "says that it has 4000000000 of 'vertex'"},
-            {"faces.ply", manyFaces, "says that it has 99999999999999999999 of 'face'"},
-            {"tabs.ply", tabs, "says that it has 4000000000 of 'face'"},
-            {"twice.ply", twoFaces, "not one element of vertices and one of faces"},
+            {"huge.ply", with(ply, "vertex 3", "vertex 4000000000"), "says that it has 4000000000 of 'vertex'"},
+            {"faces.ply", with(ply, "face 1", "face 99999999999999999999"),
+             "says that it has 99999999999999999999 of 'face'"},
+            {"tabs.ply", with(ply, "element face 1", "element\tface\t4000000000"),
+             "says that it has 4000000000 of 'face'"},
+            {"twice.ply", with(ply, "end_header", "element face 8\nend_header"),
+             "not one element of vertices and one of faces"},
             {"short.ply", header + "0 0 0\n", "it ends after 1 of its 3 'vertex'"},
             {"list.ply", with(ply, "3 0 1 2", "4000000000 0 1 2"), "a line has fewer numbers"},
             {"digits.ply", with(ply, "3 0 1 2", std::string(99, '2') + " 0 1 2"), "not the length of a list"},
@@ -210,11 +200,20 @@ namespace ompl_certificates
              "other elements before"},
             {"format.ply", with(ply, "ascii", "binary"), "its format is neither"},
             {"line.ply", with(ply, "end_header", "elephant\nend_header"), "has a line 'elephant'"},
-            {"nowhere.dae", nowhere, "a <float_array> is empty"},
-            {"counted.dae", noCount, ": count=\"x9\""},
-            {"array.dae", array, "says that it has 4000000000 of something"},
+            {"nowhere.dae", with(triangle, count, "count=\"0\""), "a <float_array> is empty"},
+            {"counted.dae", with(triangle, count, "count=\"x9\""), ": count=\"x9\""},
+            {"array.dae", with(triangle, count, "count=\"4000000000\""), "says that it has 4000000000 of something"},
             {"header.ply", ply.substr(0, ply.find("end_header")), "its header has no line 'end_header'"},
-            {"indices.dae", indices, "in <p> there is 'x</p></tri', not a number"},
+            {"indices.dae", with(triangle, "0 1 2</p>", "0 1 x</p>"), "in <p> there is 'x', not a number"},
+            {"xml.dae", collada("<node><instance_geometry url=\"#g\"/></nod>"), "it is not XML"},
+            {"tab.dae", with(triangle, " " + count, "\tcount = '4000000000'"),
+             "says that it has 4000000000 of something"},
+            {"polygons.dae", with(triangle, "<p>", "<vcount>4000000000</vcount><p>"),
+             "in <vcount> there is '4000000000', not a number"},
+            {"corners.dae", with(triangle, "<p>", "<vcount><!-- 3 --> 500 500 500</vcount><p>"),
+             "in <vcount> there are more than there are bytes"},
+            {"names.dae", with(triangle, "0 1 2</p>", "<!-- 0 1 2 --> 0 1 &#120;</p>"),
+             "in <p> there is 'x', not a number"},
             {"count.stl", binaryStl(4000000000u, 1), ""},
             {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
             {"mesh", OBJ, "must end with .dae, .stl, .obj or .ply"},
