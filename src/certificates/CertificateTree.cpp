@@ -59,6 +59,11 @@ namespace ompl_certificates
     {
         if (limit_)
             limit_->give(stored_);
+        reset();
+    }
+
+    void CertificateTree::reset()
+    {
         buckets_.clear();
         forks_.clear();
         store_.clear();
@@ -229,6 +234,11 @@ namespace ompl_certificates
                                   std::to_string(certificate.point.z()));
         if (limit_ && !limit_->take())
             return NO_CERTIFICATE;
+        return store(certificate);
+    }
+
+    CertificateIndex CertificateTree::store(const Certificate &certificate)
+    {
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;
@@ -291,16 +301,15 @@ namespace ompl_certificates
         std::vector<Certificate> all;
         for (CertificateIndex index = 0; index < stored_; ++index)
             all.push_back(store_[index].certificate);
-        clear();
+        // Not by clear() and insert(): the limit may be lower by now.
+        reset();
         for (const Certificate &certificate : all)
             if (!std::isnan(certificate.clearance))
-                insert({certificate.point, clearanceOf(certificate)});
+                store({certificate.point, clearanceOf(certificate)});
             else  // The place of one that was removed stays empty.
             {
                 store_[store_.append()].certificate = certificate;
                 ++stored_;
-                if (limit_)
-                    limit_->take();
             }
     }
 

@@ -130,9 +130,8 @@ namespace ompl_certificates
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
             if (!part.pose.matrix().allFinite())
                 throw ompl::Exception("The pose of a body's shape must be finite");
-            const bool tilted = (part.pose.linear().col(2) - Eigen::Vector3d::UnitZ()).norm() > 1e-12;
-            if (part.shape.getMesh() && part.shape.getDimension() == 2 && tilted)
-                throw ompl::Exception("A planar mesh turns about the z axis only");
+            if (!part.shape.isInPlace(part.pose))
+                throw ompl::Exception("A planar shape turns about the z axis only, and is at z = 0 if it is no mesh");
         }
         data_ = std::make_shared<Data>();
         data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;

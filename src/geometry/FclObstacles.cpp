@@ -99,6 +99,10 @@ namespace ompl_certificates
             for (const auto &part : body.getParts())
             {
                 const Pose partPose = pose * part.pose;
+                if (!part.shape.isInPlace(partPose))
+                    throw ompl::Exception(
+                        "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "
+                        "mesh");
                 Broadphase &broadphase = dimension_ == 2 && part.shape.getMesh() ? *planarMeshes_ : *shapes_;
                 broadphase.add(part.shape.getCollisionGeometry(), partPose);
                 if (const TriangleMesh *mesh = part.shape.getMesh())
@@ -168,8 +172,6 @@ namespace ompl_certificates
 
     void FclObstacles::addTriangles(const TriangleMesh &mesh, const Pose &pose)
     {
-        if (dimension_ == 2 && (pose.linear().col(2) - Eigen::Vector3d::UnitZ()).norm() > 1e-12)
-            throw ompl::Exception("An obstacle of a planar workspace must stand upright");
         for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
         {
             if (mesh.isDegenerate(i))

@@ -221,6 +221,21 @@ namespace ompl_certificates
         throw ompl::Exception("Unknown kind of shape");
     }
 
+    bool Shape::isInPlace(const Eigen::Isometry3d &pose) const
+    {
+        constexpr double rounding = 1e-12;
+        if (dimension_ != 2)
+            return true;
+        const Eigen::Vector3d axis = pose.linear().col(2);
+        const bool isUpright = (axis - Eigen::Vector3d::UnitZ()).norm() <= rounding;
+        if (kind_ == Kind::MESH)
+            return isUpright;
+        const bool isLevel = std::abs(pose.translation().z()) <= rounding;
+        if (kind_ == Kind::CAPSULE)
+            return isLevel && std::abs(axis.z()) <= rounding;
+        return isLevel && (isUpright || kind_ == Kind::BALL);
+    }
+
     Eigen::AlignedBox3d Shape::getBounds() const
     {
         if (kind_ == Kind::POLYTOPE)

@@ -69,17 +69,30 @@ namespace ompl_certificates
                                       "could be told from those of others");
             return fingerprint;
         }
+
+        struct Knowledge
+        {
+            unsigned int dimension;
+            std::uint64_t fingerprint;
+            std::vector<Certificate> certificates;
+        };
+
+        /** What \e checker knows, and of which obstacles */
+        Knowledge knowledgeOf(const CertificateChecker &checker, const std::string &file)
+        {
+            const auto world = checker.holdObstacles();
+            return {checker.getObstacles().getDimension(), fingerprintOf(checker, file), checker.getCertificates()};
+        }
     }
 
     void saveCertificates(const CertificateChecker &checker, const std::string &file)
     {
-        const unsigned int dimension = checker.getObstacles().getDimension();
-        const std::vector<Certificate> certificates = checker.getCertificates();
+        const auto [dimension, fingerprint, certificates] = knowledgeOf(checker, file);
         std::string bytes = MAGIC;
         bytes.reserve(HEAD_BYTES + (dimension + 1) * sizeof(double) * certificates.size() + CHECKSUM_BYTES);
         append(bytes, VERSION);
         append(bytes, static_cast<std::uint32_t>(dimension));
-        append(bytes, fingerprintOf(checker, file));
+        append(bytes, fingerprint);
         append(bytes, static_cast<std::uint64_t>(certificates.size()));
         for (const Certificate &certificate : certificates)
         {
@@ -93,9 +106,10 @@ namespace ompl_certificates
 
     std::size_t loadCertificates(CertificateChecker &checker, const std::string &file)
     {
+        const std::string bytes = readTextFile(file, MOST_BYTES);
+        const auto world = checker.holdObstacles();
         const std::uint64_t fingerprint = fingerprintOf(checker, file);
         const unsigned int dimension = checker.getObstacles().getDimension();
-        const std::string bytes = readTextFile(file, MOST_BYTES);
         const auto refuse = [&file](const std::string &reason) { throw ompl::Exception(file, reason); };
 
         if (bytes.compare(0, MAGIC.size(), MAGIC) != 0)

@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
-#include "ColladaCheck.h"
+#include "ColladaText.h"
 #include "PlyText.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace ompl_certificates
     namespace
     {
         constexpr std::uintmax_t MAX_BYTES = 512u << 20u;
-        constexpr std::size_t MAX_TRIANGLES = 5000000, MAX_NODES = 1000000;
+        constexpr std::size_t MAX_TRIANGLES = 5000000, MAX_NODES = 1000000, MAX_SIZE = 5 * MAX_TRIANGLES;
         constexpr double MAX_COORDINATE = 1e9;
 
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
@@ -61,6 +61,9 @@ namespace ompl_certificates
         {
             errno = 0;
             std::error_code error;
+            // Opening a pipe would wait for who writes to it.
+            if (fs::exists(file, error) && !fs::is_regular_file(file, error))
+                fail(file, "is not a regular file");
             std::ifstream stream(file, std::ios::binary);
             if (!stream)
                 fail(file,
@@ -81,15 +84,11 @@ namespace ompl_certificates
         const aiScene *importFile(Assimp::Importer &importer, const std::string &file)
         {
             const std::string kind = kindOf(file), text = readText(file);
-            if (kind == ".ply")
-            {
-                const std::string plain = plainPly(text);
-                return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, "ply");
-            }
-            if (kind == ".dae")
-                checkCollada(text);
             // An OBJ file may name others that lie beside it.
-            return importer.ReadFile(file, 0);
+            if (kind != ".ply" && kind != ".dae")
+                return importer.ReadFile(file, 0);
+            const std::string plain = kind == ".ply" ? plainPly(text) : plainCollada(text);
+            return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, kind.c_str() + 1);
         }
 
         /** Assimp's further steps take the faces as they are, and end the program where they make no sense. */
@@ -124,6 +123,7 @@ namespace ompl_certificates
         {
             std::vector<std::pair<const aiNode *, Eigen::Affine3d>> open{
                 {scene.mRootNode, Eigen::Affine3d::Identity()}};
+            std::size_t size = 0;
             for (std::size_t count = 0; !open.empty(); ++count)
             {
                 if (count > MAX_NODES)
@@ -132,7 +132,13 @@ namespace ompl_certificates
                 open.pop_back();
                 const Eigen::Affine3d transform = parent * toEigen(node->mTransformation);
                 for (unsigned int i = 0; i < node->mNumMeshes; ++i)
-                    visit(*scene.mMeshes[node->mMeshes[i]], transform);
+                {
+                    const aiMesh &mesh = *scene.mMeshes[node->mMeshes[i]];
+                    size += mesh.mNumVertices + mesh.mNumFaces;
+                    if (size > MAX_SIZE)
+                        fail(file, "has more than " + std::to_string(MAX_SIZE) + " vertices and faces");
+                    visit(mesh, transform);
+                }
                 for (unsigned int i = 0; i < node->mNumChildren; ++i)
                     open.emplace_back(node->mChildren[i], transform);
             }

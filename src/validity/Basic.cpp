@@ -45,6 +45,7 @@ namespace ompl_certificates
 
     std::vector<Certificate> Basic::getCertificates() const
     {
+        const WorldLock::Check check(worldLock_);
         std::vector<Certificate> all;
         for (std::size_t i = 0; i < getCertificateCount(); ++i)
             all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
@@ -109,6 +110,9 @@ namespace ompl_certificates
             ++counts.exactColliding;
             return whole;
         }
+        // Where clearances do not pay, bodies are settled without.
+        if (std::any_of(fresh.begin(), fresh.end(), [](const Certificate &one) { return std::isnan(one.clearance); }))
+            return whole;
         if (!limit_->take(fresh.size()))
             return whole;
         const std::lock_guard<std::mutex> lock(insertMutex_);

@@ -23,7 +23,7 @@ namespace ompl_certificates
                                 : throw ompl::Exception("A motion validator needs a certificate checker"))
       , checker_(std::move(checker))
       , mode_(mode)
-      , scratch_(std::make_unique<MotionScratchPool>(checker_->getTeam()))
+      , scratch_(std::make_unique<MotionScratchPool>(si_->getStateSpace()))
     {
     }
 

@@ -74,7 +74,8 @@ namespace ompl_certificates
     class MotionScratchPool
     {
     public:
-        explicit MotionScratchPool(const TeamStateSpace &team) : team_(team)
+        /** \brief Scratches for states of \e team, which is a TeamStateSpace */
+        explicit MotionScratchPool(ompl::base::StateSpacePtr team) : team_(std::move(team))
         {
         }
 
@@ -89,12 +90,11 @@ namespace ompl_certificates
         {
         public:
             explicit Lease(MotionScratchPool &pool)
-              : team_(pool.team_)
-              , place_(pool.places_[threadNumber() % PLACES].scratch)
+              : place_(pool.places_[threadNumber() % PLACES].scratch)
               , scratch_(place_.exchange(nullptr, std::memory_order_acquire))
             {
                 if (!scratch_)
-                    scratch_ = new MotionScratch(team_);
+                    scratch_ = new MotionScratch(*pool.team_->as<TeamStateSpace>());
             }
 
             ~Lease()
@@ -114,7 +114,6 @@ namespace ompl_certificates
             }
 
         private:
-            const TeamStateSpace &team_;
             std::atomic<MotionScratch *> &place_;
             MotionScratch *scratch_;
         };
@@ -129,7 +128,8 @@ namespace ompl_certificates
             std::atomic<MotionScratch *> scratch{nullptr};
         };
 
-        const TeamStateSpace &team_;
+        /** Kept alive: a validator may outlive the space information that it was made for. */
+        const ompl::base::StateSpacePtr team_;
         std::array<Place, PLACES> places_;
     };
 }

@@ -38,6 +38,7 @@ namespace ompl_certificates
 
     std::vector<Certificate> ProjectedChecker::getCertificates() const
     {
+        const WorldLock::Check check(worldLock_);
         std::vector<Certificate> all, some;
         for (const auto &environment : environments_)
         {

@@ -30,6 +30,17 @@ TEST(Body, RefusesNoPartsMixedPartsAndPosesThatAreNotFinite)
     EXPECT_THROW(Body({{disc, planarPose(std::numeric_limits<double>::infinity(), 0.0)}}), ompl::Exception);
 }
 
+TEST(Body, RefusesPlanarPartsThatLeaveThePlane)
+{
+    Pose lifted = Pose::Identity(), tilted = Pose::Identity();
+    lifted.translation().z() = 0.1;
+    tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const Body::Part part = Body::box(1.0, 2.0).getParts().front();
+    EXPECT_NO_THROW(Body({{part.shape, planarPose(1.0, 2.0, 3.0)}}));
+    EXPECT_THROW(Body({{part.shape, lifted}}), ompl::Exception);
+    EXPECT_THROW(Body({{part.shape, tilted}}), ompl::Exception);
+}
+
 TEST(Body, KnowsItsDimensionAndWhetherItIsABall)
 {
     EXPECT_EQ(Body::disc(1.0).getDimension(), 2U);

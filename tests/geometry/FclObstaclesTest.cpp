@@ -1,4 +1,5 @@
 #include "support/RandomBodies.h"
+#include "support/RandomMeshes.h"
 
 #include "ompl_certificates/geometry/FclObstacles.h"
 
@@ -154,6 +155,26 @@ TEST(FclObstacles, RefuseAnotherDimensionAndPosesThatAreNotFinite)
     EXPECT_THROW(FclObstacles(2, {{Body::sphere(1.0)}}), ompl::Exception);
     EXPECT_THROW(FclObstacles(3, {{Body::disc(1.0)}}), ompl::Exception);
     EXPECT_THROW(FclObstacles(2, {{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}), ompl::Exception);
+}
+
+TEST(FclObstacles, RefuseWhatLeavesThePlane)
+{
+    const auto make = [](const Body &body, const Pose &pose) { FclObstacles(2, {{body, pose}}); };
+    Pose lifted = planarPose(1.0, 2.0, 0.5), tilted = lifted;
+    lifted.translation().z() = 0.5;
+    tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    const Body mesh = Body::planarMesh(test::boxMesh({1.0, 1.0, 1.0}));
+    for (const Body &body : {Body::disc(1.0), Body::box(1.0, 2.0), Body::planarCapsule(0.1, 1.0)})
+    {
+        EXPECT_NO_THROW(make(body, planarPose(1.0, 2.0, 0.5)));
+        EXPECT_THROW(make(body, lifted), ompl::Exception);
+        if (!body.isBall())
+        {
+            EXPECT_THROW(make(body, tilted), ompl::Exception);
+        }
+    }
+    EXPECT_NO_THROW(make(mesh, lifted));
+    EXPECT_THROW(make(mesh, tilted), ompl::Exception);
 }
 
 TEST(FclObstacles, CountAPointRobotAsABody)

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
+#include <sys/stat.h>
 
 namespace ompl_certificates
 {
@@ -238,6 +239,68 @@ namespace ompl_certificates
         EXPECT_THROW(MeshFile(folder / "missing.obj"), ompl::Exception);
         EXPECT_THROW(MeshFile(folder / ""), ompl::Exception);
         EXPECT_THROW(MeshFile(""), ompl::Exception);
+    }
+
+    TEST(MeshFile, RefusesColladaNodesWithoutEnd)
+    {
+        const Folder folder;
+        const std::string geometry = "<instance_geometry url=\"#g\"/>";
+        const auto instance = [](const std::string &of) { return "<instance_node url=\"#" + of + "\"/>"; };
+        const auto node = [](const std::string &name, const std::string &content)
+        { return "<node id=\"" + name + "\" name=\"" + name + "\">" + content + "</node>"; };
+        const auto read = [&](const std::string &nodes, const std::string &library)
+        {
+            const std::string text = with(collada(nodes), "<library_visual_scenes>",
+                                          "<library_nodes>" + library + "</library_nodes><library_visual_scenes>");
+            return MeshFile(folder.write("a.dae", text)).getMesh()->getTriangles().size();
+        };
+        const auto repeated = [](const std::string &text, unsigned int times)
+        {
+            std::string all;
+            for (unsigned int i = 0; i < times; ++i)
+                all += text;
+            return all;
+        };
+        std::string doubling = node("n0", geometry);
+        for (int i = 1; i < 40; ++i)
+        {
+            const std::string below = instance("n" + std::to_string(i - 1));
+            doubling += node("n" + std::to_string(i), below + below);
+        }
+        EXPECT_EQ(read(node("a", instance("n2") + node("n2", "")), doubling), 4U);
+        EXPECT_THROW(read(node("a", instance("n39")), doubling), ompl::Exception);
+        EXPECT_THROW(read(node("a", instance("a")), ""), ompl::Exception);
+        EXPECT_THROW(read(node("a", instance("b")), node("b", instance("c")) + node("c", instance("b"))),
+                     ompl::Exception);
+        EXPECT_THROW(read(repeated("<node>", 2000) + geometry + repeated("</node>", 2000), ""), ompl::Exception);
+        EXPECT_THROW(read(node("a", geometry), repeated("<x>", 200000) + repeated("</x>", 200000)), ompl::Exception);
+        // What is looked for once for each would take hours.
+        EXPECT_EQ(read(node("a", geometry), repeated("<float_array/>", 200000)), 1U);
+        EXPECT_THROW(read(node("a", repeated(geometry, 20) + repeated(instance("n14"), 60)), doubling),
+                     ompl::Exception);
+    }
+
+    TEST(MeshFile, ReadsSkinsWithoutTheirBones)
+    {
+        const Folder folder;
+        const std::string controllers =
+            "<library_controllers><controller id=\"c\"><skin source=\"#g\"><source id=\"j\"><Name_array id=\"ja\" "
+            "count=\"1\">bone</Name_array><technique_common><accessor source=\"#ja\" count=\"1\" stride=\"1\"/>"
+            "</technique_common></source><joints><input semantic=\"JOINT\" source=\"#j\"/></joints><vertex_weights "
+            "count=\"3\"><input semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" source=\"#j\" "
+            "offset=\"1\"/><vcount>999999999 1 1</vcount><v>0 99999999 7777777 0 0 0</v></vertex_weights></skin>"
+            "</controller></library_controllers><library_visual_scenes>";
+        const std::string text =
+            with(collada("<node><instance_controller url=\"#c\"/></node>"), "<library_visual_scenes>", controllers);
+        const MeshFile file(folder.write("a.dae", text));
+        EXPECT_EQ(file.getMesh()->getTriangles().size(), 1u);
+    }
+
+    TEST(MeshFile, DoesNotWaitForAPipe)
+    {
+        const Folder folder;
+        ASSERT_EQ(mkfifo((folder / "pipe.stl").c_str(), 0600), 0);
+        EXPECT_THROW(MeshFile(folder / "pipe.stl"), ompl::Exception);
     }
 
     TEST(MeshFile, ReadsAllFormsOfPly)

@@ -90,10 +90,8 @@ TEST_P(ChangingObstacles, LeaveVerdictsAndClearancesOfFreshCheckers)
                 {
                     const Obstacles &obstacles = fresh.standard().getTeamChecker()->getObstacles();
                     const double clearance = obstacles.clearance(certificate.point);
-                    if (setup->getTeamChecker()->getMethodName() == "basic")
-                        ASSERT_LE(certificate.clearance, clearance + obstacles.getTolerance());
-                    else
-                        ASSERT_NEAR(certificate.clearance, clearance, obstacles.getTolerance());
+                    ASSERT_NEAR(certificate.clearance, clearance, obstacles.getTolerance())
+                        << setup->getTeamChecker()->getMethodName();
                 }
             disturb(random, set, there, dimension, meshes);
             const ObstacleChange change = set.takeChange();
@@ -173,6 +171,73 @@ TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
     first.join();
     second.join();
     EXPECT_EQ(wrong, 0U);
+}
+
+TEST_F(ChangingObstacles, WaitWhileTheyAreHeld)
+{
+    const TeamStateSpacePtr team = teamOfDiscs();
+    for (const Method method : {Method::BASIC, Method::SHARED_PROJECTION})
+    {
+        Random random(3);
+        ObstacleSet set(2);
+        for (int i = 0; i < 40; ++i)
+            set.add(randomObstacle(random, 2, false));
+        const ObstacleSet::Id crate = set.add({Body::box(1.0, 1.0)});
+        TeamSetup setup(team, set.takeChange().after, method);
+        setup.getSpaceInformation()->setup();
+        const auto checker = setup.getCertificateChecker();
+        checker->setAdaptive(false);
+        std::atomic<bool> done{false};
+        std::atomic<std::size_t> seen{0}, wrong{0};
+        std::thread reader(
+            [&]
+            {
+                while (!done)
+                {
+                    const auto world = checker->holdObstacles();
+                    const Obstacles &obstacles = checker->getObstacles();
+                    for (const Certificate &certificate : checker->getCertificates())
+                    {
+                        ++seen;
+                        if (!(std::abs(certificate.clearance - obstacles.clearance(certificate.point)) < 1e-3))
+                            ++wrong;
+                    }
+                }
+            });
+        for (int i = 0; i < 200; ++i)
+        {
+            for (int k = 0; k < 3; ++k)
+                checker->isValid(randomState(random, team).get());
+            set.move(crate, planarPose(random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0)));
+            checker->changeObstacles(set.takeChange());
+        }
+        done = true;
+        reader.join();
+        EXPECT_GT(seen, 0U) << checker->getMethodName() << " " << checker->getCertificateCount();
+        EXPECT_EQ(wrong, 0U);
+    }
+}
+
+TEST_F(ChangingObstacles, KeepCertificatesOverALimitThatWasLowered)
+{
+    Random random(4);
+    const TeamStateSpacePtr team = teamOfDiscs();
+    ObstacleSet set(2);
+    for (int i = 0; i < 40; ++i)
+        set.add(randomObstacle(random, 2, false));
+    TeamSetup setup(team, set.takeChange().after);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getCertificateChecker();
+    checker->setAdaptive(false);
+    for (int i = 0; i < 100; ++i)
+        checker->isValid(randomState(random, team).get());
+    const std::size_t before = checker->getCertificateCount(), kept = checker->getKeptCertificates();
+    ASSERT_GT(before, 20U);
+    checker->setMaxCertificates(10);
+    set.add({Body::box(1.0, 1.0)});
+    checker->changeObstacles(set.takeChange());
+    EXPECT_EQ(checker->getCertificateCount(), before);
+    EXPECT_EQ(checker->getKeptCertificates(), kept);
 }
 
 namespace

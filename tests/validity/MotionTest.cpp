@@ -144,4 +144,21 @@ TEST_P(Motions, FromAStateToItselfAreAsValidAsTheState)
     }
 }
 
+/** With the address sanitizer, this fails if the validator leans on what it does not own. */
+TEST_P(Motions, LeaveAValidatorThatOutlivesItsSetup)
+{
+    ob::MotionValidatorPtr validator;
+    Random random(1);
+    {
+        const TeamStateSpacePtr team = anyTeam(GetParam());
+        TeamSetup setup(team, scatteredObstacles(random, team->getWorkspaceDimension(), 5));
+        setup.getSpaceInformation()->setup();
+        validator = setup.getSpaceInformation()->getMotionValidator();
+        const ob::ScopedState<> from = randomState(random, team), to = randomState(random, team);
+        validator->checkMotion(from.get(), to.get());
+    }
+    EXPECT_EQ(validator.use_count(), 1);
+    validator.reset();
+}
+
 INSTANTIATE_TEST_SUITE_P(Kind, Motions, testing::Range(0U, TEAMS));

@@ -132,6 +132,23 @@ TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
     }
 }
 
+TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
+{
+    const auto obstacles = [](const Heights &heights)
+    {
+        const Body wall = Body::planarMesh(boxMesh({1.0, 1.0, 9.0}));
+        return std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{wall}}, heights);
+    };
+    const Heights all = planarMeshTeam()->getHeights();
+    EXPECT_NO_THROW(TeamSetup(planarMeshTeam(), obstacles(all)));
+    EXPECT_THROW(TeamSetup(planarMeshTeam(), obstacles({all.low, 0.5 * all.high})), ompl::Exception);
+    // Primitives reach through all heights.
+    EXPECT_NO_THROW(TeamSetup(teamOfDiscs(), obstacles({})));
+    EXPECT_THROW(TeamSetup(teamOfDiscs(), obstacles(all)), ompl::Exception);
+    TeamSetup setup(teamOfDiscs(), obstacles({}));
+    EXPECT_THROW(setup.getTeamChecker()->changeObstacles({obstacles(all), {}, {}}), ompl::Exception);
+}
+
 TEST(Checkers, RefuseSpacesThatAreNotTeams)
 {
     const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());

@@ -87,7 +87,8 @@ namespace ompl_certificates
         Covering covering(const BallQuery &query) const;
 
         /** \brief Like covering(), but searched from the leaf of certificate \e seed upwards. A seed that is not in the tree
-            is ignored. The answer may be another certificate; whether there is one does not depend on the seed. */
+            is ignored. The answer may be another certificate; whether there is one does not depend on the seed. The
+            checkers do without: they ask the seed itself by coveringBy(), and once it has failed, the root is as near. */
         Covering covering(const BallQuery &query, CertificateIndex seed) const;
 
         /** \brief What certificate \e index alone proves of \e query; nothing if there is none of that index. Cost: 5 ns. */
@@ -248,6 +249,12 @@ namespace ompl_certificates
         template <int DIMENSION>
         struct CoverSearch;
         struct NearSearch;
+
+        /** \brief Forget all, but for the places that the limit gave */
+        void reset();
+
+        /** \brief insert() with a place that the limit gave */
+        CertificateIndex store(const Certificate &certificate);
 
         Bucket *newBucket(Fork *fork);
         Fork *newFork(Bucket *bucket, Fork *parent);

@@ -49,8 +49,8 @@ namespace ompl_certificates
         /** \brief Whether the obstacles were asked */
         bool asked{false};
 
-        /** \brief If they were: the clearance of the center of the body's enclosing ball */
-        double clearance{0.0};
+        /** \brief The clearance of the center of the body's enclosing ball; not a number if it was not measured */
+        double clearance{std::numeric_limits<double>::quiet_NaN()};
     };
 
     /** \brief Proves from certificates that a body is free: refines its cover where \e lookup, a function from a BallQuery to a

@@ -29,19 +29,20 @@ namespace ompl_certificates
     {
     public:
         /** \brief Obstacles in a workspace of \e dimension 2 or 3, possibly none
-            \param heights in the plane: how far up and down the robots reach; what planar meshes have above or below never
-            counts
-            \throws ompl::Exception if one has another dimension or a pose that is not finite, or if a planar mesh is
-            tilted */
+            \param heights in the plane: how far up and down the robots reach, which TeamStateSpace::getHeights() tells; what
+            planar meshes have above or below does not count then. Checkers refuse robots that reach farther; primitives
+            reach through all heights.
+            \throws ompl::Exception if one has another dimension or a pose that is not finite, or if one in the plane is
+            tilted or, being no mesh, not at z = 0 */
         FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const Heights &heights = {});
 
         /** \brief Obstacles from the collision objects of an FCL program: spheres, boxes, capsules, cylinders, convex
             polytopes and meshes (fcl::BVHModel of OBBRSS or OBB) at their present poses.
 
-            For a planar workspace (\e dimension 2) they are taken for their outline seen from above: boxes and
-            cylinders that stand upright, spheres, and convex polytopes, which are taken for upright prisms. Meshes stand
-            upright and are taken as they are.
-            \throws ompl::Exception if an object is null, of another kind, or not upright in a planar workspace */
+            For a planar workspace (\e dimension 2) they are taken for their outline seen from above: boxes, cylinders and
+            capsules, which must stand upright, spheres, and convex polytopes, however they lie. Meshes must stand upright
+            and are taken as they are.
+            \throws ompl::Exception if an object is null, of another kind, or not upright where it must be */
         explicit FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                               unsigned int dimension = 3, const Heights &heights = {});
 
@@ -50,6 +51,11 @@ namespace ompl_certificates
         unsigned int getDimension() const override
         {
             return dimension_;
+        }
+
+        Heights getHeights() const override
+        {
+            return heights_;
         }
 
         bool collides(const Body &body, const Pose &pose) const override;

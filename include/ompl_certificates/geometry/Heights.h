@@ -18,6 +18,12 @@ namespace ompl_certificates
             return {std::min(low, other.low), std::max(high, other.high)};
         }
 
+        /** \brief Whether \e other is within this range */
+        bool contain(const Heights &other) const
+        {
+            return low <= other.low && other.high <= high;
+        }
+
         /** \brief What both have in common; low > high if nothing */
         Heights intersectedWith(const Heights &other) const
         {

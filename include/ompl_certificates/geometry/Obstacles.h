@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_OBSTACLES_
 
 #include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/Heights.h"
 #include "ompl_certificates/geometry/Pose.h"
 
 #include <cstdint>
@@ -27,6 +28,12 @@ namespace ompl_certificates
 
         /** \brief The dimension of the workspace: 2 or 3 */
         virtual unsigned int getDimension() const = 0;
+
+        /** \brief In the plane: how far up and down bodies may reach that these obstacles are asked about */
+        virtual Heights getHeights() const
+        {
+            return {};
+        }
 
         /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for. */
         virtual bool collides(const Body &body, const Pose &pose) const = 0;

@@ -16,7 +16,8 @@ namespace ompl_certificates
         In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator. In
         continuous mode a motion is accepted only if certified stretches cover all of it, so that nothing can be between
         two samples; a robot that passes closer to an obstacle than its finest covering balls and the tolerance allow is
-        then taken to collide. May be used by many threads at once. */
+        then taken to collide. So is one in SE(3) that turns by less than 2e-4 rad, but turns, unless it is a ball about
+        its origin: OMPL's interpolation makes such a turn in one jump. May be used by many threads at once. */
     class CertificateMotionValidator : public ompl::base::MotionValidator
     {
     public:

@@ -23,7 +23,7 @@ namespace ompl_certificates
         /** \brief A checker for the team of \e si, whose state space must be a TeamStateSpace with all its robots; it is
             locked, so that no robot can be added later.
             \throws ompl::Exception if it is not, if the team is empty, if \e obstacles is null, or if the obstacles'
-            workspace is not the team's */
+            workspace or heights are not the team's */
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles);
 
         bool isValid(const ompl::base::State *state) const override;
@@ -53,8 +53,15 @@ namespace ompl_certificates
 
             Threads may be checking: the change waits until their checks are done, and checks that begin meanwhile wait
             for it. What a planner has found before is not checked again: clear the planner before it plans on.
-            \throws ompl::Exception if there are none, or of another workspace, or from within a check */
+            \throws ompl::Exception if there are none, or of another workspace or other heights, or from within a check */
         void changeObstacles(const ObstacleChange &change);
+
+        /** \brief Let no change of the obstacles come for as long as what is returned lives, which must be in this thread: so
+            that what is asked of the checker meanwhile is all of one world. */
+        WorldLock::Check holdObstacles() const
+        {
+            return WorldLock::Check(worldLock_);
+        }
 
         /** \brief The obstacles; those before a change are gone after it */
         const Obstacles &getObstacles() const
