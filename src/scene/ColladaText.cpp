@@ -145,6 +145,8 @@ namespace ompl_certificates
             public:
                 bool for_each(pugi::xml_node &node) override
                 {
+                    if (static_cast<std::size_t>(depth()) >= MOST_LEVELS)
+                        fail("its elements are nested in more than " + std::to_string(MOST_LEVELS) + " levels");
                     if (std::strcmp(node.name(), "instance_controller") == 0)
                         shown.push_back(node);
                     if (std::strcmp(node.name(), "controller") == 0)
@@ -184,8 +186,6 @@ namespace ompl_certificates
             {
                 const std::string_view name = node.name();
                 checkCounts(node, bytes_);
-                if (static_cast<std::size_t>(depth()) >= MOST_LEVELS)
-                    fail("its elements are nested in more than " + std::to_string(MOST_LEVELS) + " levels");
                 if (name == "node")
                     expansion_.add(node);
                 // Assimp reads from nowhere where an accessor is of an empty array.

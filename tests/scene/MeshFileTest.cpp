@@ -274,6 +274,11 @@ namespace ompl_certificates
                      ompl::Exception);
         EXPECT_THROW(read(repeated("<node>", 2000) + geometry + repeated("</node>", 2000), ""), ompl::Exception);
         EXPECT_THROW(read(node("a", geometry), repeated("<x>", 200000) + repeated("</x>", 200000)), ompl::Exception);
+        // Removing these takes as many calls of a function within itself.
+        const std::string text = with(collada(node("a", geometry)), "<library_visual_scenes>",
+                                      "<library_controllers>" + repeated("<x>", 400000) + repeated("</x>", 400000) +
+                                          "</library_controllers><library_visual_scenes>");
+        EXPECT_THROW(MeshFile(folder.write("b.dae", text)), ompl::Exception);
         // What is looked for once for each would take hours.
         EXPECT_EQ(read(node("a", geometry), repeated("<float_array/>", 200000)), 1U);
         EXPECT_THROW(read(node("a", repeated(geometry, 20) + repeated(instance("n14"), 60)), doubling),
