@@ -10,6 +10,8 @@ namespace ompl_certificates
 {
     /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY, read by Assimp.
 
+        Bones and animations are left out. COLLADA and PLY files are checked as a whole first, since Assimp believes them.
+
         All meshes of the file are taken together, where its nodes place them, in the file's unit. COLLADA files are
         brought to the y axis up, as Assimp and OMPL.app do it; files of the other kinds are taken as they are. Polygons
         are cut into triangles; lines and points are left out. Open meshes, triangles given twice and triangles without
