@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -88,67 +89,92 @@ namespace ompl_certificates
             return kept;
         }
 
-        /** Every plane through three points that has no point beyond it is a face. */
-        ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double tolerance)
+        /** Finds the faces of a polytope: every plane through three points that has no point beyond it is one. */
+        class FaceSearch
         {
-            ConvexHull hull;
-            const std::vector<Eigen::Vector3d> points = distinct(given, tolerance);
-            std::vector<std::vector<std::size_t>> known;
-            const std::size_t count = points.size();
-            const auto addFace = [&](std::size_t i, std::size_t j, std::size_t k)
+        public:
+            FaceSearch(const std::vector<Eigen::Vector3d> &points, double tolerance)
+              : points_(points), tolerance_(tolerance)
             {
-                Eigen::Vector3d normal = (points[j] - points[i]).cross(points[k] - points[i]);
-                const double scale = (points[j] - points[i]).norm() + (points[k] - points[i]).norm();
-                if (normal.norm() <= tolerance * scale)
+            }
+
+            std::vector<ConvexHull::Face> run()
+            {
+                for (std::size_t i = 0; i < points_.size(); ++i)
+                    for (std::size_t j = i + 1; j < points_.size(); ++j)
+                        for (std::size_t k = j + 1; k < points_.size(); ++k)
+                            lookAt({i, j, k});
+                return std::move(faces_);
+            }
+
+        private:
+            void lookAt(const std::array<std::size_t, 3> &three)
+            {
+                const Eigen::Vector3d &from = points_[three[0]], a = points_[three[1]] - from,
+                                      b = points_[three[2]] - from;
+                const Eigen::Vector3d normal = a.cross(b);
+                if (normal.norm() <= tolerance_ * (a.norm() + b.norm()))
                     return;
-                normal.normalize();
                 // Three points that are not on a line lie in one plane only. Two faces may well share more than two
                 // points: all those of their common edge.
-                const auto holdsAllThree = [&](const std::vector<std::size_t> &face)
+                const auto holdsAllThree = [&](const std::vector<std::size_t> &plane)
                 {
-                    const auto holds = [&face](std::size_t v)
-                    { return std::binary_search(face.begin(), face.end(), v); };
-                    return holds(i) && holds(j) && holds(k);
+                    return std::all_of(three.begin(), three.end(),
+                                       [&](std::size_t v)
+                                       { return std::binary_search(plane.begin(), plane.end(), v); });
                 };
-                if (std::any_of(known.begin(), known.end(), holdsAllThree))
+                if (std::any_of(planes_.begin(), planes_.end(), holdsAllThree))
                     return;
                 for (const double sign : {1.0, -1.0})
-                {
-                    const Eigen::Vector3d outward = sign * normal;
-                    double offset = outward.dot(points[i]);
-                    const auto beyond = [&](const Eigen::Vector3d &p) { return outward.dot(p) > offset + tolerance; };
-                    if (std::any_of(points.begin(), points.end(), beyond))
-                        continue;
-                    std::vector<std::size_t> corners;
-                    for (std::size_t v = 0; v < count; ++v)
-                        if (outward.dot(points[v]) >= offset - tolerance)
-                            corners.push_back(v);
-                    known.push_back(corners);
-                    // Put the corners in the plane's own coordinates and let the planar hull order them.
-                    const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
-                    std::vector<Eigen::Vector3d> flat;
-                    flat.reserve(corners.size());
-                    for (const std::size_t v : corners)
-                        flat.emplace_back(x.dot(points[v] - points[i]), y.dot(points[v] - points[i]), 0.0);
-                    ConvexHull::Face face{outward, offset, {}};
-                    for (const Eigen::Vector3d &vertex : outlineOf(flat, tolerance * tolerance))
-                        face.vertices.push_back(corners[static_cast<std::size_t>(
-                            std::find(flat.begin(), flat.end(), vertex) - flat.begin())]);
-                    if (face.vertices.size() >= 3)
-                        hull.faces.push_back(std::move(face));
-                }
-            };
-            for (std::size_t i = 0; i < count; ++i)
-                for (std::size_t j = i + 1; j < count; ++j)
-                    for (std::size_t k = j + 1; k < count; ++k)
-                        addFace(i, j, k);
+                    addFace(sign * normal.normalized(), from);
+            }
 
+            /** Add the face in the plane through \e from, if no point is beyond it. */
+            void addFace(const Eigen::Vector3d &outward, const Eigen::Vector3d &from)
+            {
+                const double offset = outward.dot(from);
+                std::vector<std::size_t> plane;
+                for (std::size_t v = 0; v < points_.size(); ++v)
+                {
+                    const double height = outward.dot(points_[v]);
+                    if (height > offset + tolerance_)
+                        return;
+                    if (height >= offset - tolerance_)
+                        plane.push_back(v);
+                }
+                // Put the points in the plane's own coordinates and let the planar hull order them.
+                const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
+                std::vector<Eigen::Vector3d> flat;
+                flat.reserve(plane.size());
+                for (const std::size_t v : plane)
+                    flat.emplace_back(x.dot(points_[v] - from), y.dot(points_[v] - from), 0.0);
+                ConvexHull::Face face{outward, offset, {}};
+                for (const Eigen::Vector3d &corner : outlineOf(flat, tolerance_ * tolerance_))
+                    face.vertices.push_back(
+                        plane[static_cast<std::size_t>(std::find(flat.begin(), flat.end(), corner) - flat.begin())]);
+                if (face.vertices.size() >= 3)
+                    faces_.push_back(std::move(face));
+                planes_.push_back(std::move(plane));
+            }
+
+            const std::vector<Eigen::Vector3d> &points_;
+            double tolerance_;
+            /** The points in the plane of each face, in order */
+            std::vector<std::vector<std::size_t>> planes_;
+            std::vector<ConvexHull::Face> faces_;
+        };
+
+        ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double tolerance)
+        {
+            const std::vector<Eigen::Vector3d> points = distinct(given, tolerance);
+            ConvexHull hull;
+            hull.faces = FaceSearch(points, tolerance).run();
             // Keep the points that are corners, and number them anew.
-            std::vector<std::size_t> newIndex(count, count);
+            std::vector<std::size_t> newIndex(points.size(), points.size());
             for (auto &face : hull.faces)
                 for (auto &vertex : face.vertices)
                 {
-                    if (newIndex[vertex] == count)
+                    if (newIndex[vertex] == points.size())
                     {
                         newIndex[vertex] = hull.vertices.size();
                         hull.vertices.push_back(points[vertex]);

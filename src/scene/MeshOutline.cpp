@@ -45,6 +45,74 @@ namespace ompl_certificates
                 open.emplace_back(from, middle);
             }
         }
+
+        /** A closed line through \e corners, simplified in two halves */
+        MeshOutline::Loop simplified(MeshOutline::Loop corners, double tolerance)
+        {
+            corners.push_back(corners.front());
+            const std::size_t half = corners.size() / 2;
+            MeshOutline::Loop result;
+            simplify(corners, 0, half, tolerance, result);
+            simplify(corners, half, corners.size() - 1, tolerance, result);
+            return result;
+        }
+
+        /** The sides of cells between inside and outside, each with the inside to its left. From each corner of cells they
+            leave in at most two of the directions +x, +y, -x, -y. */
+        class Sides
+        {
+        public:
+            Sides(int width, int height)
+              : width_(width), directions_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0)
+            {
+            }
+
+            void add(int x, int y, unsigned int direction)
+            {
+                at(x, y) = static_cast<std::uint8_t>(at(x, y) | (1u << direction));
+            }
+
+            /** Whether any leaves a corner */
+            bool leave(int x, int y)
+            {
+                return at(x, y) != 0;
+            }
+
+            /** Take the sides out that lead from a corner back to it, and return the corners on the way. */
+            MeshOutline::Loop takeLine(int x, int y)
+            {
+                constexpr int STEP_X[] = {1, 0, -1, 0}, STEP_Y[] = {0, 1, 0, -1};
+                MeshOutline::Loop corners;
+                int column = x, row = y;
+                unsigned int direction = 0;
+                do
+                {
+                    std::uint8_t &leaving = at(column, row);
+                    // Where two lines meet, turning left keeps cells that touch at a corner apart.
+                    for (const unsigned int turn : {1u, 0u, 3u, 2u})
+                        if ((leaving >> ((direction + turn) % 4u)) & 1u)
+                        {
+                            direction = (direction + turn) % 4u;
+                            break;
+                        }
+                    leaving = static_cast<std::uint8_t>(leaving & ~(1u << direction));
+                    corners.emplace_back(column, row);
+                    column += STEP_X[direction];
+                    row += STEP_Y[direction];
+                } while (column != x || row != y);
+                return corners;
+            }
+
+        private:
+            std::uint8_t &at(int x, int y)
+            {
+                return directions_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                   static_cast<std::size_t>(x)];
+            }
+
+            int width_;
+            std::vector<std::uint8_t> directions_;
+        };
     }
 
     MeshOutline::MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side)
@@ -106,74 +174,45 @@ namespace ompl_certificates
             }
     }
 
+    bool MeshOutline::isInside(int column, int row, double level) const
+    {
+        if (column < 0 || row < 0 || column >= columns_ || row >= rows_)
+            return false;
+        const float nearest = nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                                       static_cast<std::size_t>(column)];
+        return nearest != NOTHING && nearest >= static_cast<float>(level);
+    }
+
     std::vector<MeshOutline::Loop> MeshOutline::trace(double level) const
     {
-        const auto isInside = [&](int column, int row)
-        {
-            return column >= 0 && row >= 0 && column < columns_ && row < rows_ &&
-                   nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                            static_cast<std::size_t>(column)] >= static_cast<float>(level) &&
-                   nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                            static_cast<std::size_t>(column)] != NOTHING;
-        };
-        // Lines run along the sides of cells, what is inside to their left; from each corner they leave in at most two
-        // of the directions +x, +y, -x, -y, one bit each.
-        const int width = columns_ + 1;
-        std::vector<std::uint8_t> leaving(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_ + 1), 0);
-        const auto at = [&](int x, int y) -> std::uint8_t & {
-            return leaving[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-        };
+        Sides sides(columns_ + 1, rows_ + 1);
         for (int row = 0; row < rows_; ++row)
             for (int column = 0; column < columns_; ++column)
             {
-                if (!isInside(column, row))
+                if (!isInside(column, row, level))
                     continue;
-                const auto set = [&](int x, int y, unsigned int direction)
-                { at(x, y) = static_cast<std::uint8_t>(at(x, y) | (1u << direction)); };
-                if (!isInside(column, row - 1))
-                    set(column, row, 0);
-                if (!isInside(column + 1, row))
-                    set(column + 1, row, 1);
-                if (!isInside(column, row + 1))
-                    set(column + 1, row + 1, 2);
-                if (!isInside(column - 1, row))
-                    set(column, row + 1, 3);
+                if (!isInside(column, row - 1, level))
+                    sides.add(column, row, 0);
+                if (!isInside(column + 1, row, level))
+                    sides.add(column + 1, row, 1);
+                if (!isInside(column, row + 1, level))
+                    sides.add(column + 1, row + 1, 2);
+                if (!isInside(column - 1, row, level))
+                    sides.add(column, row + 1, 3);
             }
-        constexpr int STEP_X[] = {1, 0, -1, 0}, STEP_Y[] = {0, 1, 0, -1};
+        constexpr std::size_t SPECK = 8;
         std::vector<Loop> loops;
         for (int y = 0; y <= rows_; ++y)
             for (int x = 0; x <= columns_; ++x)
-                while (at(x, y) != 0)
+                while (sides.leave(x, y))
                 {
-                    Loop corners;
-                    int column = x, row = y;
-                    unsigned int direction = 0;
-                    do
-                    {
-                        std::uint8_t &bits = at(column, row);
-                        // Where two lines meet, turning left keeps cells that touch at a corner apart.
-                        for (const unsigned int turn : {1u, 0u, 3u, 2u})
-                            if ((bits >> ((direction + turn) % 4u)) & 1u)
-                            {
-                                direction = (direction + turn) % 4u;
-                                break;
-                            }
-                        bits = static_cast<std::uint8_t>(bits & ~(1u << direction));
-                        corners.push_back(low_ + side_ * Eigen::Vector2d(column, row));
-                        column += STEP_X[direction];
-                        row += STEP_Y[direction];
-                    } while (column != x || row != y);
-                    constexpr std::size_t SPECK = 8;
+                    Loop corners = sides.takeLine(x, y);
                     if (corners.size() < SPECK)
                         continue;
-                    // A closed line is simplified in two halves.
-                    corners.push_back(corners.front());
-                    const std::size_t half = corners.size() / 2;
-                    Loop smooth;
-                    simplify(corners, 0, half, 0.8 * side_, smooth);
-                    simplify(corners, half, corners.size() - 1, 0.8 * side_, smooth);
-                    if (smooth.size() > 2)
-                        loops.push_back(smooth);
+                    for (Eigen::Vector2d &corner : corners)
+                        corner = low_ + side_ * corner;
+                    if (Loop smooth = simplified(std::move(corners), 0.8 * side_); smooth.size() > 2)
+                        loops.push_back(std::move(smooth));
                 }
         return loops;
     }

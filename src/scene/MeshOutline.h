@@ -30,6 +30,9 @@ namespace ompl_certificates
         /** \brief Note in the cell at \e point, in cells, that something is \e near; outside of the grid nothing happens */
         void mark(double x, double y, float near);
 
+        /** \brief Whether the nearest triangle of a cell is at \e level or nearer */
+        bool isInside(int column, int row, double level) const;
+
         Eigen::Vector2d low_;
         double side_;
         int columns_, rows_;

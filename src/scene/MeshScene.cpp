@@ -205,6 +205,51 @@ namespace ompl_certificates
 
             std::vector<bool> right_, above_;
         };
+
+        std::string knotMesh()
+        {
+            MeshBuilder knot;
+            knot.addTube(
+                [](double t)
+                {
+                    const double angle = 4.0 * PI * t, around = 2.0 + std::cos(1.5 * angle);
+                    return Eigen::Vector3d(around * std::cos(angle), around * std::sin(angle), std::sin(1.5 * angle));
+                },
+                0.25, 128, 10);
+            return knot.toObj();
+        }
+
+        std::string gearMesh(double reach)
+        {
+            MeshBuilder gear;
+            gear.addRing(circleOf(72, [&](unsigned int i) { return i % 6 < 3 ? reach : 1.15; }),
+                         circleOf(72, [](unsigned int) { return 0.6; }), -0.2, 0.2);
+            return gear.toObj();
+        }
+
+        /** Of some places with coordinates between \e low and \e high, the one that is farthest from \e balls */
+        Eigen::Vector3d lonelyPlace(const std::vector<PlacedBody> &balls, double low, double high, SeededRandom &random)
+        {
+            constexpr int PLACES = 20;
+            Eigen::Vector3d result;
+            double farthest = -std::numeric_limits<double>::infinity();
+            for (int i = 0; i < PLACES; ++i)
+            {
+                Eigen::Vector3d place;
+                for (double &coordinate : place)
+                    coordinate = rounded(random.uniform(low, high), 0.01);
+                double distance = std::numeric_limits<double>::infinity();
+                for (const PlacedBody &ball : balls)
+                    distance = std::min(distance, (ball.pose.translation() - place).norm() -
+                                                      ball.body.getParts().front().shape.getRadius());
+                if (distance > farthest)
+                {
+                    farthest = distance;
+                    result = place;
+                }
+            }
+            return result;
+        }
     }
 
     MeshScene MeshScene::maze(const Settings &settings)
@@ -333,16 +378,6 @@ namespace ompl_certificates
         SeededRandom random(settings.seed);
         constexpr double SIZE = 40.0, KNOT_REACH = 3.3, GEAR_REACH = 1.5;
         constexpr unsigned int KNOTS = 12;
-        MeshBuilder knot, gear;
-        knot.addTube(
-            [](double t)
-            {
-                const double angle = 4.0 * PI * t, around = 2.0 + std::cos(1.5 * angle);
-                return Eigen::Vector3d(around * std::cos(angle), around * std::sin(angle), std::sin(1.5 * angle));
-            },
-            0.25, 128, 10);
-        gear.addRing(circleOf(72, [](unsigned int i) { return i % 6 < 3 ? GEAR_REACH : 1.15; }),
-                     circleOf(72, [](unsigned int) { return 0.6; }), -0.2, 0.2);
 
         MeshScene scene;
         scene.yaml_ = headOf("Gears of two sizes among knots.", "knots", settings) +
@@ -351,24 +386,7 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < KNOTS; ++i)
         {
             const double scale = rounded(random.uniform(2.0, 3.0), 0.01), reach = scale * KNOT_REACH;
-            // Of some places, the one that is farthest from the knots before
-            Eigen::Vector3d center;
-            double farthest = -std::numeric_limits<double>::infinity();
-            for (int k = 0; k < 20; ++k)
-            {
-                Eigen::Vector3d place;
-                for (double &coordinate : place)
-                    coordinate = rounded(random.uniform(0.9 * reach, SIZE - 0.9 * reach), 0.01);
-                double distance = SIZE;
-                for (const PlacedBody &other : obstacles)
-                    distance = std::min(distance, (other.pose.translation() - place).norm() -
-                                                      other.body.getParts().front().shape.getRadius());
-                if (distance > farthest)
-                {
-                    farthest = distance;
-                    center = place;
-                }
-            }
+            const Eigen::Vector3d center = lonelyPlace(obstacles, 0.9 * reach, SIZE - 0.9 * reach, random);
             const std::vector<double> turn = randomTurn(random);
             scene.yaml_ += "    - {type: mesh, file: @knot.obj, scale: " + std::to_string(scale).substr(0, 4) +
                            ", center: " + listOf({center.x(), center.y(), center.z()}) +
@@ -399,7 +417,7 @@ namespace ompl_certificates
                                    std::string("{type: mesh, file: @gear.obj") + (scale < 1.0 ? ", scale: 0.7}" : "}"),
                                    start, state(goals, &from));
         }
-        scene.meshes_ = {{"knot.obj", knot.toObj()}, {"gear.obj", gear.toObj()}};
+        scene.meshes_ = {{"knot.obj", knotMesh()}, {"gear.obj", gearMesh(GEAR_REACH)}};
         return scene;
     }
 

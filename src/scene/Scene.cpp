@@ -87,13 +87,7 @@ namespace ompl_certificates
 
     Heights Scene::getHeights() const
     {
-        if (members_.empty())
-            return Heights();
-        Heights heights = members_.front().robot->getBodies().front().getHeights();
-        for (const Member &member : members_)
-            for (const Body &body : member.robot->getBodies())
-                heights = heights.unitedWith(body.getHeights());
-        return heights;
+        return makeTeam()->getHeights();
     }
 
     ob::ScopedState<> Scene::makeState(const TeamStateSpacePtr &team, std::vector<double> Member::*coordinates) const
@@ -140,14 +134,14 @@ namespace ompl_certificates
                    " of '" + members_[robot].robot->getName() + "'";
         };
         // Which obstacle it is is looked for only once there is one.
+        const TeamStateSpacePtr team = makeTeam();
         const auto describeObstacle = [&](const Body &body, const Pose &pose) -> std::string
         {
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
-                if (FclObstacles(getDimension(), {obstacles_[i]}, getHeights()).collides(body, pose))
+                if (FclObstacles(getDimension(), {obstacles_[i]}, team->getHeights()).collides(body, pose))
                     return "environment.obstacles[" + std::to_string(i) + "]";
             return "an obstacle";
         };
-        const TeamStateSpacePtr team = makeTeam();
         const auto obstacles = makeObstacles();
         const ob::ScopedState<> state = makeState(team, coordinates);
         const auto *teamState = state.get()->as<TeamStateSpace::StateType>();

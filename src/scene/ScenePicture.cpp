@@ -217,8 +217,9 @@ namespace ompl_certificates
         // In space obstacles hide each other, and the robots.
         svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
                                : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
+        const Heights heights = scene_.getHeights();
         for (const PlacedBody &obstacle : scene_.getObstacles())
-            view.draw(svg, obstacle.body, obstacle.pose, scene_.getHeights(), spatial ? 8 : 1);
+            view.draw(svg, obstacle.body, obstacle.pose, heights, spatial ? 8 : 1);
         svg.endGroup();
 
         drawTreeAndPath(svg, view);
