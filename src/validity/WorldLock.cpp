@@ -7,42 +7,57 @@
 
 namespace ompl_certificates
 {
-    namespace
-    {
-        /** The lock that the innermost check of this thread holds */
-        thread_local WorldLock *held = nullptr;
-    }
-
     WorldLock::Slot &WorldLock::slotOfThisThread()
     {
         return slots_[threadNumber() % SLOTS];
     }
 
-    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), outer_(held)
+    WorldLock::Check *&WorldLock::innermost()
     {
-        if (outer_ == &lock_)
-            return;
-        // First in, then a look whether a change has begun; a change first says so, then looks who is in.
-        std::atomic<int> &checks = lock_.slotOfThisThread().checks;
-        for (checks.fetch_add(1); lock_.changing_.load(); checks.fetch_add(1))
+        thread_local Check *check = nullptr;
+        return check;
+    }
+
+    WorldLock::Check *WorldLock::find()
+    {
+        for (Check *check = innermost(); check != nullptr; check = check->outer_)
+            if (&check->lock_ == this)
+                return check;
+        return nullptr;
+    }
+
+    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), outer_(innermost()), counts_(lock.find() == nullptr)
+    {
+        if (counts_)
         {
-            checks.fetch_sub(1);
-            const std::lock_guard<std::mutex> wait(lock_.mutex_);
+            // First in, then a look whether a change has begun; a change first says so, then looks who is in.
+            std::atomic<int> &checks = lock_.slotOfThisThread().checks;
+            for (checks.fetch_add(1); lock_.changing_.load(); checks.fetch_add(1))
+            {
+                checks.fetch_sub(1);
+                const std::lock_guard<std::mutex> wait(lock_.mutex_);
+            }
         }
-        held = &lock_;
+        innermost() = this;
     }
 
     WorldLock::Check::~Check()
     {
-        if (outer_ == &lock_)
+        Check **link = &innermost();
+        while (*link != this)
+            link = &(*link)->outer_;
+        *link = outer_;
+        if (!counts_)
             return;
-        held = outer_;
-        lock_.slotOfThisThread().checks.fetch_sub(1, std::memory_order_release);
+        if (Check *const other = lock_.find())
+            other->counts_ = true;
+        else
+            lock_.slotOfThisThread().checks.fetch_sub(1, std::memory_order_release);
     }
 
     WorldLock::Change::Change(WorldLock &lock) : lock_(lock)
     {
-        if (held == &lock_)
+        if (lock_.find() != nullptr)
             throw ompl::Exception("The obstacles cannot be changed from within a check");
         guard_ = std::unique_lock<std::mutex>(lock_.mutex_);
         lock_.changing_.store(true);

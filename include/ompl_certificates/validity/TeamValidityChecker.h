@@ -56,8 +56,9 @@ namespace ompl_certificates
             \throws ompl::Exception if there are none, or of another workspace or other heights, or from within a check */
         void changeObstacles(const ObstacleChange &change);
 
-        /** \brief Let no change of the obstacles come for as long as what is returned lives, which must be in this thread: so
-            that what is asked of the checker meanwhile is all of one world. */
+        /** \brief Let no change of the obstacles come for as long as what is returned lives, which must be in this thread and
+            no longer than the checker: so that what is asked of the checker meanwhile is all of one world. Threads that
+            hold the obstacles of several checkers hold them in the same order, else they may wait for each other. */
         WorldLock::Check holdObstacles() const
         {
             return WorldLock::Check(worldLock_);

@@ -18,7 +18,8 @@ namespace ompl_certificates
         WorldLock(const WorldLock &) = delete;
         WorldLock &operator=(const WorldLock &) = delete;
 
-        /** \brief A check, for as long as this lives. One that is part of another one of this thread enters with it. */
+        /** \brief A check, for as long as this lives: it must end in the thread in which it began. A thread may be in checks
+            of several locks, several times, and leave them in any order. */
         class Check
         {
         public:
@@ -29,8 +30,13 @@ namespace ompl_certificates
             Check &operator=(const Check &) = delete;
 
         private:
+            friend class WorldLock;
+
             WorldLock &lock_;
-            WorldLock *const outer_;
+            /** \brief What this thread entered before, and has not left */
+            Check *outer_;
+            /** \brief Whether this is the one check of its lock that stands for all of this thread */
+            bool counts_;
         };
 
         /** \brief A change, for as long as this lives
@@ -58,6 +64,12 @@ namespace ompl_certificates
         };
 
         Slot &slotOfThisThread();
+
+        /** \brief The check that this thread entered last, and has not left */
+        static Check *&innermost();
+
+        /** \brief A check of this lock that this thread is in, or null */
+        Check *find();
 
         std::array<Slot, SLOTS> slots_;
         std::atomic<bool> changing_{false};

@@ -1,0 +1,96 @@
+#include "ompl_certificates/validity/WorldLock.h"
+
+#include <chrono>
+#include <future>
+#include <gtest/gtest.h>
+#include <memory>
+#include <ompl/util/Exception.h>
+#include <thread>
+
+using namespace ompl_certificates;
+
+namespace
+{
+    using Hold = std::unique_ptr<WorldLock::Check>;
+
+    Hold hold(WorldLock &lock)
+    {
+        return std::make_unique<WorldLock::Check>(lock);
+    }
+
+    /** A change in a thread of its own. A test that fails may leave it waiting, so it keeps its lock. */
+    std::future<void> change(const std::shared_ptr<WorldLock> &lock)
+    {
+        std::promise<void> done;
+        std::future<void> result = done.get_future();
+        std::thread(
+            [lock](std::promise<void> promise)
+            {
+                {
+                    const WorldLock::Change guard(*lock);
+                }
+                promise.set_value();
+            },
+            std::move(done))
+            .detach();
+        return result;
+    }
+
+    bool isDone(const std::future<void> &future, std::chrono::milliseconds time)
+    {
+        return future.wait_for(time) == std::future_status::ready;
+    }
+
+    constexpr std::chrono::milliseconds A_MOMENT(50), VERY_LONG(20000);
+}
+
+TEST(WorldLock, IsEnteredAgainWhileAChangeWaits)
+{
+    const auto first = std::make_shared<WorldLock>(), second = std::make_shared<WorldLock>();
+    std::promise<void> held, goOn, entered;
+    std::future<void> isEntered = entered.get_future();
+    std::thread(
+        [&, first, second]
+        {
+            const Hold outer = hold(*first), other = hold(*second);
+            held.set_value();
+            goOn.get_future().wait();
+            const Hold inner = hold(*first);
+            entered.set_value();
+        })
+        .detach();
+    held.get_future().wait();
+    const auto changed = change(first);
+    EXPECT_FALSE(isDone(changed, A_MOMENT));
+    goOn.set_value();
+    ASSERT_TRUE(isDone(isEntered, VERY_LONG)) << "the check waits for a change that waits for the check";
+    EXPECT_TRUE(isDone(changed, VERY_LONG));
+}
+
+TEST(WorldLock, RefusesChangesWithinAnyCheckOfTheThread)
+{
+    WorldLock first, second;
+    Hold outer = hold(first), other = hold(second);
+    EXPECT_THROW(WorldLock::Change{first}, ompl::Exception);
+    EXPECT_THROW(WorldLock::Change{second}, ompl::Exception);
+    outer.reset();
+    EXPECT_NO_THROW(WorldLock::Change{first});
+    EXPECT_THROW(WorldLock::Change{second}, ompl::Exception);
+}
+
+TEST(WorldLock, IsLeftInAnyOrder)
+{
+    const auto first = std::make_shared<WorldLock>(), second = std::make_shared<WorldLock>();
+    Hold outer = hold(*first), other = hold(*second), inner = hold(*first);
+    outer.reset();
+    const auto changed = change(first);
+    EXPECT_FALSE(isDone(changed, A_MOMENT)) << "the inner check still goes on";
+    inner.reset();
+    ASSERT_TRUE(isDone(changed, VERY_LONG));
+    EXPECT_FALSE(isDone(change(second), A_MOMENT));
+    other.reset();
+
+    // What was left leaves nothing behind: the next check is one.
+    const Hold again = hold(*first);
+    EXPECT_FALSE(isDone(change(first), A_MOMENT));
+}
