@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,7 +15,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::size_t MOST_LEVELS = 1000, MOST_NODES = 1000000;
+        constexpr std::size_t MOST_LEVELS = 1000, MOST_NODES = 100000, MOST_INPUTS = 16, MOST_COORDINATES = 100000000;
         constexpr std::string_view DIGITS = "0123456789", SPACES = " \t\r\n";
 
         [[noreturn]] void fail(const std::string &complaint)
@@ -22,72 +23,315 @@ namespace ompl_certificates
             throw std::runtime_error(complaint);
         }
 
-        /** Whether a number is at most \e bytes: each thing that is counted takes a byte of the file. */
-        bool isPossible(std::string_view digits, std::size_t bytes)
+        std::string_view attributeOf(const pugi::xml_node &node, const char *name)
         {
-            return digits.size() <= 15 && std::stoull(std::string(digits)) <= bytes;
+            return node.attribute(name).value();
         }
 
-        void checkCounts(const pugi::xml_node &node, std::size_t bytes)
+        /** A number that is at most \e bytes, the size of the file: each thing that is counted takes a byte of it. */
+        std::size_t numberOf(std::string_view text, std::size_t bytes, const std::string &where)
         {
-            for (const pugi::xml_attribute &attribute : node.attributes())
+            if (text.empty() || text.find_first_not_of(DIGITS) != std::string_view::npos)
+                fail("in " + where + " there is '" + std::string(text.substr(0, 10)) + "', not a whole number");
+            const std::size_t number = text.size() <= 15 ? std::stoull(std::string(text)) : bytes + 1;
+            if (number > bytes)
+                fail("in " + where + " there is " + std::string(text.substr(0, 30)) + ", which cannot be in " +
+                     std::to_string(bytes) + " bytes");
+            return number;
+        }
+
+        std::vector<std::size_t> numbersOf(const pugi::xml_node &node, std::size_t bytes)
+        {
+            std::vector<std::size_t> numbers;
+            const std::string where = std::string("<") + node.name() + ">";
+            std::string_view rest = node.text().get();
+            for (std::size_t at = rest.find_first_not_of(SPACES); at != std::string_view::npos;
+                 at = rest.find_first_not_of(SPACES))
             {
-                if (std::strcmp(attribute.name(), "count") != 0)
-                    continue;
-                const std::string_view value = attribute.value();
-                if (value.empty() || value.find_first_not_of(DIGITS) != std::string_view::npos)
-                    fail("count=\"" + std::string(value.substr(0, 10)) + "\" is not a number");
-                if (!isPossible(value, bytes))
-                    fail("it says that it has " + std::string(value.substr(0, 30)) + " of something, in " +
-                         std::to_string(bytes) + " bytes");
+                rest.remove_prefix(at);
+                const std::size_t end = std::min(rest.find_first_of(SPACES), rest.size());
+                numbers.push_back(numberOf(rest.substr(0, end), bytes, where));
+                rest.remove_prefix(end);
             }
+            return numbers;
         }
 
-        /** What the numbers that are the content of \e node add up to */
-        std::size_t sumOf(const pugi::xml_node &node, std::size_t bytes)
+        using Names = std::vector<std::string_view>;
+
+        /** What makes up a mesh and where it is, and in what order Assimp has to see it: what refers after what is referred
+            to. Of all else, such as materials, cameras, bones and movement, it believes every index. */
+        const Names &partsOf(std::string_view name)
         {
-            std::size_t sum = 0;
-            for (std::string_view rest = node.text().get(); !rest.empty();)
+            static const Names primitive{"input", "p"};
+            static const std::map<std::string_view, Names> parts{
+                {"COLLADA", {"asset", "library_geometries", "library_nodes", "library_visual_scenes", "scene"}},
+                {"asset", {"unit", "up_axis"}},
+                {"library_geometries", {"geometry"}},
+                {"geometry", {"mesh"}},
+                {"mesh",
+                 {"source", "vertices", "lines", "linestrips", "polygons", "polylist", "triangles", "trifans",
+                  "tristrips"}},
+                {"source", {"float_array", "technique_common"}},
+                {"technique_common", {"accessor"}},
+                {"accessor", {"param"}},
+                {"vertices", {"input"}},
+                {"lines", primitive},
+                {"linestrips", primitive},
+                {"polygons", primitive},
+                {"polylist", {"input", "vcount", "p"}},
+                {"triangles", primitive},
+                {"trifans", primitive},
+                {"tristrips", primitive},
+                {"library_nodes", {"node"}},
+                {"library_visual_scenes", {"visual_scene"}},
+                {"visual_scene", {"node"}},
+                {"scene", {"instance_visual_scene"}},
+            };
+            static const Names none;
+            const auto found = parts.find(name);
+            return found != parts.end() ? found->second : none;
+        }
+
+        /** Copies what is of the meshes. Skins and morphs become the meshes that they are made of. */
+        class Copy
+        {
+        public:
+            explicit Copy(const pugi::xml_node &root)
             {
-                if (const std::size_t spaces = rest.find_first_not_of(SPACES); spaces > 0)
+                for (const pugi::xml_node &library : root.children("library_controllers"))
+                    for (const pugi::xml_node &controller : library.children("controller"))
+                        for (const pugi::xml_node &child : controller.children())
+                            if (const pugi::xml_attribute source = child.attribute("source"))
+                                sources_.emplace(std::string("#") + controller.attribute("id").value(), source.value());
+            }
+
+            void copy(const pugi::xml_node &from, pugi::xml_node to, std::size_t level = 0) const
+            {
+                if (level >= MOST_LEVELS)
+                    fail("its elements are nested in more than " + std::to_string(MOST_LEVELS) + " levels");
+                for (const char *const name : {"id", "name", "url", "source", "semantic", "offset", "set", "count",
+                                               "stride", "type", "meter", "version"})
+                    if (const pugi::xml_attribute attribute = from.attribute(name))
+                        to.append_attribute(name).set_value(attribute.value());
+                std::string text;
+                for (const pugi::xml_node &child : from.children())
+                    if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+                        text += child.value();
+                if (!text.empty())
+                    to.text().set(text.c_str());
+                if (std::strcmp(from.name(), "node") == 0)
+                    return copyNode(from, to, level);
+                for (const std::string_view part : partsOf(from.name()))
+                    for (const pugi::xml_node &child : from.children(part.data()))
+                        copy(child, to.append_child(part.data()), level + 1);
+            }
+
+        private:
+            /** Here the order counts: transformations are applied one after the other. */
+            void copyNode(const pugi::xml_node &from, pugi::xml_node &to, std::size_t level) const
+            {
+                static const std::set<std::string_view> parts{
+                    "node", "lookat", "matrix", "rotate", "scale", "translate", "instance_geometry", "instance_node",
+                };
+                for (const pugi::xml_node &child : from.children())
+                    if (parts.count(child.name()) > 0)
+                        copy(child, to.append_child(child.name()), level + 1);
+                    else if (std::strcmp(child.name(), "skew") == 0)
+                        fail("it has a <skew>, which is not supported");
+                    else if (std::strcmp(child.name(), "instance_controller") == 0)
+                    {
+                        std::string url = child.attribute("url").value();
+                        // The skin of a morph, at most
+                        for (int i = 0; i < 2 && sources_.count(url) > 0; ++i)
+                            url = sources_.at(url);
+                        to.append_child("instance_geometry").append_attribute("url").set_value(url.c_str());
+                    }
+            }
+
+            std::map<std::string, std::string> sources_;
+        };
+
+        /** Whether all that the primitives of meshes refer to is there. Assimp looks no further than at the indices. */
+        class GeometryCheck
+        {
+        public:
+            explicit GeometryCheck(std::size_t bytes) : bytes_(bytes)
+            {
+            }
+
+            void run(const pugi::xml_node &library)
+            {
+                forEachMesh(library, &GeometryCheck::collect);
+                forEachMesh(library, &GeometryCheck::check);
+            }
+
+        private:
+            void forEachMesh(const pugi::xml_node &library, void (GeometryCheck::*visit)(const pugi::xml_node &))
+            {
+                for (const pugi::xml_node &geometry : library.children())
+                    if (const pugi::xml_node mesh = geometry.child("mesh"))
+                        (this->*visit)(mesh);
+            }
+
+            std::size_t number(const pugi::xml_node &node, const char *name, std::size_t otherwise) const
+            {
+                const pugi::xml_attribute attribute = node.attribute(name);
+                const auto where = [&] { return std::string(name) + " of <" + node.name() + ">"; };
+                return attribute ? numberOf(attribute.value(), bytes_, where()) : otherwise;
+            }
+
+            void collect(const pugi::xml_node &mesh)
+            {
+                for (const pugi::xml_node &source : mesh.children("source"))
                 {
-                    rest.remove_prefix(std::min(spaces, rest.size()));
-                    continue;
+                    if (!sources_.insert(attributeOf(source, "id")).second)
+                        fail("two <source>s have the id '" + std::string(attributeOf(source, "id")) + "'");
+                    for (const pugi::xml_node &array : source.children("float_array"))
+                        if (!sizes_.emplace(attributeOf(array, "id"), number(array, "count", 0)).second)
+                            fail("two <float_array>s have the id '" + std::string(attributeOf(array, "id")) + "'");
                 }
-                const std::size_t digits = std::min(rest.find_first_not_of(DIGITS), rest.size());
-                const std::string_view word = rest.substr(0, rest.find_first_of(SPACES)),
-                                       number = rest.substr(0, digits);
-                if (digits == 0 || !isPossible(number, bytes))
-                    fail("in <" + std::string(node.name()) + "> there is '" + std::string(word.substr(0, 10)) +
-                         "', not a number that can be");
-                sum += std::stoull(std::string(number));
-                rest.remove_prefix(digits);
             }
-            return sum;
-        }
+
+            void check(const pugi::xml_node &mesh)
+            {
+                for (const pugi::xml_node &source : mesh.children("source"))
+                    for (const pugi::xml_node &technique : source.children("technique_common"))
+                        for (const pugi::xml_node &accessor : technique.children())
+                            checkAccessor(accessor);
+                const pugi::xml_node vertices = mesh.child("vertices");
+                if (mesh.next_sibling("mesh") || vertices.next_sibling("vertices"))
+                    fail("a <geometry> has several <mesh> or <vertices>");
+                for (const pugi::xml_node &primitive : mesh.children())
+                    if (const std::string_view name = primitive.name(); name != "source" && name != "vertices")
+                    {
+                        if (countInputs(vertices, "POSITION") != 1)
+                            fail("the <vertices> of a <mesh> have not one input POSITION");
+                        checkPrimitive(primitive, vertices);
+                    }
+            }
+
+            void checkAccessor(const pugi::xml_node &accessor) const
+            {
+                std::string_view source = attributeOf(accessor, "source");
+                source.remove_prefix(source.empty() ? 0 : 1);
+                const std::size_t count = number(accessor, "count", 0), stride = number(accessor, "stride", 1),
+                                  offset = number(accessor, "offset", 0);
+                std::size_t parameters = 0;
+                for (const pugi::xml_node &parameter : accessor.children())
+                {
+                    ++parameters;
+                    if (attributeOf(parameter, "type") == "float4x4")
+                        fail("an <accessor> of a mesh is of matrices");
+                }
+                if (parameters > 4)
+                    fail("an <accessor> of a mesh has more than 4 parameters");
+                // What is not known here Assimp will not find either.
+                const auto array = sizes_.find(source);
+                if (array != sizes_.end() && count > 0 &&
+                    offset + (count - 1) * stride + std::max<std::size_t>(parameters, 1) > array->second)
+                    fail("an <accessor> goes beyond the values of its <float_array>");
+            }
+
+            void checkPrimitive(const pugi::xml_node &primitive, const pugi::xml_node &vertices)
+            {
+                std::size_t inputs = 0, stride = 1;
+                for (const pugi::xml_node &of : {vertices, primitive})
+                    for (const pugi::xml_node &input : of.children("input"))
+                    {
+                        ++inputs;
+                        number(input, "set", 0);
+                        stride = std::max(stride, number(input, "offset", 0) + 1);
+                    }
+                const std::string element = std::string("<") + primitive.name() + ">";
+                if (inputs > MOST_INPUTS || stride > MOST_INPUTS)
+                    fail("a " + element + " has more than " + std::to_string(MOST_INPUTS) + " inputs");
+                if (countInputs(primitive, "VERTEX") != 1 || countInputs(primitive, "POSITION") != 0)
+                    fail("a " + element + " has not one input VERTEX, or one POSITION");
+                coordinates_ += 3 * inputs * (countIndices(primitive, stride) / stride);
+                if (coordinates_ > MOST_COORDINATES)
+                    fail("it has more than " + std::to_string(MOST_COORDINATES) + " coordinates");
+            }
+
+            /** The number of indices in all <p>, which has to be what the other elements and attributes say */
+            std::size_t countIndices(const pugi::xml_node &primitive, std::size_t stride) const
+            {
+                const std::string_view kind = primitive.name();
+                const std::size_t count = number(primitive, "count", 0);
+                std::size_t lists = 0, indices = 0;
+                for (const pugi::xml_node &list : primitive.children("p"))
+                {
+                    ++lists;
+                    indices += numbersOf(list, bytes_).size();
+                }
+                const auto require = [&](bool condition)
+                {
+                    if (!condition)
+                        fail("a <" + std::string(kind) + "> of " + std::to_string(count) + " has " +
+                             std::to_string(indices) + " numbers in " + std::to_string(lists) + " <p>");
+                };
+                require(count > 0 || indices == 0);
+                require(2 * count * stride <= bytes_);
+                if (kind == "triangles" || kind == "polylist")
+                {
+                    require(lists <= 1);
+                    require(indices == stride * (kind == "triangles" ? 3 * count : cornersOf(primitive, count)));
+                }
+                if (kind == "polygons")
+                    require(lists == count);
+                return indices;
+            }
+
+            static std::size_t countInputs(const pugi::xml_node &node, std::string_view semantic)
+            {
+                std::size_t count = 0;
+                for (const pugi::xml_node &input : node.children("input"))
+                    count += attributeOf(input, "semantic") == semantic ? 1 : 0;
+                return count;
+            }
+
+            std::size_t cornersOf(const pugi::xml_node &polylist, std::size_t count) const
+            {
+                const pugi::xml_node vcount = polylist.child("vcount");
+                if (count > 0 && (!vcount || vcount.next_sibling("vcount")))
+                    fail("a <polylist> has not one <vcount>");
+                const std::vector<std::size_t> sizes = numbersOf(vcount, bytes_);
+                if (sizes.size() != count)
+                    fail("the <vcount> of a <polylist> has other than " + std::to_string(count) + " numbers");
+                std::size_t corners = 0;
+                for (const std::size_t size : sizes)
+                    if ((corners += size) > bytes_)
+                        fail("in <vcount> there are more corners than bytes");
+                return corners;
+            }
+
+            std::size_t bytes_;
+            std::set<std::string_view> sources_;
+            /** The number of values of each <float_array> */
+            std::map<std::string_view, std::size_t> sizes_;
+            /** What Assimp makes of the indices: all attributes of each corner */
+            std::size_t coordinates_{0};
+        };
 
         /** How large a scene becomes once its <instance_node>s are replaced by the nodes that they name, which Assimp does by
             calling itself, however deep and often that is, and in a ring. */
         class Expansion
         {
         public:
-            void add(const pugi::xml_node &node)
+            void run(const pugi::xml_node &root)
             {
-                if (std::strcmp(node.parent().name(), "visual_scene") == 0)
-                    roots_.push_back(node);
-                if (std::strcmp(node.parent().name(), "library_nodes") == 0)
-                    library_.emplace(node.attribute("id").value(), node);
-                for (const char *const key : {"id", "name"})
-                    if (const pugi::xml_attribute attribute = node.attribute(key))
-                        named_.emplace(attribute.value(), node);
-            }
-
-            void check()
-            {
-                std::size_t nodes = 0;
-                for (const pugi::xml_node &root : roots_)
-                    if ((nodes += measure(root, 0).nodes) > MOST_NODES)
-                        fail("it has more than " + std::to_string(MOST_NODES) + " nodes");
+                for (const pugi::xml_node &library : root.children())
+                    for (const pugi::xml_node &child : library.children())
+                    {
+                        const std::string_view name = child.name();
+                        if (name == "node" || name == "visual_scene")
+                        {
+                            library_.emplace(attributeOf(child, "id"), child);
+                            addNames(child);
+                        }
+                    }
+                for (const pugi::xml_node &library : root.children("library_visual_scenes"))
+                    for (const pugi::xml_node &scene : library.children())
+                        measure(scene, 0);
             }
 
         private:
@@ -96,6 +340,15 @@ namespace ompl_certificates
                 std::size_t nodes{0}, depth{0};
                 bool isOpen{true};
             };
+
+            void addNames(const pugi::xml_node &node)
+            {
+                for (const char *const key : {"id", "name"})
+                    if (const pugi::xml_attribute attribute = node.attribute(key))
+                        named_.emplace(attribute.value(), node);
+                for (const pugi::xml_node &child : node.children("node"))
+                    addNames(child);
+            }
 
             Size measure(const pugi::xml_node &node, std::size_t above)
             {
@@ -119,7 +372,7 @@ namespace ompl_certificates
                     take(measure(child, above + 1));
                 for (const pugi::xml_node &instance : node.children("instance_node"))
                 {
-                    std::string_view url = instance.attribute("url").value();
+                    std::string_view url = attributeOf(instance, "url");
                     url.remove_prefix(url.empty() || url[0] != '#' ? 0 : 1);
                     // Assimp looks in the library first, and then for the first node that has this name or id.
                     const auto &among = library_.count(url) > 0 ? library_ : named_;
@@ -132,108 +385,28 @@ namespace ompl_certificates
                 return sizes_[node] = size;
             }
 
-            std::vector<pugi::xml_node> roots_;
             std::multimap<std::string_view, pugi::xml_node> library_, named_;
             std::map<pugi::xml_node, Size> sizes_;
-        };
-
-        /** Show what skins and morphs are made of, without bones and movement, of which Assimp believes every index. */
-        void leaveBonesOut(pugi::xml_document &document)
-        {
-            class Skins : public pugi::xml_tree_walker
-            {
-            public:
-                bool for_each(pugi::xml_node &node) override
-                {
-                    if (static_cast<std::size_t>(depth()) >= MOST_LEVELS)
-                        fail("its elements are nested in more than " + std::to_string(MOST_LEVELS) + " levels");
-                    if (std::strcmp(node.name(), "instance_controller") == 0)
-                        shown.push_back(node);
-                    if (std::strcmp(node.name(), "controller") == 0)
-                        for (const pugi::xml_node &child : node.children())
-                            if (const pugi::xml_attribute source = child.attribute("source"))
-                                sources.emplace(std::string("#") + node.attribute("id").value(), source.value());
-                    return true;
-                }
-
-                std::vector<pugi::xml_node> shown;
-                std::map<std::string, std::string> sources;
-            } skins;
-            document.traverse(skins);
-            for (pugi::xml_node &node : skins.shown)
-            {
-                std::string url = node.attribute("url").value();
-                // The skin of a morph, at most
-                for (int i = 0; i < 2 && skins.sources.count(url) > 0; ++i)
-                    url = skins.sources[url];
-                node.set_name("instance_geometry");
-                node.attribute("url").set_value(url.c_str());
-            }
-            pugi::xml_node root = document.document_element();
-            for (const char *const name : {"library_controllers", "library_animations", "library_animation_clips"})
-                while (root.remove_child(name))
-                    continue;
-        }
-
-        class Check : public pugi::xml_tree_walker
-        {
-        public:
-            explicit Check(std::size_t bytes) : bytes_(bytes)
-            {
-            }
-
-            bool for_each(pugi::xml_node &node) override
-            {
-                const std::string_view name = node.name();
-                checkCounts(node, bytes_);
-                if (name == "node")
-                    expansion_.add(node);
-                // Assimp reads from nowhere where an accessor is of an empty array.
-                if (name == "float_array" && node.attribute("count").as_ullong() == 0 && hasAccessor(node.parent()))
-                    fail("a <float_array> is empty that is made use of");
-                // What is no number Assimp tries to read for ever.
-                if (name == "p")
-                    sumOf(node, bytes_);
-                if (name == "vcount" && sumOf(node, bytes_) > bytes_)
-                    fail("in <vcount> there are more than there are bytes");
-                return true;
-            }
-
-            void finish()
-            {
-                expansion_.check();
-            }
-
-        private:
-            bool hasAccessor(const pugi::xml_node &source)
-            {
-                const auto [known, isNew] = accessors_.try_emplace(source);
-                if (isNew)
-                    known->second = static_cast<bool>(source.find_node(
-                        [](const pugi::xml_node &node) {
-                            return std::strcmp(node.name(), "accessor") == 0 && node.attribute("count").as_ullong() > 0;
-                        }));
-                return known->second;
-            }
-
-            std::size_t bytes_;
-            Expansion expansion_;
-            /** Whether a source has one; looked for once */
-            std::map<pugi::xml_node, bool> accessors_;
         };
     }
 
     std::string plainCollada(const std::string &text)
     {
-        pugi::xml_document document;
+        pugi::xml_document document, plain;
         if (const auto result = document.load_buffer(text.data(), text.size(), pugi::parse_full); !result)
             fail(std::string("it is not XML: ") + result.description());
-        leaveBonesOut(document);
-        Check check(text.size());
-        document.traverse(check);
-        check.finish();
-        std::ostringstream plain;
-        document.save(plain, "", pugi::format_raw);
-        return plain.str();
+        const pugi::xml_node given = document.child("COLLADA");
+        if (!given)
+            fail("it has no element <COLLADA>");
+        pugi::xml_node root = plain.append_child("COLLADA");
+        Copy(given).copy(given, root);
+        document.reset();
+        GeometryCheck geometry(text.size());
+        for (const pugi::xml_node &library : root.children("library_geometries"))
+            geometry.run(library);
+        Expansion().run(root);
+        std::ostringstream stream;
+        plain.save(stream, "", pugi::format_raw);
+        return stream.str();
     }
 }

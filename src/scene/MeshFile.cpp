@@ -1,6 +1,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include "ColladaText.h"
+#include "ObjText.h"
 #include "PlyText.h"
 
 #include <algorithm>
@@ -80,14 +81,19 @@ namespace ompl_certificates
             return text;
         }
 
-        /** Give the file to Assimp, if it can be trusted with it. */
+        /** What Assimp is given of a file */
+        std::string plainText(const std::string &kind, const std::string &text)
+        {
+            if (kind == ".ply")
+                return plainPly(text);
+            if (kind == ".dae")
+                return plainCollada(text);
+            return kind == ".obj" ? plainObj(text) : text;
+        }
+
         const aiScene *importFile(Assimp::Importer &importer, const std::string &file)
         {
-            const std::string kind = kindOf(file), text = readText(file);
-            // An OBJ file may name others that lie beside it.
-            if (kind != ".ply" && kind != ".dae")
-                return importer.ReadFile(file, 0);
-            const std::string plain = kind == ".ply" ? plainPly(text) : plainCollada(text);
+            const std::string kind = kindOf(file), plain = plainText(kind, readText(file));
             return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, kind.c_str() + 1);
         }
 
