@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -152,6 +153,9 @@ namespace ompl_certificates
         {
             refuse(exception.what());
         }
+        if (certificates.size() > checker.getMaxCertificates())
+            OMPL_WARN("%s: has %zu certificates, of which the checker keeps at most %zu", file.c_str(),
+                      certificates.size(), checker.getMaxCertificates());
         return certificates.size();
     }
 }

@@ -15,7 +15,7 @@ namespace ompl_certificates
         recognized again */
     void saveCertificates(const CertificateChecker &checker, const std::string &file);
 
-    /** \brief Give \e checker the certificates of a file
+    /** \brief Give \e checker the certificates of a file, the first ones where setMaxCertificates() does not allow for all
         \return how many there were
         \throws ompl::Exception that names the file, and gives the reason, if it cannot be read, is damaged, is of another
         version, is of other obstacles, or if the checker's method keeps none; then the checker is as it was */

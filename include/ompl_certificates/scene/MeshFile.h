@@ -10,12 +10,13 @@ namespace ompl_certificates
 {
     /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY, read by Assimp.
 
-        Bones and animations are left out. COLLADA and PLY files are checked as a whole first, since Assimp believes them.
+        Bones, animations and materials are left out. COLLADA, OBJ and PLY files are checked first, and Assimp is given
+        what is of their meshes alone, since it believes what it reads; other files that they name are not opened.
 
-        All meshes of the file are taken together, where its nodes place them, in the file's unit. COLLADA files are
-        brought to the y axis up, as Assimp and OMPL.app do it; files of the other kinds are taken as they are. Polygons
-        are cut into triangles; lines and points are left out. Open meshes, triangles given twice and triangles without
-        area are normal. */
+        All meshes of the file are taken together, where its nodes place them. COLLADA files are brought to meters, by the
+        unit that they state, and to the y axis up, as Assimp and OMPL.app do it; files of the other kinds are taken as
+        they are. Polygons are cut into triangles; lines and points are left out. Open meshes, triangles given twice and
+        triangles without area are normal. Coordinates are read with the precision of a float, some seven digits. */
     class MeshFile
     {
     public:
