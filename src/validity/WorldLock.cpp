@@ -7,57 +7,51 @@
 
 namespace ompl_certificates
 {
-    WorldLock::Slot &WorldLock::slotOfThisThread()
+    WorldLock::Check *&WorldLock::lastOfThisThread()
     {
-        return slots_[threadNumber() % SLOTS];
+        thread_local Check *last = nullptr;
+        return last;
     }
 
-    WorldLock::Check *&WorldLock::innermost()
+    WorldLock::Check *WorldLock::Check::find(Check *last, const WorldLock &lock)
     {
-        thread_local Check *check = nullptr;
-        return check;
+        while (last != nullptr && &last->lock_ != &lock)
+            last = last->outer_;
+        return last;
     }
 
-    WorldLock::Check *WorldLock::find()
+    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), last_(lastOfThisThread()), outer_(last_), checks_(nullptr)
     {
-        for (Check *check = innermost(); check != nullptr; check = check->outer_)
-            if (&check->lock_ == this)
-                return check;
-        return nullptr;
-    }
-
-    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), outer_(innermost()), counts_(lock.find() == nullptr)
-    {
-        if (counts_)
+        if (find(outer_, lock_) == nullptr)
         {
             // First in, then a look whether a change has begun; a change first says so, then looks who is in.
-            std::atomic<int> &checks = lock_.slotOfThisThread().checks;
-            for (checks.fetch_add(1); lock_.changing_.load(); checks.fetch_add(1))
+            checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
+            for (checks_->fetch_add(1); lock_.changing_.load(); checks_->fetch_add(1))
             {
-                checks.fetch_sub(1);
+                checks_->fetch_sub(1);
                 const std::lock_guard<std::mutex> wait(lock_.mutex_);
             }
         }
-        innermost() = this;
+        last_ = this;
     }
 
     WorldLock::Check::~Check()
     {
-        Check **link = &innermost();
+        Check **link = &last_;
         while (*link != this)
             link = &(*link)->outer_;
         *link = outer_;
-        if (!counts_)
+        if (checks_ == nullptr)
             return;
-        if (Check *const other = lock_.find())
-            other->counts_ = true;
+        if (Check *const other = find(last_, lock_))
+            other->checks_ = checks_;
         else
-            lock_.slotOfThisThread().checks.fetch_sub(1, std::memory_order_release);
+            checks_->fetch_sub(1, std::memory_order_release);
     }
 
     WorldLock::Change::Change(WorldLock &lock) : lock_(lock)
     {
-        if (lock_.find() != nullptr)
+        if (Check::find(lastOfThisThread(), lock_) != nullptr)
             throw ompl::Exception("The obstacles cannot be changed from within a check");
         guard_ = std::unique_lock<std::mutex>(lock_.mutex_);
         lock_.changing_.store(true);

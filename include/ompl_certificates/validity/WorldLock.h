@@ -30,13 +30,18 @@ namespace ompl_certificates
             Check &operator=(const Check &) = delete;
 
         private:
+            /** \brief The one of \e lock among \e last and what was entered before it, or null */
+            static Check *find(Check *last, const WorldLock &lock);
+
             friend class WorldLock;
 
             WorldLock &lock_;
+            /** \brief Where this thread keeps what it entered last */
+            Check *&last_;
             /** \brief What this thread entered before, and has not left */
             Check *outer_;
-            /** \brief Whether this is the one check of its lock that stands for all of this thread */
-            bool counts_;
+            /** \brief Where this counts for all checks of this thread and lock, if it is the one that does */
+            std::atomic<int> *checks_;
         };
 
         /** \brief A change, for as long as this lives
@@ -63,13 +68,8 @@ namespace ompl_certificates
             std::atomic<int> checks{0};
         };
 
-        Slot &slotOfThisThread();
-
         /** \brief The check that this thread entered last, and has not left */
-        static Check *&innermost();
-
-        /** \brief A check of this lock that this thread is in, or null */
-        Check *find();
+        static Check *&lastOfThisThread();
 
         std::array<Slot, SLOTS> slots_;
         std::atomic<bool> changing_{false};
