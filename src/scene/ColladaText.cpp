@@ -1,5 +1,7 @@
 #include "ColladaText.h"
 
+#include "MeshWords.h"
+
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -15,8 +17,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::size_t MOST_LEVELS = 1000, MOST_NODES = 100000, MOST_INPUTS = 16, MOST_COORDINATES = 100000000;
-        constexpr std::string_view DIGITS = "0123456789", SPACES = " \t\r\n";
+        constexpr std::size_t MOST_LEVELS = 1000, MOST_NODES = 100000, MOST_SEARCHES = 1000, MOST_INPUTS = 16,
+                              MOST_COORDINATES = 100000000;
 
         [[noreturn]] void fail(const std::string &complaint)
         {
@@ -28,35 +30,26 @@ namespace ompl_certificates
             return node.attribute(name).value();
         }
 
-        /** A number that is at most \e bytes, the size of the file: each thing that is counted takes a byte of it. */
-        std::size_t numberOf(std::string_view text, std::size_t bytes, const std::string &where)
-        {
-            if (text.empty() || text.find_first_not_of(DIGITS) != std::string_view::npos)
-                fail("in " + where + " there is '" + std::string(text.substr(0, 10)) + "', not a whole number");
-            const std::size_t number = text.size() <= 15 ? std::stoull(std::string(text)) : bytes + 1;
-            if (number > bytes)
-                fail("in " + where + " there is " + std::string(text.substr(0, 30)) + ", which cannot be in " +
-                     std::to_string(bytes) + " bytes");
-            return number;
-        }
-
         std::vector<std::size_t> numbersOf(const pugi::xml_node &node, std::size_t bytes)
         {
+            const std::string what = std::string("a number of <") + node.name() + ">";
             std::vector<std::size_t> numbers;
-            const std::string where = std::string("<") + node.name() + ">";
-            std::string_view rest = node.text().get();
-            for (std::size_t at = rest.find_first_not_of(SPACES); at != std::string_view::npos;
-                 at = rest.find_first_not_of(SPACES))
-            {
-                rest.remove_prefix(at);
-                const std::size_t end = std::min(rest.find_first_of(SPACES), rest.size());
-                numbers.push_back(numberOf(rest.substr(0, end), bytes, where));
-                rest.remove_prefix(end);
-            }
+            MeshWords words(node.text().get());
+            for (std::string_view word = words.next(); !word.empty(); word = words.next())
+                numbers.push_back(wholeNumber(word, bytes, what));
             return numbers;
         }
 
         using Names = std::vector<std::string_view>;
+
+        const Names TRANSFORMATIONS{"matrix", "rotate", "scale", "translate"},
+            SEMANTICS{"VERTEX",     "POSITION", "NORMAL",      "COLOR",   "TEXCOORD",
+                      "TEXTANGENT", "TANGENT",  "TEXBINORMAL", "BINORMAL"};
+
+        bool isOneOf(std::string_view name, const Names &names)
+        {
+            return std::find(names.begin(), names.end(), name) != names.end();
+        }
 
         /** What makes up a mesh and where it is, and in what order Assimp has to see it: what refers after what is referred
             to. Of all else, such as materials, cameras, bones and movement, it believes every index. */
@@ -69,8 +62,7 @@ namespace ompl_certificates
                 {"library_geometries", {"geometry"}},
                 {"geometry", {"mesh"}},
                 {"mesh",
-                 {"source", "vertices", "lines", "linestrips", "polygons", "polylist", "triangles", "trifans",
-                  "tristrips"}},
+                 {"source", "vertices", "lines", "linestrips", "polygons", "polylist", "triangles", "tristrips"}},
                 {"source", {"float_array", "technique_common"}},
                 {"technique_common", {"accessor"}},
                 {"accessor", {"param"}},
@@ -80,7 +72,6 @@ namespace ompl_certificates
                 {"polygons", primitive},
                 {"polylist", {"input", "vcount", "p"}},
                 {"triangles", primitive},
-                {"trifans", primitive},
                 {"tristrips", primitive},
                 {"library_nodes", {"node"}},
                 {"library_visual_scenes", {"visual_scene"}},
@@ -118,27 +109,50 @@ namespace ompl_certificates
                     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
                         text += child.value();
                 if (!text.empty())
-                    to.text().set(text.c_str());
+                    to.text().set(plainContent(from.name(), text).c_str());
                 if (std::strcmp(from.name(), "node") == 0)
                     return copyNode(from, to, level);
+                if (from.child("trifans"))
+                    fail("it has <trifans>, which are not supported");
+                if (const pugi::xml_attribute meter = to.attribute("meter"))
+                    if (const std::string number = plainNumber(meter.value());
+                        !(std::strtod(number.c_str(), nullptr) > 0.0))
+                        fail("its <unit> is of " + number.substr(0, 20) + " meters");
                 for (const std::string_view part : partsOf(from.name()))
                     for (const pugi::xml_node &child : from.children(part.data()))
                         copy(child, to.append_child(part.data()), level + 1);
             }
 
         private:
+            /** The content of an element, of numbers if it is not an axis */
+            static std::string plainContent(std::string_view element, const std::string &text)
+            {
+                std::string content;
+                MeshWords words(text);
+                if (element == "up_axis")
+                {
+                    content = words.next();
+                    if (content != "X_UP" && content != "Y_UP" && content != "Z_UP")
+                        fail("its <up_axis> is '" + content.substr(0, 20) + "'");
+                }
+                else if (element == "float_array" || isOneOf(element, TRANSFORMATIONS))
+                    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+                        content.append(plainNumber(word)).append(" ");
+                else if (element == "p" || element == "vcount")
+                    content = text;
+                return content;
+            }
+
             /** Here the order counts: transformations are applied one after the other. */
             void copyNode(const pugi::xml_node &from, pugi::xml_node &to, std::size_t level) const
             {
-                static const std::set<std::string_view> parts{
-                    "node", "lookat", "matrix", "rotate", "scale", "translate", "instance_geometry", "instance_node",
-                };
                 for (const pugi::xml_node &child : from.children())
-                    if (parts.count(child.name()) > 0)
+                    if (const std::string_view name = child.name();
+                        isOneOf(name, {"node", "instance_geometry", "instance_node"}) || isOneOf(name, TRANSFORMATIONS))
                         copy(child, to.append_child(child.name()), level + 1);
-                    else if (std::strcmp(child.name(), "skew") == 0)
-                        fail("it has a <skew>, which is not supported");
-                    else if (std::strcmp(child.name(), "instance_controller") == 0)
+                    else if (name == "skew" || name == "lookat")
+                        fail("it has a <" + std::string(name) + ">, which is not supported");
+                    else if (name == "instance_controller")
                     {
                         std::string url = child.attribute("url").value();
                         // The skin of a morph, at most
@@ -159,25 +173,27 @@ namespace ompl_certificates
             {
             }
 
-            void run(const pugi::xml_node &library)
+            void run(const pugi::xml_node &root)
             {
-                forEachMesh(library, &GeometryCheck::collect);
-                forEachMesh(library, &GeometryCheck::check);
+                forEachMesh(root, &GeometryCheck::collect);
+                forEachMesh(root, &GeometryCheck::check);
             }
 
         private:
-            void forEachMesh(const pugi::xml_node &library, void (GeometryCheck::*visit)(const pugi::xml_node &))
+            void forEachMesh(const pugi::xml_node &root, void (GeometryCheck::*visit)(const pugi::xml_node &))
             {
-                for (const pugi::xml_node &geometry : library.children())
-                    if (const pugi::xml_node mesh = geometry.child("mesh"))
-                        (this->*visit)(mesh);
+                for (const pugi::xml_node &library : root.children("library_geometries"))
+                    for (const pugi::xml_node &geometry : library.children())
+                        if (const pugi::xml_node mesh = geometry.child("mesh"))
+                            (this->*visit)(mesh);
             }
 
             std::size_t number(const pugi::xml_node &node, const char *name, std::size_t otherwise) const
             {
                 const pugi::xml_attribute attribute = node.attribute(name);
-                const auto where = [&] { return std::string(name) + " of <" + node.name() + ">"; };
-                return attribute ? numberOf(attribute.value(), bytes_, where()) : otherwise;
+                return attribute ? wholeNumber(attribute.value(), bytes_,
+                                               std::string("the ") + name + " of <" + node.name() + ">")
+                                 : otherwise;
             }
 
             void collect(const pugi::xml_node &mesh)
@@ -186,6 +202,12 @@ namespace ompl_certificates
                 {
                     if (!sources_.insert(attributeOf(source, "id")).second)
                         fail("two <source>s have the id '" + std::string(attributeOf(source, "id")) + "'");
+                    std::string names;
+                    for (const pugi::xml_node &parameter :
+                         source.child("technique_common").child("accessor").children())
+                        names.append(parameter.attribute("name").value()).append(" ");
+                    if (names == "X Y Z ")
+                        points_.insert(attributeOf(source, "id"));
                     for (const pugi::xml_node &array : source.children("float_array"))
                         if (!sizes_.emplace(attributeOf(array, "id"), number(array, "count", 0)).second)
                             fail("two <float_array>s have the id '" + std::string(attributeOf(array, "id")) + "'");
@@ -206,6 +228,11 @@ namespace ompl_certificates
                     {
                         if (countInputs(vertices, "POSITION") != 1)
                             fail("the <vertices> of a <mesh> have not one input POSITION");
+                        std::string_view position =
+                            attributeOf(vertices.find_child_by_attribute("input", "semantic", "POSITION"), "source");
+                        position.remove_prefix(position.empty() ? 0 : 1);
+                        if (points_.count(position) == 0)
+                            fail("the POSITION of a <mesh> is of something without X, Y and Z");
                         checkPrimitive(primitive, vertices);
                     }
             }
@@ -225,10 +252,10 @@ namespace ompl_certificates
                 }
                 if (parameters > 4)
                     fail("an <accessor> of a mesh has more than 4 parameters");
-                // What is not known here Assimp will not find either.
                 const auto array = sizes_.find(source);
-                if (array != sizes_.end() && count > 0 &&
-                    offset + (count - 1) * stride + std::max<std::size_t>(parameters, 1) > array->second)
+                if (count > 0 && array == sizes_.end())
+                    fail("an <accessor> is of '" + std::string(source.substr(0, 30)) + "', which is no <float_array>");
+                if (count > 0 && offset + (count - 1) * stride + std::max<std::size_t>(parameters, 1) > array->second)
                     fail("an <accessor> goes beyond the values of its <float_array>");
             }
 
@@ -240,6 +267,9 @@ namespace ompl_certificates
                     {
                         ++inputs;
                         number(input, "set", 0);
+                        if (!isOneOf(attributeOf(input, "semantic"), SEMANTICS))
+                            fail("an <input> is a '" + std::string(attributeOf(input, "semantic").substr(0, 20)) +
+                                 "', which is not supported");
                         stride = std::max(stride, number(input, "offset", 0) + 1);
                     }
                 const std::string element = std::string("<") + primitive.name() + ">";
@@ -306,6 +336,8 @@ namespace ompl_certificates
 
             std::size_t bytes_;
             std::set<std::string_view> sources_;
+            /** The sources that have X, Y and Z */
+            std::set<std::string_view> points_;
             /** The number of values of each <float_array> */
             std::map<std::string_view, std::size_t> sizes_;
             /** What Assimp makes of the indices: all attributes of each corner */
@@ -324,9 +356,15 @@ namespace ompl_certificates
                     {
                         const std::string_view name = child.name();
                         if (name == "node" || name == "visual_scene")
-                        {
                             library_.emplace(attributeOf(child, "id"), child);
+                        if (name == "visual_scene")
                             addNames(child);
+                        if (name == "geometry")
+                        {
+                            const auto parts = child.child("mesh").children();
+                            const auto count = static_cast<std::size_t>(std::distance(parts.begin(), parts.end()));
+                            if (!geometries_.emplace(attributeOf(child, "id"), count + 1).second)
+                                fail("two <geometry> have the id '" + std::string(attributeOf(child, "id")) + "'");
                         }
                     }
                 for (const pugi::xml_node &library : root.children("library_visual_scenes"))
@@ -350,6 +388,17 @@ namespace ompl_certificates
                     addNames(child);
             }
 
+            /** The id of what an instance is of. What Assimp does not find it leaves out. */
+            template <typename Map>
+            static std::string_view idOf(const pugi::xml_node &instance, const Map &first, const Map &second)
+            {
+                const std::string_view url = attributeOf(instance, "url"), id = url.substr(url.empty() ? 0 : 1);
+                if (url.substr(0, 1) != "#" || first.count(id) + second.count(id) == 0)
+                    fail("it has an <" + std::string(instance.name()) + "> of '" + std::string(url.substr(0, 30)) +
+                         "', which is not there");
+                return id;
+            }
+
             Size measure(const pugi::xml_node &node, std::size_t above)
             {
                 const auto [known, isNew] = sizes_.try_emplace(node);
@@ -365,18 +414,23 @@ namespace ompl_certificates
                     if (above + size.depth >= MOST_LEVELS)
                         fail("its nodes are nested in more than " + std::to_string(MOST_LEVELS) + " levels");
                     if (size.nodes >= MOST_NODES)
-                        fail("it has more than " + std::to_string(MOST_NODES) + " nodes");
+                        fail("it has more than " + std::to_string(MOST_NODES) + " nodes and parts");
                 };
                 take({1, 0, false});
                 for (const pugi::xml_node &child : node.children("node"))
                     take(measure(child, above + 1));
+                for (const pugi::xml_node &instance : node.children("instance_geometry"))
+                    take({geometries_.at(idOf(instance, geometries_, {})), 0, false});
                 for (const pugi::xml_node &instance : node.children("instance_node"))
                 {
-                    std::string_view url = attributeOf(instance, "url");
-                    url.remove_prefix(url.empty() || url[0] != '#' ? 0 : 1);
-                    // Assimp looks in the library first, and then for the first node that has this name or id.
-                    const auto &among = library_.count(url) > 0 ? library_ : named_;
-                    const auto [first, last] = among.equal_range(url);
+                    // Assimp looks in the library first, and then, all over the scene, for the first node that has this
+                    // name or id.
+                    const std::string_view id = idOf(instance, library_, named_);
+                    const bool isInLibrary = library_.count(id) > 0;
+                    if (!isInLibrary && ++searches_ > MOST_SEARCHES)
+                        fail("it has more than " + std::to_string(MOST_SEARCHES) +
+                             " instances outside of its libraries");
+                    const auto [first, last] = (isInLibrary ? library_ : named_).equal_range(id);
                     for (auto target = first; target != last; ++target)
                         take(measure(target->second, above + 1));
                 }
@@ -386,7 +440,10 @@ namespace ompl_certificates
             }
 
             std::multimap<std::string_view, pugi::xml_node> library_, named_;
+            /** The parts of each */
+            std::map<std::string_view, std::size_t> geometries_;
             std::map<pugi::xml_node, Size> sizes_;
+            std::size_t searches_{0};
         };
     }
 
@@ -402,8 +459,7 @@ namespace ompl_certificates
         Copy(given).copy(given, root);
         document.reset();
         GeometryCheck geometry(text.size());
-        for (const pugi::xml_node &library : root.children("library_geometries"))
-            geometry.run(library);
+        geometry.run(root);
         Expansion().run(root);
         std::ostringstream stream;
         plain.save(stream, "", pugi::format_raw);

@@ -1,8 +1,10 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include "ColladaText.h"
+#include "MeshWords.h"
 #include "ObjText.h"
 #include "PlyText.h"
+#include "StlText.h"
 
 #include <algorithm>
 #include <array>
@@ -25,8 +27,10 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr std::uintmax_t MAX_BYTES = 512u << 20u;
-        constexpr std::size_t MAX_TRIANGLES = 5000000, MAX_NODES = 1000000, MAX_SIZE = 5 * MAX_TRIANGLES;
+        constexpr std::uintmax_t MAX_BYTES = 512u << 20u, MAX_COLLADA_BYTES = 128u << 20u;
+        constexpr std::size_t MAX_NODES = 1000000, MAX_SIZE = 5 * MOST_TRIANGLES;
+        /** Assimp's time grows with the square of these, and is some seconds here. */
+        constexpr double MOST_SQUARES = 3e8;
         constexpr double MAX_COORDINATE = 1e9;
 
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
@@ -58,7 +62,7 @@ namespace ompl_certificates
             return kind;
         }
 
-        std::string readText(const std::string &file)
+        std::string readText(const std::string &file, std::uintmax_t most)
         {
             errno = 0;
             std::error_code error;
@@ -72,8 +76,8 @@ namespace ompl_certificates
             const std::uintmax_t bytes = fs::file_size(file, error);
             if (error)
                 fail(file, "is not a regular file");
-            if (bytes > MAX_BYTES)
-                fail(file, "is larger than " + std::to_string(MAX_BYTES >> 20u) + " MB");
+            if (bytes > most)
+                fail(file, "is larger than " + std::to_string(most >> 20u) + " MB");
             if (bytes == 0)
                 fail(file, "is empty");
             std::string text(bytes, ' ');
@@ -88,18 +92,21 @@ namespace ompl_certificates
                 return plainPly(text);
             if (kind == ".dae")
                 return plainCollada(text);
-            return kind == ".obj" ? plainObj(text) : text;
+            return kind == ".obj" ? plainObj(text) : plainStl(text);
         }
 
         const aiScene *importFile(Assimp::Importer &importer, const std::string &file)
         {
-            const std::string kind = kindOf(file), plain = plainText(kind, readText(file));
+            const std::string kind = kindOf(file),
+                              text = readText(file, kind == ".dae" ? MAX_COLLADA_BYTES : MAX_BYTES),
+                              plain = plainText(kind, text);
             return importer.ReadFileFromMemory(plain.data(), plain.size(), 0, kind.c_str() + 1);
         }
 
         /** Assimp's further steps take the faces as they are, and end the program where they make no sense. */
         void checkFaces(const std::string &file, const aiScene &scene)
         {
+            double squares = 0.0;
             for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
             {
                 const aiMesh &mesh = *scene.mMeshes[i];
@@ -110,7 +117,26 @@ namespace ompl_certificates
                     if (face.mNumIndices == 0 || !std::all_of(face.mIndices, face.mIndices + face.mNumIndices, isKnown))
                         fail(file,
                              "is not a mesh that can be read: a face has no vertices, or vertices that are not there");
+                    if (face.mNumIndices > 4 && (squares += std::pow(face.mNumIndices, 2)) > MOST_SQUARES)
+                        fail(file, "has polygons with too many corners");
                 }
+            }
+        }
+
+        /** Vertices at one place Assimp compares with each other. */
+        void checkVertices(const std::string &file, const aiScene &scene)
+        {
+            double squares = 0.0;
+            for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
+            {
+                std::map<std::array<float, 3>, unsigned int> counts;
+                for (const aiVector3D *vertex = scene.mMeshes[i]->mVertices,
+                                      *end = vertex + scene.mMeshes[i]->mNumVertices;
+                     vertex != end; ++vertex)
+                    // Of n², the n-th adds 2n - 1.
+                    squares += 2.0 * ++counts[{vertex->x, vertex->y, vertex->z}] - 1.0;
+                if (squares > MOST_SQUARES + 100.0 * scene.mMeshes[i]->mNumVertices)
+                    fail(file, "has too many triangles around one vertex");
             }
         }
 
@@ -183,8 +209,8 @@ namespace ompl_certificates
                                 for (unsigned int k = 0; k < 3; ++k)
                                     triangle[k] = numberOf(transform * pointOf(mesh.mVertices[face.mIndices[k]]));
                                 triangles.push_back(triangle);
-                                if (triangles.size() > MAX_TRIANGLES)
-                                    fail(file, "has more than " + std::to_string(MAX_TRIANGLES) + " triangles");
+                                if (triangles.size() > MOST_TRIANGLES)
+                                    fail(file, "has more than " + std::to_string(MOST_TRIANGLES) + " triangles");
                             }
                         });
             if (triangles.empty())
@@ -240,6 +266,7 @@ namespace ompl_certificates
             scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
             require(importer, scene);
             mesh_ = extract(file, *scene);
+            checkVertices(file, *scene);
             // The same steps as OMPL.app's, which move vertices a little: for the mean alone.
             scene = importer.ApplyPostProcessing(aiProcess_GenNormals | aiProcess_JoinIdenticalVertices |
                                                  aiProcess_OptimizeGraph);

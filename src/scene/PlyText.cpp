@@ -1,5 +1,7 @@
 #include "PlyText.h"
 
+#include "MeshWords.h"
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -12,6 +14,8 @@ namespace ompl_certificates
 {
     namespace
     {
+        constexpr std::size_t MOST_HEADER = 100000;
+
         struct Type
         {
             std::size_t size;
@@ -20,8 +24,9 @@ namespace ompl_certificates
 
         struct Property
         {
-            /** The line of the header */
+            /** The line of the header without the name */
             std::string line;
+            std::string name;
             Type type;
             /** The type of its length, if it is a list; else of no size */
             Type lengthType;
@@ -70,17 +75,47 @@ namespace ompl_certificates
 
         Property propertyOf(const std::vector<std::string> &words)
         {
-            std::string line = words[0];
-            for (std::size_t i = 1; i < words.size(); ++i)
-                line += " " + words[i];
+            std::string line;
+            for (std::size_t i = 0; i + 1 < words.size(); ++i)
+                line += words[i] + " ";
             if (words.size() == 3)
-                return {line, typeOf(words[1]), {}};
+                return {line, words[2], typeOf(words[1]), {}};
             if (words.size() != 5 || words[1] != "list")
                 fail("its header has a property that is neither a value nor a list");
-            Property property{line, typeOf(words[3]), typeOf(words[2])};
+            Property property{line, words[4], typeOf(words[3]), typeOf(words[2])};
             if (!property.lengthType.isInteger)
                 fail("its header has a list whose length is no whole number but a " + words[2]);
             return property;
+        }
+
+        void checkVertices(const Element &vertices)
+        {
+            if (vertices.count > MOST_CORNERS)
+                fail("it has more than " + std::to_string(MOST_CORNERS) + " vertices");
+            for (const char *const axis : {"x", "y", "z"})
+                if (std::count_if(vertices.properties.begin(), vertices.properties.end(),
+                                  [&](const Property &property)
+                                  { return property.name == axis && property.lengthType.size == 0; }) != 1)
+                    fail(std::string("its header has an element 'vertex' without one property '") + axis + "'");
+        }
+
+        /** One list of vertices; Assimp believes that those of the texture fit to it, so all others get another name. */
+        void checkFaces(Element &faces)
+        {
+            std::size_t lists = 0;
+            for (Property &property : faces.properties)
+                if (property.name == "vertex_indices" || property.name == "vertex_index")
+                {
+                    ++lists;
+                    if (property.lengthType.size == 0 || !property.type.isInteger)
+                        fail("its header has faces whose vertices are not a list of whole numbers");
+                }
+                else
+                    property.name = "nothing";
+            if (lists != 1)
+                fail("its header has an element 'face' without one list 'vertex_indices'");
+            if (faces.count > MOST_TRIANGLES)
+                fail("it has more than " + std::to_string(MOST_TRIANGLES) + " faces");
         }
 
         /** Drop what is not of the mesh. */
@@ -105,9 +140,8 @@ namespace ompl_certificates
                 fail("its header has other elements before those of vertices and faces");
             if (count("vertex") != 1 || count("face") != 1)
                 fail("its header has not one element of vertices and one of faces");
-            for (const Element &element : elements)
-                if (element.properties.empty())
-                    fail("its header has an element '" + element.name + "' without properties");
+            for (Element &element : elements)
+                element.name == "vertex" ? checkVertices(element) : checkFaces(element);
         }
 
         Header readHeader(const std::string &text)
@@ -126,6 +160,9 @@ namespace ompl_certificates
                 at = end + 1;
                 if (isFirst && (words.size() != 1 || (words[0] != "ply" && words[0] != "PLY")))
                     fail("its first line is not 'ply'");
+                // Assimp's time for a header grows with its square, and one of a megabyte it cannot read.
+                if (at > MOST_HEADER)
+                    fail("its header is longer than " + std::to_string(MOST_HEADER) + " bytes");
                 if (isFirst || words.empty() || words[0] == "comment" || words[0] == "obj_info")
                     continue;
                 for (const std::string &word : words)
@@ -155,55 +192,45 @@ namespace ompl_certificates
             return header;
         }
 
-        /** The words of a line, one after the other */
-        class Words
+        /** Add to the corners of all faces. */
+        void addCorners(std::size_t &corners, std::size_t values)
         {
-        public:
-            explicit Words(std::string_view line) : rest_(line)
-            {
-            }
-
-            /** \brief The next one, empty after the last */
-            std::string_view next()
-            {
-                rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
-                const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t"));
-                rest_.remove_prefix(word.size());
-                return word;
-            }
-
-        private:
-            std::string_view rest_;
-        };
-
-        void checkNumber(std::string_view word)
-        {
-            if (word.empty())
-                fail("a line has fewer numbers than its element and its lists need");
-            std::string name(word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0));
-            std::transform(name.begin(), name.end(), name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            if (name != "nan" && name != "inf" && word.find_first_not_of("0123456789+-.eE") != std::string_view::npos)
-                fail("there is '" + std::string(word.substr(0, 10)) + "', not a number");
+            if ((corners += values) > MOST_CORNERS)
+                fail("its lists have more than " + std::to_string(MOST_CORNERS) + " values");
         }
 
-        void checkLine(const Element &element, std::string_view line)
+        /** \e line, written anew */
+        std::string plainLine(const Element &element, std::string_view line, std::size_t &corners)
         {
-            Words words(line);
+            MeshWords words(line);
+            std::string plain;
+            const auto take = [&](const Type &type)
+            {
+                const std::string_view word = words.next();
+                if (word.empty())
+                    fail("a line has fewer numbers than its element and its lists need");
+                const std::size_t sign = type.isSigned && word[0] == '-' ? 1 : 0;
+                if (type.isInteger)
+                    wholeNumber(word.substr(sign), (std::size_t(1) << (8 * type.size - (type.isSigned ? 1 : 0))) - 1,
+                                "a number of its type");
+                plain.append(type.isInteger ? std::string(word) : plainNumber(word)).append(" ");
+            };
             for (const Property &property : element.properties)
             {
                 std::size_t values = 1;
                 if (property.lengthType.size > 0)
                 {
-                    const std::string_view length = words.next();
                     // However long: the line ends, and so this does, where numbers are lacking.
-                    if (!isWholeNumber(length) || length.size() > 15)
-                        fail("there is '" + std::string(length.substr(0, 10)) + "', not the length of a list");
-                    values = std::stoull(std::string(length));
+                    values = wholeNumber(words.next(), line.size(), "the length of a list");
+                    plain.append(std::to_string(values)).append(" ");
+                    addCorners(corners, values);
                 }
                 for (; values > 0; --values)
-                    checkNumber(words.next());
+                    take(property.type);
             }
+            if (!words.next().empty())
+                fail("a line has more numbers than its element and its lists need");
+            return plain + "\n";
         }
 
         /** The lines of the elements */
@@ -212,6 +239,7 @@ namespace ompl_certificates
             constexpr std::string_view lineEnds("\n\r\f\0", 4);
             std::string_view rest = std::string_view(text).substr(header.end);
             std::string lines;
+            std::size_t corners = 0;
             for (const Element &element : header.elements)
                 for (std::size_t i = 0; i < element.count;)
                 {
@@ -220,10 +248,9 @@ namespace ompl_certificates
                              element.name + "'");
                     const std::string_view line = rest.substr(0, rest.find_first_of(lineEnds));
                     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-                    if (Words(line).next().empty())
+                    if (MeshWords(line).next().empty())
                         continue;
-                    checkLine(element, line);
-                    lines.append(line).append("\n");
+                    lines += plainLine(element, line, corners);
                     ++i;
                 }
             return lines;
@@ -251,7 +278,7 @@ namespace ompl_certificates
         {
             std::string bytes;
             bytes.reserve(text.size());
-            std::size_t at = header.end;
+            std::size_t at = header.end, corners = 0;
             const auto pass = [&](std::size_t count, std::size_t size)
             {
                 if (count > (text.size() - at) / size)
@@ -272,6 +299,8 @@ namespace ompl_certificates
                             values = lengthAt(&text[before], type, header.format == "binary_big_endian");
                         }
                         pass(values, property.type.size);
+                        if (property.lengthType.size > 0)
+                            addCorners(corners, values);
                     }
                     if (&element == &header.elements.front() && isMistaken(header, text))
                         bytes += ' ';
@@ -291,7 +320,7 @@ namespace ompl_certificates
             if (&element == &header.elements.front() && isMistaken(header, text))
                 plain += "property uchar nothing\n";
             for (const Property &property : element.properties)
-                plain += property.line + "\n";
+                plain += property.line + property.name + "\n";
         }
         plain += "end_header\n";
         if (header.format == "ascii")

@@ -108,7 +108,11 @@ namespace ompl_certificates
             {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", ""},
             {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""},
             {"far.obj", with(OBJ, "v 1 0 0", "v 1e12 0 0"), "1e9"},
-            {"five.obj", with(OBJ, "v 1 0 0", "v 1 0 0 5 6"), "a vertex has 5 coordinates"},
+            {"five.obj", with(OBJ, "v 1 0 0", "v 1 0 0 5 6"), "a line 'v' has 5 numbers"},
+            {"four.obj", with(OBJ, "f 1 3 2", "f 1/1/1/1 3 2"), "more than three indices"},
+            {"real.obj", with(OBJ, "f 1 3 2", "f 1.0 3 2"), "there is '1.0', not the index of a vertex"},
+            {"glued.obj", with(OBJ, "v 1 0 0", "v 1-5 0 0"), "there is '1-5', not a number"},
+            {"long.obj", with(OBJ, "v 1 0 0", "v 1" + std::string(30, '0') + " 0 0"), "not a number"},
             {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ""},
             {"huge.ply", with(ply, "vertex 3", "vertex 4000000000"), "says that it has 4000000000 of 'vertex'"},
             {"faces.ply", with(ply, "face 1", "face 99999999999999999999"),
@@ -118,17 +122,19 @@ namespace ompl_certificates
             {"twice.ply", with(ply, "end_header", "element face 8\nend_header"),
              "not one element of vertices and one of faces"},
             {"short.ply", header + "0 0 0\n", "it ends after 1 of its 3 'vertex'"},
-            {"list.ply", with(ply, "3 0 1 2", "4000000000 0 1 2"), "a line has fewer numbers"},
-            {"digits.ply", with(ply, "3 0 1 2", std::string(99, '2') + " 0 1 2"), "not the length of a list"},
+            {"list.ply", with(ply, "3 0 1 2", "4000000000 0 1 2"), "too large for the length of a list"},
+            {"fewer.ply", with(ply, "3 0 1 2", "4 0 1 2"), "a line has fewer numbers"},
+            {"digits.ply", with(ply, "3 0 1 2", std::string(99, '2') + " 0 1 2"), "too large for the length of a list"},
             {"minus.ply", with(ply, "3 0 1 2", "-3 0 1 2"), "there is '-3', not the length of a list"},
-            {"glued.ply", with(ply, "0 2 0", "0 2 nan4000000000"), "there is 'nan4000000', not a number"},
+            {"glued.ply", with(ply, "0 2 0", "0 2 nan4000000000"), "there is 'nan4000000000', not a number"},
             {"binary.ply", binaryPly(false, 4000000000u), "within a list"},
             {"bytes.ply", binaryPly(true, 4000000000u), "within a list"},
             {"cut.ply", binaryPly(true, 3).substr(0, 200), "it ends before"},
             {"negative.ply", with(binaryPly(false, 4000000000u), "list uint", "list int"), "negative length"},
             {"real.ply", with(ply, "list uchar", "list float"), "no whole number but a float"},
             {"type.ply", with(ply, "float z", "word z"), "a property of type 'word'"},
-            {"nothing.ply", with(ply, "property list uchar int vertex_indices\n", ""), "'face' without properties"},
+            {"nothing.ply", with(ply, "property list uchar int vertex_indices\n", ""),
+             "'face' without one list 'vertex_indices'"},
             {"edges.ply", with(ply, "element vertex", "element edge 1\nproperty int a\nelement vertex"),
              "other elements before"},
             {"format.ply", with(ply, "ascii", "binary"), "its format is neither"},
@@ -136,6 +142,19 @@ namespace ompl_certificates
             {"line.ply", with(ply, "end_header", "elephant\nend_header"), "has a line 'elephant'"},
             {"header.ply", ply.substr(0, ply.find("end_header")), "its header has no line 'end_header'"},
             {"xml.dae", collada("<node><instance_geometry url=\"#g\"/></nod>"), "it is not XML"},
+            {"axis.ply", with(ply, "float z", "float Z"), "without one property 'z'"},
+            {"faces.ply", with(ply, "vertex_indices", "texcoord"), "without one list 'vertex_indices'"},
+            {"indices.ply", with(ply, "uchar int", "uchar float"), "not a list of whole numbers"},
+            {"unsigned.ply", with(with(ply, "uchar int", "uchar uint"), "3 0 1 2", "3 0 1 -2"),
+             "not a number of its type"},
+            {"wrapped.ply", with(ply, "3 0 1 2", "3 0 1 4294967296"), "too large for a number of its type"},
+            {"rest.ply", with(ply, "3 0 1 2", "3 0 1 2 9"), "a line has more numbers"},
+            {"header.ply", with(ply, "float z", "float z\nproperty float " + std::string(200000, 'a')),
+             "its header is longer"},
+            {"note.stl", STL + std::string("# a note\n") + STL, "there is '#' where a solid should begin"},
+            {"four.stl", with(STL, "endloop", "vertex 1 2 3\nendloop"), "there is 'vertex' where 'endloop' should be"},
+            {"glued.stl", with(STL, "vertex 1 0", "vertex 1-5 0"), "there is '1-5', not a number"},
+            {"nul.stl", STL + std::string(1, '\0') + STL, "there is '"},
             {"count.stl", binaryStl(4000000000u, 1), ""},
             {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
             {"mesh", OBJ, "must end with .dae, .stl, .obj or .ply"},
@@ -169,6 +188,44 @@ namespace ompl_certificates
         EXPECT_THROW(MeshFile(folder / "pipe.stl"), ompl::Exception);
     }
 
+    TEST(MeshFile, ReadsAllFormsOfStl)
+    {
+        const Folder folder;
+        std::string upper = STL, colored = binaryStl(1, 1);
+        for (char &c : upper)
+            c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        const std::string mark = "solid \xFE\xFF COLOR=";
+        colored.replace(0, mark.size(), mark);
+        const std::pair<std::string, std::size_t> files[] = {
+            {STL, 1}, {upper, 1}, {STL + std::string("\n") + STL, 2}, {with(STL, "solid s", "solid"), 1}, {colored, 1}};
+        for (const auto &[content, triangles] : files)
+        {
+            SCOPED_TRACE(content);
+            const MeshFile file(folder.write("a.stl", content));
+            EXPECT_EQ(file.getMesh()->getTriangles().size(), triangles);
+            expectBox(file, Eigen::Vector3d::Zero(), {1, 2, 0});
+        }
+    }
+
+    TEST(MeshFile, RefusesWhatAssimpTakesHoursFor)
+    {
+        const Folder folder;
+        std::string polygon, face = "f", fan = "v 0 0 9\n";
+        for (int i = 1; i <= 30000; ++i)
+        {
+            polygon += "v " + std::to_string(i) + " " + std::to_string(i % 2) + " " + std::to_string(i % 7) + "\n";
+            face += " " + std::to_string(i);
+            if (i > 2)
+                fan += "v 0 0 9\nf " + std::to_string(i) + " -1 1\n";
+        }
+        EXPECT_THROW(MeshFile(folder.write("polygon.obj", polygon + face + "\n")), ompl::Exception);
+        EXPECT_THROW(MeshFile(folder.write("fan.obj", polygon + fan)), ompl::Exception);
+        std::string names;
+        for (int i = 0; i < 20000; ++i)
+            names += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+        EXPECT_THROW(MeshFile(folder.write("names.obj", polygon + names)), ompl::Exception);
+    }
+
     TEST(MeshFile, ReadsAllFormsOfObj)
     {
         const Folder folder;
@@ -181,6 +238,8 @@ namespace ompl_certificates
             {"comments", with(with(obj, "f 1 3 2", "f 1 3 2 # back"), "v 1", "# see \\\nv 9 9 9\nv 1")},
             {"names", "o a\\b\n" + with(obj, "f 1 3", "\ng #\\\nusemtl none\nf 1 3")},
             {"colors", with(obj, "v 1 0 0", "v 1 0 0 0.5 0.5 0.5")},
+            {"points", with(OBJ, "v 1 0 0", "v +1. .0 0e+1")},
+            {"indices", with(with(OBJ, "f 1 3 2", "f +1 03 2/"), "f 1 2 4", "f -4/7 -3/7/ -1//")},
             {"weights", with(obj, "v 1 0 0", "v 2 0 0 2")},
             // Assimp would open these, whatever they are.
             {"materials", "mtllib pipe\nmtllib ../../../../etc/passwd\nmtl\\\nlib pipe\n  mtllib pipe\n" + obj},
