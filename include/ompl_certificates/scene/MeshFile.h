@@ -10,8 +10,8 @@ namespace ompl_certificates
 {
     /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY, read by Assimp.
 
-        Bones, animations and materials are left out. COLLADA, OBJ and PLY files are checked first, and Assimp is given
-        what is of their meshes alone, since it believes what it reads; other files that they name are not opened.
+        Bones, animations and materials are left out. What Assimp would misread, read beyond, or take hours or all memory
+        for is refused; other files that a file names are not opened.
 
         All meshes of the file are taken together, where its nodes place them. COLLADA files are brought to meters, by the
         unit that they state, and to the y axis up, as Assimp and OMPL.app do it; files of the other kinds are taken as
