@@ -89,8 +89,9 @@ TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
 {
     const auto level = ompl::msg::getLogLevel();
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-    // PRM grows its roadmap by the clock, for 0.4 seconds, and then expands it.
-    const unsigned int iterations = scaled(GetParam() == "PRM" ? 400 : 1500);
+    // These grow their roadmaps by the clock, for 0.4 seconds, and then expand them.
+    const bool isByTheClock = GetParam() == "PRM" || GetParam() == "PRMstar";
+    const unsigned int iterations = scaled(isByTheClock ? 300 : 1500);
     const auto kdTree = grow(GetParam(), NearestStructure::KD_TREE, iterations);
     const auto gnat = grow(GetParam(), NearestStructure::GNAT, iterations);
     ompl::msg::setLogLevel(level);
