@@ -194,7 +194,8 @@ namespace ompl_certificates
         std::string upper = STL, colored = binaryStl(1, 1);
         for (char &c : upper)
             c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        const std::string mark = "solid \xFE\xFF COLOR=";
+        // Assimp takes such a mark for that of a text, and leaves it out.
+        const std::string mark = "\xEF\xBB\xBF COLOR=";
         colored.replace(0, mark.size(), mark);
         const std::pair<std::string, std::size_t> files[] = {
             {STL, 1}, {upper, 1}, {STL + std::string("\n") + STL, 2}, {with(STL, "solid s", "solid"), 1}, {colored, 1}};
