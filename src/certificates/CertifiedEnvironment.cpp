@@ -81,12 +81,12 @@ namespace ompl_certificates
     bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
     {
         // A certificate that does not even hold the body's center, as that of a far state, proves nothing of finer balls.
-        const double margin = getMargin(query.body);
+        const double margin = getProofMargin(query);
         const Eigen::Vector3d center = query.pose * query.body.getCover().getRoot().center;
         if (certificates_.coveringBy(hint, {center, margin, -INF}).verdict != Covering::FREE)
             return false;
         const auto lookup = [&](const BallQuery &ball) { return certificates_.coveringBy(hint, ball); };
-        verdict.free = proveFree(query, margin, STORED_LEVELS, lookup, verdict);
+        verdict.free = proveFree(query, margin, STORED_LEVELS, mostBalls(query), lookup, verdict);
         return verdict.free;
     }
 
@@ -94,7 +94,7 @@ namespace ompl_certificates
                                              CheckCounts &counts) const
     {
         PoseVerdict verdict;
-        if (settleByHint(query, hint, verdict) && verdict.reach >= query.minimumReach)
+        if (settleByHint(query, hint, verdict))
             return verdict;
         verdict = {};
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
@@ -106,7 +106,6 @@ namespace ompl_certificates
 
         // From the root: seeded at the hint, which has failed, the search takes about twice as long.
         const Ball &ball = query.body.getCover().getRoot();
-        const double speed = query.speedOf(ball), leastSlack = query.minimumReach * speed;
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.noteLookup(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
@@ -114,17 +113,18 @@ namespace ompl_certificates
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
-            verdict.reach = (covering.slack + leastSlack) / speed;
+            verdict.reach = (covering.slack + query.leastSlack(ball)) / query.speedOf(ball);
         return verdict;
     }
 
     BallQuery CertifiedEnvironment::wholeBodyQuery(const PoseQuery &query) const
     {
         const Ball &ball = query.body.getCover().getRoot();
-        const double margin = getMargin(query.body), leastSlack = query.minimumReach * query.speedOf(ball);
         // A clearance that is only a lower bound proves no collision.
-        const double collidingRadius = obstacles_->provesCollisions() ? query.body.getCentralRadius() - margin : -INF;
-        return {query.pose * ball.center, ball.radius + margin + leastSlack, collidingRadius};
+        const double collidingRadius =
+            obstacles_->provesCollisions() ? query.body.getCentralRadius() - getMargin(query.body) : -INF;
+        return {query.pose * ball.center, ball.radius + getProofMargin(query) + query.leastSlack(ball),
+                collidingRadius};
     }
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
@@ -148,7 +148,12 @@ namespace ompl_certificates
     {
         PoseVerdict verdict;
         verdict.asked = true;
-        // Only clearances tell how long a body stays free, which a continuous check must know.
+        if (query.proofOnly)
+        {
+            settleByClearances(query, learn, verdict, counts);
+            return verdict;
+        }
+        // Only clearances tell how long a body stays free.
         Settling settling(policy, query.minimumReach > 0.0);
         const auto [clearances, contact] = settling.getWay();
         if (clearances)
@@ -193,13 +198,16 @@ namespace ompl_certificates
         ObstaclePart nearest = NO_PART;
         const auto lookup = [&](const BallQuery &ball) -> Covering
         {
-            if (collides || clearances == MOST_CLEARANCES)
+            if (collides)
                 return {};
             ++clearances;
             const Certificate certificate{ball.center, obstacles_->findNearest(ball.center, nearest)};
             if (clearances == 1)
                 verdict.clearance = certificate.clearance;
             Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
+            // What this proves of other times is to be proved by their own clearances, too.
+            if (query.proofOnly)
+                covering.slack -= PROOF_CUSHION * margin;
             // What is nearest to the middle of a body that collides is mostly what it collides with.
             if (clearances == 1 && covering.verdict != Covering::FREE && nearest != NO_PART &&
                 obstacles_->certainlyHits(query.body, query.pose, nearest))
@@ -220,7 +228,8 @@ namespace ompl_certificates
                 covering.certificate = certificates_.insert(certificate);
             return covering;
         };
-        verdict.free = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, lookup, verdict);
+        const unsigned int most = query.proofOnly ? mostBalls(query) : MOST_CLEARANCES;
+        verdict.free = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, most, lookup, verdict);
         counts.clearanceQueries += clearances;
         return verdict.free || collides;
     }

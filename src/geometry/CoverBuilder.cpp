@@ -14,7 +14,7 @@ namespace ompl_certificates
         /** ... or no more than this much larger than the rounding of its piece, as a capsule's. */
         constexpr double TIGHT = 1.05;
 
-        constexpr unsigned int MAX_DEPTH = 7;
+        constexpr unsigned int MAX_DEPTH = Cover::MOST_LEVELS - 2;
 
         constexpr std::size_t CORE_BALLS = 8;
 

@@ -52,7 +52,7 @@ namespace ompl_certificates
         return all;
     }
 
-    bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,
+    bool Basic::proveTeamFree(CertificateIndex team, const Pose *poses, const Motion &motion,
                               PoseVerdict &verdict) const
     {
         if (team >= teamCertificates_.load(std::memory_order_acquire))
@@ -63,13 +63,14 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
             for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
             {
-                const PoseQuery query = queryOf(robot, body, poses, {travel});
+                const PoseQuery query = queryOf(robot, body, poses, motion);
                 const Certificate &certificate =
                     certificates_[static_cast<CertificateIndex>(team * getBodyCount() + getFirstBody(robot) + body)];
                 const auto lookup = [&](const BallQuery &ball)
                 { return CertificateTree::cover(certificate, team, ball); };
                 PoseVerdict one;
-                if (!proveFree(query, environment_.getMargin(query.body), LEVELS, lookup, one))
+                if (!proveFree(query, environment_.getProofMargin(query), LEVELS,
+                               CertifiedEnvironment::mostBalls(query), lookup, one))
                     return false;
                 verdict.reach = std::min(verdict.reach, one.reach);
             }
@@ -81,7 +82,7 @@ namespace ompl_certificates
     {
         const unsigned int robots = team_.getRobotCount();
         PoseVerdict whole;
-        if (proveTeamFree(references[0], poses, motion.travel, whole) && whole.reach >= motion.minimumReach)
+        if (proveTeamFree(references[0], poses, motion, whole))
         {
             counts.robotPoses += robots;
             counts.certifiedFree += robots;
@@ -127,6 +128,6 @@ namespace ompl_certificates
                                     const CertificateIndex *references) const
     {
         PoseVerdict verdict;
-        return proveTeamFree(references[0], poses, travel, verdict) ? verdict.reach : 0.0;
+        return proveTeamFree(references[0], poses, {travel}, verdict) ? verdict.reach : 0.0;
     }
 }

@@ -47,7 +47,7 @@ namespace ompl_certificates
             ++counts.pairPoses;
             valid = pairs_
                         .settle(pair, poses + getFirstBody(pairs_.getFirst(pair)),
-                                poses + getFirstBody(pairs_.getSecond(pair)), nullptr, nullptr, counts)
+                                poses + getFirstBody(pairs_.getSecond(pair)), nullptr, nullptr, 0.0, counts)
                         .free;
         }
         getStatistics().add(counts);

@@ -1,7 +1,9 @@
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
-#include "MotionCheck.h"
+#include "ContinuousMotionCheck.h"
+#include "DiscreteMotionCheck.h"
 
+#include <algorithm>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
 
@@ -34,9 +36,14 @@ namespace ompl_certificates
         const WorldLock::Check entry(checker_->worldLock_);
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
-        MotionCheck check(*checker_, *scratch, s1, s2);
-        const bool valid = mode_ == DISCRETE ? check.areSamplesFree() : check.isWholeFree();
-        checker_->getStatistics().add(check.getCounts());
+        const auto run = [this](auto &&check)
+        {
+            const bool free = check.isFree();
+            checker_->getStatistics().add(check.getCounts());
+            return free;
+        };
+        const bool valid = mode_ == DISCRETE ? run(DiscreteMotionCheck(*checker_, *scratch, s1, s2))
+                                             : run(ContinuousMotionCheck(*checker_, *scratch, s1, s2));
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
@@ -47,16 +54,48 @@ namespace ompl_certificates
         const WorldLock::Check entry(checker_->worldLock_);
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
-        MotionCheck check(*checker_, *scratch, s1, s2);
         double free = 1.0;
-        const bool valid = mode_ == DISCRETE ? check.areSamplesFree(free) : check.isWholeFree(free);
-        checker_->getStatistics().add(check.getCounts());
+        const bool valid =
+            mode_ == DISCRETE ? areSamplesFree(*scratch, s1, s2, free) : isProved(*scratch, s1, s2, free);
         countMotion(valid ? valid_ : invalid_);
         if (!valid)
         {
             lastValid.second = free;
             if (lastValid.first)
                 checker_->getTeam().interpolate(s1, s2, free, lastValid.first);
+        }
+        return valid;
+    }
+
+    bool CertificateMotionValidator::areSamplesFree(MotionScratch &scratch, const ob::State *s1, const ob::State *s2,
+                                                    double &free) const
+    {
+        DiscreteMotionCheck check(*checker_, scratch, s1, s2);
+        const bool valid = check.isFree(free);
+        checker_->getStatistics().add(check.getCounts());
+        return valid;
+    }
+
+    bool CertificateMotionValidator::isProved(MotionScratch &scratch, const ob::State *s1, const ob::State *s2,
+                                              double &free) const
+    {
+        ContinuousMotionCheck check(*checker_, scratch, s1, s2);
+        const bool valid = check.isFree(free);
+        checker_->getStatistics().add(check.getCounts());
+        // The motion to the last valid state has cells of its own, and is to be proved in those.
+        double step = check.getCell();
+        while (!valid && free > 0.0)
+        {
+            checker_->getTeam().interpolate(s1, s2, free, scratch.last);
+            ContinuousMotionCheck first(*checker_, scratch, s1, scratch.last);
+            const bool proved = first.isFree();
+            CheckCounts counts = first.getCounts();
+            counts.motions = 0;
+            checker_->getStatistics().add(counts);
+            if (proved)
+                break;
+            free = std::max(0.0, free - step);
+            step *= 2.0;
         }
         return valid;
     }

@@ -12,20 +12,21 @@
 
 namespace ompl_certificates
 {
-    /** \brief A stretch of a motion in which one subject, a group of robots or a pair, is yet to be proved free. \e Time is
-        the index of a sample in discrete mode, and the motion's time in continuous mode. */
-    template <typename Time>
+    /** \brief A stretch of a motion in which one subject, a group of robots or a pair, is yet to be proved free: from its first
+        to its last sample, or cell in continuous mode */
     struct Stretch
     {
         unsigned int subject;
-        Time first, last;
+        int first, last;
     };
 
     /** \brief What the check of one motion needs to remember, kept from motion to motion */
     struct MotionScratch
     {
         explicit MotionScratch(const TeamStateSpace &space)
-          : team(space), sample(space.allocState()->as<TeamStateSpace::StateType>())
+          : team(space)
+          , sample(space.allocState()->as<TeamStateSpace::StateType>())
+          , last(space.allocState()->as<TeamStateSpace::StateType>())
         {
             std::size_t bodies = 0;
             for (const auto &robot : space.getRobots())
@@ -42,13 +43,15 @@ namespace ompl_certificates
         ~MotionScratch()
         {
             team.freeState(sample);
+            team.freeState(last);
         }
 
         MotionScratch(const MotionScratch &) = delete;
         MotionScratch &operator=(const MotionScratch &) = delete;
 
         const TeamStateSpace &team;
-        TeamStateSpace::StateType *sample;
+        /** \brief A sample of the motion, and a state that might be its last valid one */
+        TeamStateSpace::StateType *sample, *last;
 
         /** \brief Where the bodies of each robot begin among those of the team */
         std::vector<std::size_t> firstBody;
@@ -63,8 +66,11 @@ namespace ompl_certificates
         /** \brief The time before which, and after which, each subject is proved free from the ends of the motion */
         std::vector<double> startReach, endReach;
 
-        std::vector<Stretch<int>> samples;
-        std::vector<Stretch<double>> times;
+        /** \brief The stretches that are yet to be looked at */
+        std::vector<Stretch> open;
+
+        /** \brief The values of two states */
+        std::vector<unsigned char> serialized;
 
         /** \brief The share of motions lately that were free, of those with free ends */
         double freeMotions{1.0};

@@ -18,6 +18,14 @@ namespace ompl_certificates
         {
             return (poseA * a.center - poseB * b.center).norm() - (a.radius + b.radius);
         }
+
+        /** For how long two balls stay apart that are more than a margin apart. The cushion lets the gap at another time
+            prove that there, too. */
+        double reachOf(double gap, double margin, double speed)
+        {
+            return speed > 0.0 ? std::max(gap - margin * (1.0 + CertifiedEnvironment::PROOF_CUSHION), 0.0) / speed
+                               : INF;
+        }
     }
 
     RobotPairs::RobotPairs(const TeamStateSpace &team, std::shared_ptr<CertificateLimit> limit)
@@ -89,7 +97,7 @@ namespace ompl_certificates
     }
 
     PoseVerdict RobotPairs::settle(unsigned int index, const Pose *first, const Pose *second,
-                                   const TravelBound *firstTravel, const TravelBound *secondTravel,
+                                   const TravelBound *firstTravel, const TravelBound *secondTravel, double provedReach,
                                    CheckCounts &counts) const
     {
         const Pair &pair = pairs_[index];
@@ -103,16 +111,16 @@ namespace ompl_certificates
             const TravelBound travelA = firstTravel ? firstTravel[bodies.firstBody] : TravelBound{};
             const TravelBound travelB = secondTravel ? secondTravel[bodies.secondBody] : TravelBound{};
             const double gap = gapOf(ballA, poseA, ballB, poseB);
-            if (gap > bodies.margin)
+            const double speed = travelA.at(ballA.center.norm()) + travelB.at(ballB.center.norm());
+            if (gap > bodies.margin + (provedReach > 0.0 ? provedReach * speed : 0.0))
             {
-                const double speed = travelA.at(ballA.center.norm()) + travelB.at(ballB.center.norm());
-                verdict.reach = std::min(verdict.reach, (gap - bodies.margin) / speed);
+                verdict.reach = std::min(verdict.reach, reachOf(gap, bodies.margin, speed));
                 continue;
             }
             if (!bodies.frame)
             {
                 verdict.reach = 0.0;
-                if (gap <= 0.0)
+                if (gap <= 0.0 || provedReach > 0.0)
                     return verdict;
                 continue;
             }
@@ -124,8 +132,9 @@ namespace ompl_certificates
             CheckCounts asked;
             SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
             SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
-            const PoseVerdict one = bodies.frame->environment.settle({bodies.swapped ? b : a, relative, &travel},
-                                                                     NO_CERTIFICATE, policy, asked);
+            const PoseVerdict one = bodies.frame->environment.settle(
+                {bodies.swapped ? b : a, relative, &travel, provedReach, provedReach > 0.0}, NO_CERTIFICATE, policy,
+                asked);
             counts.clearanceQueries += asked.clearanceQueries;
             counts.pairExact += asked.exactCalls;
             verdict.reach = std::min(verdict.reach, one.reach);
@@ -150,7 +159,7 @@ namespace ompl_certificates
                 return 0.0;
             const double speed =
                 firstTravel[bodies.firstBody].at(a.center.norm()) + secondTravel[bodies.secondBody].at(b.center.norm());
-            reach = std::min(reach, (gap - bodies.margin) / speed);
+            reach = std::min(reach, reachOf(gap, bodies.margin, speed));
         }
         return reach;
     }

@@ -5,10 +5,16 @@
 #include "ompl_certificates/validity/SharedProjection.h"
 #include "ompl_certificates/validity/TimedMotionValidator.h"
 
+#include <functional>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <ompl/util/Time.h>
 
 namespace ompl_certificates
 {
+    namespace ob = ompl::base;
+    namespace og = ompl::geometric;
+
     const std::vector<Method> &allMethods()
     {
         static const std::vector<Method> methods{Method::STANDARD, Method::BASIC, Method::PARTIAL,
@@ -73,6 +79,48 @@ namespace ompl_certificates
                 break;
         }
         setStateValidityChecker(checker_);
+    }
+
+    void TeamSetup::simplifySolution(double duration)
+    {
+        simplifySolution(duration > 0.0 ? ob::timedPlannerTerminationCondition(duration)
+                                        : ob::plannerNonTerminatingCondition());
+    }
+
+    void TeamSetup::simplifySolution(const ob::PlannerTerminationCondition &condition)
+    {
+        if (!haveSolutionPath())
+        {
+            OMPL_WARN("%s: there is no solution to simplify", getTeam().getName().c_str());
+            return;
+        }
+        const auto start = ompl::time::now();
+        og::PathGeometric &solution = getSolutionPath();
+        og::PathGeometric simplified = solution;
+        psk_->simplify(simplified, condition);
+        if (simplified.check())
+            solution = simplified;
+        else
+            simplifyInSteps(solution, condition);
+        simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
+    }
+
+    void TeamSetup::simplifyInSteps(og::PathGeometric &path, const ob::PlannerTerminationCondition &condition)
+    {
+        const std::vector<std::function<void(og::PathGeometric &)>> steps{
+            [this](og::PathGeometric &p) { psk_->reduceVertices(p); },
+            [this](og::PathGeometric &p) { psk_->collapseCloseVertices(p); },
+            [this](og::PathGeometric &p) { psk_->shortcutPath(p); },
+            [this](og::PathGeometric &p) { psk_->smoothBSpline(p); }};
+        for (const auto &step : steps)
+        {
+            if (condition)
+                return;
+            og::PathGeometric next = path;
+            step(next);
+            if (next.check() && next.length() <= path.length())
+                path = next;
+        }
     }
 
     void TeamSetup::setNearestStructure(NearestStructure structure)

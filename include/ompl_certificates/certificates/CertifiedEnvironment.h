@@ -8,6 +8,8 @@
 #include "ompl_certificates/geometry/ObstacleChange.h"
 #include "ompl_certificates/geometry/Robot.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace ompl_certificates
@@ -24,6 +26,11 @@ namespace ompl_certificates
         /** \brief A certificate that proves less than this, in time of the motion, is passed over for a new clearance */
         double minimumReach{0.0};
 
+        /** \brief Whether the body counts as free only if its sphere tree is proved free for \e minimumReach, by the clearances
+            of a few of its spheres. That verdict depends on the obstacles and the motion alone, not on what is
+            known of them. If not set, a pose that clearances do not settle gets the exact check. */
+        bool proofOnly{false};
+
         /** \brief How many samples a proof probably spares that lasts for all of the motion, if the pose lies between free ends;
             else 0. Such a pose is probably free, so collisions are tried last. */
         double samplesAhead{0.0};
@@ -32,6 +39,12 @@ namespace ompl_certificates
         double speedOf(const Ball &ball) const
         {
             return travel ? travel->at(ball.center.norm()) : 0.0;
+        }
+
+        /** \brief How far the center of a ball of the body moves within minimumReach, at most */
+        double leastSlack(const Ball &ball) const
+        {
+            return minimumReach > 0.0 ? minimumReach * speedOf(ball) : 0.0;
         }
     };
 
@@ -53,13 +66,15 @@ namespace ompl_certificates
         double clearance{std::numeric_limits<double>::quiet_NaN()};
     };
 
-    /** \brief Proves from certificates that a body is free: refines its cover where \e lookup, a function from a BallQuery to a
-        Covering, proves nothing of a coarse ball. Lowers \e verdict.reach to how long the proof lasts, and sets its
-        reference; \e verdict is meaningless if the proof fails. \e margin is what radii must be enlarged by.
+    /** \brief Proves from certificates that a body is free for minimumReach: refines its cover where \e lookup, a function from
+        a BallQuery to a Covering, does not prove that of a coarse ball. Lowers \e verdict.reach to how long the proof
+        lasts, and sets its reference; \e verdict is meaningless if the proof fails.
 
-        \param levels how often the cover may be refined */
+        \param margin what radii must be enlarged by
+        \param levels how often the cover may be refined
+        \param most how many balls may be looked up */
     template <typename Lookup>
-    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, const Lookup &lookup,
+    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, unsigned int most, const Lookup &lookup,
                    PoseVerdict &verdict);
 
     /** \brief Obstacles, and what is known of them: settles whether a body touches them, by certificates if possible.
@@ -93,6 +108,14 @@ namespace ompl_certificates
             return obstacles_->getTolerance() + exactCheckTolerance(body.getReach());
         }
 
+        /** \brief What the radii of the balls of a query's body are enlarged by to be proved free by a certificate that was not
+            made for this very query: getMargin(), and what rounding may cost where only a proof counts, so that the
+            clearances of the balls themselves prove all that older certificates prove. */
+        double getProofMargin(const PoseQuery &query) const
+        {
+            return getMargin(query.body) * (query.proofOnly ? 1.0 + PROOF_CUSHION : 1.0);
+        }
+
         /** \brief The obstacles */
         const Obstacles &getObstacles() const
         {
@@ -123,6 +146,17 @@ namespace ompl_certificates
             hits_.clear();
         }
 
+        /** \brief How many balls a proof may look at. Where only a proof counts, an old certificate may prove no more than
+            new clearances would: as many as settle most poses, and one for each further shape of the body. */
+        static unsigned int mostBalls(const PoseQuery &query)
+        {
+            return query.proofOnly ? 7 + static_cast<unsigned int>(query.body.getParts().size())
+                                   : std::numeric_limits<unsigned int>::max();
+        }
+
+        /** \brief The part of a margin that pays for the rounding between two proofs of the same */
+        static constexpr double PROOF_CUSHION = 1e-3;
+
     private:
         /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy, CheckCounts &counts) const;
@@ -146,37 +180,48 @@ namespace ompl_certificates
     };
 
     template <typename Lookup>
-    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, const Lookup &lookup,
+    bool proveFree(const PoseQuery &query, double margin, unsigned int levels, unsigned int most, const Lookup &lookup,
                    PoseVerdict &verdict)
     {
+        /** Siblings that are yet to be proved, and how often the cover was refined for them */
         struct Open
         {
-            std::uint32_t node;
+            std::uint32_t next, end;
             unsigned int level;
         };
-        constexpr std::size_t capacity = 64;
-        Open stack[capacity];
+        // Depth first: there are open siblings at each level at most.
+        std::array<Open, Cover::MOST_LEVELS> stack;
         std::size_t open = 0;
-        stack[open++] = {0, 0};
+        stack[open++] = {0, 1, 0};
         verdict.reach = std::numeric_limits<double>::infinity();
         const auto &nodes = query.body.getCover().getNodes();
         while (open > 0)
         {
-            const auto [index, level] = stack[--open];
+            Open &top = stack[open - 1];
+            if (top.next == top.end)
+            {
+                --open;
+                continue;
+            }
+            if (most-- == 0)
+                return false;
+            const std::uint32_t index = top.next++;
+            const unsigned int level = top.level;
             const Cover::Node &node = nodes[index];
-            const Covering covering = lookup(BallQuery{query.pose * node.ball.center, node.ball.radius + margin,
-                                                       -std::numeric_limits<double>::infinity()});
+            const double leastSlack = query.leastSlack(node.ball);
+            const Covering covering =
+                lookup(BallQuery{query.pose * node.ball.center, node.ball.radius + margin + leastSlack,
+                                 -std::numeric_limits<double>::infinity()});
             if (covering.verdict == Covering::FREE)
             {
                 if (index == 0 || verdict.reference == NO_CERTIFICATE)
                     verdict.reference = covering.certificate;
-                verdict.reach = std::min(verdict.reach, covering.slack / query.speedOf(node.ball));
+                verdict.reach = std::min(verdict.reach, (covering.slack + leastSlack) / query.speedOf(node.ball));
                 continue;
             }
-            if (level == levels || node.childCount == 0 || open + node.childCount > capacity)
+            if (level == levels || node.childCount == 0)
                 return false;
-            for (std::uint32_t child = 0; child < node.childCount; ++child)
-                stack[open++] = {node.firstChild + child, level + 1};
+            stack[open++] = {node.firstChild, node.firstChild + node.childCount, level + 1};
         }
         return true;
     }

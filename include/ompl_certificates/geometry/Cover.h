@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/geometry/Ball.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,9 @@ namespace ompl_certificates
             std::uint32_t firstChild{0};
             std::uint32_t childCount{0};
         };
+
+        /** \brief The most nodes on a path from the root to a leaf: the root, one for a shape of the body, and seven halvings */
+        static constexpr std::size_t MOST_LEVELS = 9;
 
         /** \brief Takes over \e nodes; the first is the root, and children come after their parent. */
         explicit Cover(std::vector<Node> nodes) : nodes_(std::move(nodes))

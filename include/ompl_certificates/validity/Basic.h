@@ -56,8 +56,7 @@ namespace ompl_certificates
 
     private:
         /** \brief Whether team certificate \e team proves all robots free, and for how long */
-        bool proveTeamFree(CertificateIndex team, const Pose *poses, const TravelBound *travel,
-                           PoseVerdict &verdict) const;
+        bool proveTeamFree(CertificateIndex team, const Pose *poses, const Motion &motion, PoseVerdict &verdict) const;
 
         CertifiedEnvironment environment_;
         /** \brief For each body of the team */

@@ -94,6 +94,9 @@ namespace ompl_certificates
             /** \brief How many samples a proof for all of the motion probably spares, if this one lies between free ends;
                 else 0 */
             double samplesAhead{0.0};
+
+            /** \brief Whether only what is proved free for minimumReach counts as free; see PoseQuery::proofOnly */
+            bool proofOnly{false};
         };
 
         /** \brief Robots that are settled together: those from \e first to \e last - 1 */
@@ -133,8 +136,12 @@ namespace ompl_certificates
         PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const Motion &motion) const
         {
             const std::size_t index = getFirstBody(robot) + body;
-            return {team_.getRobot(robot).getBodies()[body], poses[index],
-                    motion.travel ? motion.travel + index : nullptr, motion.minimumReach, motion.samplesAhead};
+            return {team_.getRobot(robot).getBodies()[body],
+                    poses[index],
+                    motion.travel ? motion.travel + index : nullptr,
+                    motion.minimumReach,
+                    motion.proofOnly,
+                    motion.samplesAhead};
         }
 
     private:

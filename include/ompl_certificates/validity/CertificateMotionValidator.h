@@ -9,15 +9,23 @@
 namespace ompl_certificates
 {
     class MotionScratchPool;
+    struct MotionScratch;
 
     /** \brief Checks motions by certified stretches: where a clearance proves a robot free for a while, the samples in that
         while are skipped.
 
-        In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator. In
-        continuous mode a motion is accepted only if certified stretches cover all of it, so that nothing can be between
-        two samples; a robot that passes closer to an obstacle than its finest covering balls and the tolerance allow is
-        then taken to collide. So is one in SE(3) that turns by less than 2e-4 rad, but turns, unless it is a ball about
-        its origin: OMPL's interpolation makes such a turn in one jump. May be used by many threads at once. */
+        In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator.
+
+        In continuous mode a motion is accepted only if all of it is proved free, so that nothing can be between two
+        samples. The verdict depends on the obstacles, the motion and the resolution alone: it is the same for both
+        overloads, both directions (where the spaces interpolate symmetrically), all methods, and whatever is known. The
+        last valid state tells how far the proof goes, and the motion to it is accepted. A part of an accepted motion may
+        be refused where it passes close to obstacles, for it is proved in other steps. A robot that passes closer to an
+        obstacle than its finest spheres and the tolerance allow is taken to collide. So is one in SE(3) that turns by
+        less than 2e-4 rad, but turns, unless it is a ball about its origin: OMPL's interpolation makes such a turn in one
+        jump.
+
+        May be used by many threads at once. */
     class CertificateMotionValidator : public ompl::base::MotionValidator
     {
     public:
@@ -26,7 +34,7 @@ namespace ompl_certificates
         {
             /// All samples at the space's resolution are valid, as for OMPL's own validator.
             DISCRETE,
-            /// All of the motion is certified.
+            /// All of the motion is proved free.
             CONTINUOUS
         };
 
@@ -48,6 +56,12 @@ namespace ompl_certificates
         }
 
     private:
+        bool areSamplesFree(MotionScratch &scratch, const ompl::base::State *s1, const ompl::base::State *s2,
+                            double &free) const;
+
+        bool isProved(MotionScratch &scratch, const ompl::base::State *s1, const ompl::base::State *s2,
+                      double &free) const;
+
         std::shared_ptr<const CertificateChecker> checker_;
         Mode mode_;
         std::unique_ptr<MotionScratchPool> scratch_;

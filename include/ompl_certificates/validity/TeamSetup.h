@@ -53,6 +53,14 @@ namespace ompl_certificates
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
 
+        /** \brief Simplify the solution with OMPL's PathSimplifier, for at most \e duration seconds (0: as long as it finds
+            something to do). Unlike ompl::geometric::SimpleSetup::simplifySolution(), whose steps keep pieces of motions
+            that were never checked by themselves, this keeps the last path that the motion validator accepts. */
+        void simplifySolution(double duration = 0.0);
+
+        /** \brief The same, until \e condition becomes true */
+        void simplifySolution(const ompl::base::PlannerTerminationCondition &condition);
+
         /** \brief The team */
         const TeamStateSpace &getTeam() const
         {
@@ -78,6 +86,10 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Simplify \e path step by step; a step whose path is refused, or longer, is taken back */
+        void simplifyInSteps(ompl::geometric::PathGeometric &path,
+                             const ompl::base::PlannerTerminationCondition &condition);
+
         std::shared_ptr<TeamValidityChecker> checker_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};
     };

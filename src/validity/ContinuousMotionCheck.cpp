@@ -1,0 +1,127 @@
+#include "ContinuousMotionCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** The finest that proofs are looked for, in cells for each segment of a discrete check */
+        constexpr int CELLS = 16;
+    }
+
+    ContinuousMotionCheck::ContinuousMotionCheck(const CertificateChecker &checker, MotionScratch &scratch,
+                                                 const ompl::base::State *s1, const ompl::base::State *s2)
+      : MotionCheck(checker, scratch, s1, s2)
+    {
+        orient();
+        cells_ = CELLS * std::max(1, static_cast<int>(checker.getTeam().validSegmentCount(from_, to_)));
+    }
+
+    void ContinuousMotionCheck::orient()
+    {
+        const TeamStateSpace &team = checker_.getTeam();
+        if (!team.hasSymmetricInterpolate())
+            return;
+        const std::size_t size = team.getSerializationLength();
+        scratch_.serialized.resize(2 * size);
+        unsigned char *first = scratch_.serialized.data(), *second = first + size;
+        team.serialize(first, s1_);
+        team.serialize(second, s2_);
+        reversed_ = std::memcmp(first, second, size) > 0;
+        if (reversed_)
+            std::swap(from_, to_);
+    }
+
+    bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, int &around)
+    {
+        const int counted = reversed_ ? cells_ - 1 - cell : cell;
+        const PoseVerdict verdict = settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, true, cell == cells_ - 1 ? 0.0 : 1.0);
+        const double reach = std::min(verdict.reach, 1.0) * (1.0 - OVERLAP);
+        around = std::max(0, static_cast<int>(reach * cells_ - 0.5));
+        return verdict.free;
+    }
+
+    bool ContinuousMotionCheck::isFree()
+    {
+        return settleEnd() && settleStart() && settleRest();
+    }
+
+    bool ContinuousMotionCheck::settleEnd()
+    {
+        scratch_.open.clear();
+        // The second state's own references are the best hints; a state that has none yet is near the first one.
+        takeReferences(s2_, s1_);
+        int around;
+        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+        {
+            const bool free = settleCell(subject, cells_ - 1, around);
+            // Nothing of this motion was counted before its end.
+            counts_.endPoses = counts_.robotPoses;
+            counts_.endExact = counts_.exact;
+            if (!free)
+                return false;
+            if (around < cells_ - 1)
+                scratch_.open.push_back({subject, 0, cells_ - 2 - around});
+        }
+        giveReferences(s2_);
+        return true;
+    }
+
+    bool ContinuousMotionCheck::settleStart()
+    {
+        takeReferences(s1_, s2_);
+        for (Stretch &open : scratch_.open)
+        {
+            int around;
+            if (!settleCell(open.subject, 0, around))
+                return false;
+            open.first = 1 + around;
+        }
+        return true;
+    }
+
+    bool ContinuousMotionCheck::settleRest()
+    {
+        // Breadth first: what is far from everything known is looked at first.
+        auto &queue = scratch_.open;
+        for (std::size_t next = 0; next < queue.size(); ++next)
+        {
+            const auto [subject, first, last] = queue[next];
+            if (first > last)
+                continue;
+            const int middle = (first + last) / 2;
+            int around;
+            if (!settleCell(subject, middle, around))
+                return false;
+            queue.push_back({subject, first, middle - 1 - around});
+            queue.push_back({subject, middle + 1 + around, last});
+        }
+        return true;
+    }
+
+    bool ContinuousMotionCheck::isFree(double &free)
+    {
+        // The first cell that is not proved free
+        int unproved = cells_;
+        takeReferences(s1_, s2_);
+        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+            for (int cell = 0; cell < unproved;)
+            {
+                int around;
+                if (settleCell(subject, cell, around))
+                    cell += 1 + around;
+                else
+                    unproved = cell;
+            }
+        if (unproved == cells_)
+        {
+            giveReferences(s2_);
+            return true;
+        }
+        free = static_cast<double>(unproved) / cells_;
+        return false;
+    }
+}

@@ -1,0 +1,48 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_DISCRETE_MOTION_CHECK_
+#define OMPL_CERTIFICATES_VALIDITY_DISCRETE_MOTION_CHECK_
+
+#include "MotionCheck.h"
+
+namespace ompl_certificates
+{
+    /** \brief The check of a motion whose samples, at the resolution of the space, are to be valid: the verdict of
+        ompl::base::DiscreteMotionValidator. Samples that a proof reaches are skipped. */
+    class DiscreteMotionCheck : public MotionCheck
+    {
+    public:
+        DiscreteMotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+                            const ompl::base::State *s2);
+
+        /** \brief Whether all samples are valid */
+        bool isFree();
+
+        /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
+        bool isFree(double &free);
+
+    private:
+        /** \brief Find the number of segments between samples. Not needed where the end of the motion is invalid. */
+        void countSegments();
+
+        /** \brief Settle all subjects at the end of the motion; fills endReach. False if one is not free. */
+        bool settleEnd();
+
+        /** \brief Fill startReach with how long the references of the first state prove the subjects free */
+        void proveFromStart();
+
+        /** \brief Settle a subject at an inner sample */
+        PoseVerdict settleSample(unsigned int subject, int sample);
+
+        /** \brief The first and the last sample that neither end of the motion proves free */
+        std::pair<int, int> openSamples(unsigned int subject) const;
+
+        /** \brief Whether the samples that openSamples() leaves are free */
+        bool areInnerSamplesFree();
+
+        /** \brief How many samples to either side of one are closer in time than \e reach */
+        int samplesWithin(double reach) const;
+
+        int segments_{0};
+    };
+}
+
+#endif
