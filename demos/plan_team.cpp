@@ -167,7 +167,7 @@ namespace
     /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
     void simplify(TeamSetup &setup, PlanReport &report)
     {
-        if (!report.solved || demos::interrupted())
+        if (!report.solved)
             return;
         setup.simplifySolution(ob::PlannerTerminationCondition(demos::interrupted));
         report.simplifiedCost = setup.getSolutionPath().length();
@@ -312,6 +312,8 @@ namespace
         report.seed = options.seed;
         demos::catchInterrupts();
         plan(*setup, options, report);
+        // Ctrl-C has ended planning alone; another one ends simplifying.
+        const bool stopped = demos::takeInterrupt();
         ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         ob::PlannerData tree(setup->getSpaceInformation());
         setup->getPlanner()->getPlannerData(tree);
@@ -321,7 +323,7 @@ namespace
 
         if (!options.quiet)
         {
-            if (demos::interrupted())
+            if (stopped || demos::interrupted())
                 std::puts("interrupted: this is what was found so far");
             print(report, *setup);
         }

@@ -249,7 +249,7 @@ TEST_F(PlanTeam, endsTidilyWhenInterrupted)
     {
         std::filesystem::remove(folder_ / "report.json");
         std::filesystem::remove(folder_ / "plan.svg");
-        Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--report",
+        Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--simplify", "--report",
                                       folder_ / "report.json", "--picture", folder_ / "plan.svg"});
         std::this_thread::sleep_for(std::chrono::seconds(2));
         program.signal(signal);
@@ -258,6 +258,7 @@ TEST_F(PlanTeam, endsTidilyWhenInterrupted)
         const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
         EXPECT_TRUE(report.at("solved").get<bool>());
         EXPECT_LT(report.at("seconds").at("total").get<double>(), 200.0);
+        EXPECT_LE(report.at("simplified_cost").get<double>(), report.at("cost").get<double>());
         EXPECT_TRUE(std::filesystem::exists(folder_ / "plan.svg"));
     }
 }
