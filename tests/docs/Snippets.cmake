@@ -5,7 +5,6 @@
 # Writes a source file for each block of `page` into `folder`, and adds the files to the list `sources`.
 function(extract_snippets page folder sources)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${page}")
-  # Semicolons and brackets would make a list of what is text.
   file(READ "${PROJECT_SOURCE_DIR}/${page}" rest)
   string(REGEX REPLACE "[^a-zA-Z0-9]" "_" stem "${page}")
   set(files "${${sources}}")
