@@ -24,8 +24,9 @@ namespace demos
             return BAD_INPUT;
         }
 
-        /** What is told of arguments that were not expected */
-        std::string complaintOf(const CLI::ExtrasError &error, const CLI::App &app)
+        /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong may
+            be wrong only because of it. */
+        std::string complaintOf(const CLI::ParseError &error, const CLI::App &app)
         {
             std::vector<std::string> known;
             for (const CLI::Option *option : app.get_options())
@@ -49,15 +50,11 @@ namespace demos
             app.parse(argc, argv);
             return work();
         }
-        catch (const CLI::ExtrasError &e)
-        {
-            return complain(app, complaintOf(e, app));
-        }
         catch (const CLI::ParseError &e)
         {
             if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
                 return app.exit(e);
-            return complain(app, e.what());
+            return complain(app, complaintOf(e, app));
         }
         catch (const std::exception &e)
         {

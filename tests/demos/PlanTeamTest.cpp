@@ -335,6 +335,7 @@ namespace
             {{"@/scene.yaml", "--path", "/dev/full", "--time", "300"}, "/dev/full: cannot be written"},
             {{"@/scene.yaml", "--picture", "/proc/plan.svg", "--time", "300"}, "/proc/plan.svg: cannot be written"},
             {{"@/scene.yaml", "--save-certificates", "-"}, "--save-certificates"},
+            {{"--list-planer"}, "There is no option --list-planer; did you mean --list-planners?"},
             {{"@/scene.yaml", "--velocity", "2"}, "There is no option --velocity"},
             {{"@/scene.yaml", "--planer", "RRT"}, "There is no option --planer; did you mean --planner?"},
             {{"@/scene.yaml", "--pikture=plan.svg"}, "There is no option --pikture; did you mean --picture?"},
