@@ -1,4 +1,4 @@
-# Headers, libraries and the CMake package; find_package(ompl_certificates [COMPONENTS scene]) finds them again.
+# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene]) finds it again.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
@@ -11,6 +11,15 @@ if(TARGET ompl_certificates_scene)
   install(TARGETS ompl_certificates_scene EXPORT ompl_certificates_sceneTargets)
   install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 endif()
+
+# The programs that serve users; they find the libraries next to them, wherever both are moved.
+file(RELATIVE_PATH libraries_from_programs "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
+foreach(program plan_team benchmark_team generate_scene certificate_experiment)
+  if(TARGET ${program})
+    set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+    install(TARGETS ${program})
+  endif()
+endforeach()
 
 configure_package_config_file(cmake/ompl_certificatesConfig.cmake.in ompl_certificatesConfig.cmake
   INSTALL_DESTINATION "${package_dir}"

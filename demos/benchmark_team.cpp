@@ -5,11 +5,12 @@
 
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
-#include "common/PlannerFactory.h"
+#include "common/Outputs.h"
+#include "common/PlannerList.h"
+#include "common/Suggestion.h"
 #include "common/TeamBenchmark.h"
 
 #include "ompl_certificates/scene/SceneFile.h"
-#include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +38,15 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        for (const Method method : allMethods())
-            options.methods += (options.methods.empty() ? "" : ",") + nameOf(method);
+        for (const std::string &name : demos::methodNames())
+            options.methods += (options.methods.empty() ? "" : ",") + name;
         app.add_option("SCENE", options.scenes, "Scene files: YAML, or .cfg files of OMPL.app")->required();
         app.add_option("--planners", options.planners, "Planners: names of OMPL's classes, separated by commas")
             ->default_str("those of a .cfg file, else RRTConnect");
+        demos::addPlannerList(app);
         app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
         app.add_option("--nearest", options.nearest, "What planners look for near states in")
-            ->check(CLI::IsMember(demos::nearestNames()))
+            ->check(demos::oneOf(demos::nearestNames()))
             ->capture_default_str();
         app.add_option("--runs", options.runs, "Runs of each planner with each method")
             ->check(demos::countUpTo(1000000ull))
@@ -55,8 +57,10 @@ namespace
         app.add_option("--seed", options.seed, "Seed of the first run; each further one adds 1")
             ->check(demos::countUpTo(4000000000ull))
             ->capture_default_str();
-        app.add_option("--log", options.log,
-                       "Write a log for ompl_benchmark_statistics; of several scenes one each, named F_SCENE.log");
+        app.add_option(
+            "--log", options.log,
+            "Write a log for ompl_benchmark_statistics, - to standard output; of several scenes one each, named "
+            "F_SCENE.log");
         app.footer("Returns 0 when the benchmark is complete, 1 if it was interrupted, 2 for bad input.");
     }
 
@@ -75,7 +79,7 @@ namespace
     /** Where the log of a scene goes */
     std::string logOf(const Options &options, const std::string &scene)
     {
-        if (options.log.empty() || options.scenes.size() == 1)
+        if (options.log.empty() || options.log == "-" || options.scenes.size() == 1)
             return options.log;
         const std::filesystem::path log(options.log);
         const std::string name = log.stem().string() + "_" + std::filesystem::path(scene).stem().string();
@@ -190,7 +194,11 @@ namespace
         ompl::RNG::setSeed(options.seed);
         std::vector<Method> methods;
         for (const std::string &name : listOf("--methods", options.methods))
+        {
+            if (const std::string why = demos::whyNotOneOf(name, demos::methodNames()); !why.empty())
+                throw ompl::Exception("--methods", why);
             methods.push_back(methodOf(name));
+        }
         const NearestStructure nearest = nearestStructureOf(options.nearest);
         // The standard method is the one to compare with.
         std::stable_sort(methods.begin(), methods.end(),
@@ -199,7 +207,7 @@ namespace
         std::vector<std::pair<std::string, std::string>> logs;
         for (const std::string &file : options.scenes)
             logs.emplace_back("--log", logOf(options, file));
-        demos::checkOutputs(logs, options.scenes);
+        demos::prepareOutputs(logs, options.scenes);
         std::vector<Task> tasks;
         for (const std::string &file : options.scenes)
         {
@@ -217,14 +225,14 @@ namespace
             demos::TeamBenchmark benchmark(*task.scene, task.planners, methods, nearest, options.seed);
             if (!benchmark.runAll(task.request))
                 std::puts("interrupted: these are the runs that were complete");
+            printTable(task.scene->getName(), benchmark.getRuns(), task.planners, methods);
+            std::fflush(stdout);
             if (!logs[i].second.empty())
             {
                 std::ostringstream log;
                 benchmark.saveResultsToStream(log);
-                writeTextFile(logs[i].second, log.str());
+                demos::writeOutput(logs[i].second, log.str());
             }
-            printTable(task.scene->getName(), benchmark.getRuns(), task.planners, methods);
-            std::fflush(stdout);
         }
         return demos::interrupted() ? demos::NOT_SOLVED : demos::SOLVED;
     }

@@ -1,19 +1,21 @@
 // Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a
 // report.
 //
-//     plan_team scene.yaml --planner RRTstar --iterations 20000 --seed 1 --picture plan.svg --report plan.json
+//     plan_team scene.yaml --planner RRTConnect --simplify --seed 1 --picture plan.svg --report plan.json
 
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Limit.h"
+#include "common/Outputs.h"
 #include "common/PlannerChoice.h"
+#include "common/PlannerList.h"
 #include "common/ProgressBar.h"
 
 #include "ompl_certificates/scene/CertificateFile.h"
+#include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/scene/ScenePicture.h"
-#include "ompl_certificates/scene/TextFile.h"
 
 #include <cstdio>
 #include <iostream>
@@ -38,28 +40,25 @@ namespace
         std::string range;
         std::vector<std::string> parameters;
         std::string picture, path, report, loadedCertificates, savedCertificates;
-        bool pictureTree{false}, pictureCertificates{false}, quiet{false};
+        bool simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
 
     void declare(CLI::App &app, Options &options)
     {
-        std::vector<std::string> methods;
-        for (const Method method : allMethods())
-            methods.push_back(nameOf(method));
-
         app.add_option("SCENE", options.scene, "Scene file: YAML, or a .cfg file of OMPL.app")->required();
         app.add_option("--planner", options.planner,
                        "Planner: the name of OMPL's class. Where a .cfg file has the same planner, its parameters are "
                        "used")
             ->default_str("the first of a .cfg file, else RRTConnect");
+        demos::addPlannerList(app);
         app.add_option("--method", options.method, "How checks are saved")
-            ->check(CLI::IsMember(methods))
+            ->check(demos::oneOf(demos::methodNames()))
             ->capture_default_str();
         app.add_option("--motion", options.motion, "How motions are checked")
-            ->check(CLI::IsMember({"discrete", "continuous"}))
+            ->check(demos::oneOf({"discrete", "continuous"}))
             ->capture_default_str();
         app.add_option("--nearest", options.nearest, "What the planner looks for near states in")
-            ->check(CLI::IsMember(demos::nearestNames()))
+            ->check(demos::oneOf(demos::nearestNames()))
             ->capture_default_str();
         auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
                          ->check(demos::positiveNumber())
@@ -76,18 +75,23 @@ namespace
         app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")
             ->check(demos::positiveNumber());
         app.add_option("--planner-param", options.parameters, "Parameters of the planner: NAME=VALUE ...");
+        app.add_flag("--simplify", options.simplify,
+                     "Shorten and smooth the solution with OMPL's simplifier before it is written");
         auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
         app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
             ->needs(picture);
-        app.add_option("--path", options.path, "Write the states of the solution, one a line");
+        app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
         app.add_option("--report", options.report, "Write a report (JSON)");
         app.add_option("--load-certificates", options.loadedCertificates,
                        "Begin with the certificates of a file, which --save-certificates wrote");
         app.add_option("--save-certificates", options.savedCertificates,
                        "Write what is known of the obstacles in the end, for a later run");
         app.add_flag("--quiet", options.quiet, "Print errors only");
-        app.footer("Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input.");
+        app.footer(
+            "Of picture, path and report one may be -, for standard output; all else is then printed to standard "
+            "error.\nReturns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a "
+            "file that could not be written.");
     }
 
     ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,
@@ -160,6 +164,16 @@ namespace
             report.certificates = checker->getCertificateCount();
     }
 
+    /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
+    void simplify(TeamSetup &setup, PlanReport &report)
+    {
+        if (!report.solved)
+            return;
+        setup.simplifySolution(ob::PlannerTerminationCondition(demos::interrupted));
+        report.simplifiedCost = setup.getSolutionPath().length();
+        report.simplifyingSeconds = setup.getLastSimplificationTime();
+    }
+
     void printShare(const char *label, std::uint64_t part, std::uint64_t whole)
     {
         std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
@@ -172,7 +186,10 @@ namespace
         const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
         std::printf("%s: %s, method %s, seed %llu\n", report.scene.c_str(), report.planner.c_str(),
                     report.method.c_str(), number(report.seed));
-        if (report.solved)
+        if (report.solved && report.simplifiedCost >= 0.0)
+            std::printf("  solved        cost %.6g, simplified %.6g in %.3f s, %zu states\n", report.cost,
+                        report.simplifiedCost, report.simplifyingSeconds, setup.getSolutionPath().getStateCount());
+        else if (report.solved)
             std::printf("  solved        cost %.6g, %zu states\n", report.cost,
                         setup.getSolutionPath().getStateCount());
         else if (report.approximate)
@@ -206,18 +223,8 @@ namespace
         std::puts(threads ? " over all threads" : "");
     }
 
-    void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
-               const ob::PlannerData &tree)
+    std::string drawn(const Options &options, const Scene &scene, const TeamSetup &setup, const ob::PlannerData &tree)
     {
-        if (!options.savedCertificates.empty())
-            saveCertificates(*setup.getCertificateChecker(), options.savedCertificates);
-        if (!options.report.empty())
-            report.write(options.report);
-        // An approximate path looks like any other in a file, and would be taken for a solution.
-        if (!options.path.empty() && report.solved)
-            writePath(options.path, setup.getSolutionPath());
-        if (options.picture.empty())
-            return;
         ScenePicture picture(scene);
         if (setup.haveSolutionPath())
             picture.setPath(setup.getSolutionPath());
@@ -225,7 +232,37 @@ namespace
             picture.setTree(tree);
         if (const auto checker = setup.getCertificateChecker(); checker && options.pictureCertificates)
             picture.setCertificates(checker->getCertificates());
-        picture.write(options.picture);
+        return picture.toSvg();
+    }
+
+    /** Write all files that are asked for; one that cannot be written does not keep the others from it. */
+    void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
+               const ob::PlannerData &tree)
+    {
+        std::string failures;
+        const auto attempt = [&failures](const std::string &file, const auto &writeFile)
+        {
+            if (!file.empty())
+                try
+                {
+                    writeFile(file);
+                }
+                catch (const std::exception &exception)
+                {
+                    failures += (failures.empty() ? "" : "; ") + std::string(exception.what());
+                }
+        };
+        attempt(options.savedCertificates,
+                [&](const std::string &file) { saveCertificates(*setup.getCertificateChecker(), file); });
+        attempt(options.report, [&](const std::string &file) { demos::writeOutput(file, report.toJson()); });
+        // An approximate path looks like any other in a file, and would be taken for a solution.
+        if (report.solved)
+            attempt(options.path,
+                    [&](const std::string &file) { demos::writeOutput(file, toCsv(setup.getSolutionPath())); });
+        attempt(options.picture,
+                [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
+        if (!failures.empty())
+            throw ompl::Exception(failures);
     }
 
     int run(Options options)
@@ -249,11 +286,13 @@ namespace
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (const auto objective = demos::makeObjective(choice.planner, setup->getSpaceInformation()))
             setup->setOptimizationObjective(objective);
-        demos::checkOutputs({{"--picture", options.picture},
-                             {"--path", options.path},
-                             {"--report", options.report},
-                             {"--save-certificates", options.savedCertificates}},
-                            {options.scene});
+        if (options.savedCertificates == "-")
+            throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
+        demos::prepareOutputs({{"--picture", options.picture},
+                               {"--path", options.path},
+                               {"--report", options.report},
+                               {"--save-certificates", options.savedCertificates}},
+                              {options.scene});
         setup->setNearestStructure(nearestStructureOf(options.nearest));
         setup->setup();
         setup->getStatistics().reset();
@@ -273,20 +312,25 @@ namespace
         report.seed = options.seed;
         demos::catchInterrupts();
         plan(*setup, options, report);
+        // Ctrl-C has ended planning alone; another one ends simplifying.
+        const bool stopped = demos::takeInterrupt();
         ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         ob::PlannerData tree(setup->getSpaceInformation());
         setup->getPlanner()->getPlannerData(tree);
         report.setTree(tree);
+        if (options.simplify)
+            simplify(*setup, report);
 
         if (!options.quiet)
         {
-            if (demos::interrupted())
+            if (stopped || demos::interrupted())
                 std::puts("interrupted: this is what was found so far");
             print(report, *setup);
         }
-        write(options, *scene, *setup, report, tree);
         if (!options.quiet && !options.path.empty() && !report.solved)
             std::printf("no path was written to %s\n", options.path.c_str());
+        std::fflush(stdout);
+        write(options, *scene, *setup, report, tree);
         return report.solved ? demos::SOLVED : demos::NOT_SOLVED;
     }
 }

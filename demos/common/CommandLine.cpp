@@ -1,11 +1,10 @@
 #include "common/CommandLine.h"
 
+#include "common/Suggestion.h"
+
 #include <cmath>
-#include <filesystem>
 #include <iostream>
-#include <ompl/util/Exception.h>
 #include <sstream>
-#include <unistd.h>
 
 #ifndef OMPL_CERTIFICATES_VERSION
 #define OMPL_CERTIFICATES_VERSION "of unknown version"
@@ -13,8 +12,6 @@
 
 namespace demos
 {
-    namespace fs = std::filesystem;
-
     namespace
     {
         int complain(const CLI::App &app, const std::string &message)
@@ -27,31 +24,21 @@ namespace demos
             return BAD_INPUT;
         }
 
-        /** What keeps \e file from being written; empty if nothing does */
-        std::string obstacleToWriting(const fs::path &file)
+        /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong may
+            be wrong only because of it. */
+        std::string complaintOf(const CLI::ParseError &error, const CLI::App &app)
         {
-            std::error_code error;
-            if (fs::is_directory(file, error))
-                return "is a directory";
-            // An existing file is replaced by a new one, so its directory matters, too; a device is written to.
-            if (fs::exists(file, error) && access(file.c_str(), W_OK) != 0)
-                return "cannot be written";
-            if (fs::exists(file, error) && !fs::is_regular_file(file, error))
-                return "";
-            const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
-            if (!fs::is_directory(directory, error))
-                return "cannot be written: there is no directory " + directory.string();
-            if (access(directory.c_str(), W_OK | X_OK) != 0)
-                return "cannot be written: the directory " + directory.string() + " is not writable";
-            return "";
-        }
-
-        bool isRegularTwin(const std::string &first, const std::string &second)
-        {
-            std::error_code error;
-            if (fs::exists(first, error) && !fs::is_regular_file(first, error))
-                return false;
-            return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
+            std::vector<std::string> known;
+            for (const CLI::Option *option : app.get_options())
+                for (const std::string &name : option->get_lnames())
+                    known.push_back("--" + name);
+            for (const std::string &argument : app.remaining())
+                if (argument.size() > 1 && argument[0] == '-')
+                {
+                    const std::string name = argument.substr(0, argument.find('='));
+                    return "There is no option " + name + didYouMean(name, known);
+                }
+            return error.what();
         }
     }
 
@@ -67,7 +54,7 @@ namespace demos
         {
             if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
                 return app.exit(e);
-            return complain(app, e.what());
+            return complain(app, complaintOf(e, app));
         }
         catch (const std::exception &e)
         {
@@ -103,23 +90,10 @@ namespace demos
             "COUNT", "count");
     }
 
-    void checkOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,
-                      const std::vector<std::string> &inputs)
+    CLI::Validator oneOf(const std::vector<std::string> &words)
     {
-        for (auto output = outputs.begin(); output != outputs.end(); ++output)
-        {
-            const auto &[option, file] = *output;
-            if (file.empty())
-                continue;
-            if (const std::string why = obstacleToWriting(file); !why.empty())
-                throw ompl::Exception(option, file + " " + why);
-            for (const std::string &input : inputs)
-                if (isRegularTwin(file, input))
-                    throw ompl::Exception(option, file + " would overwrite the scene");
-            for (auto other = outputs.begin(); other != output; ++other)
-                if (!other->second.empty() && isRegularTwin(file, other->second))
-                    throw ompl::Exception(option, file + " is named by " + other->first + ", too");
-        }
+        return CLI::Validator([words](const std::string &word) { return whyNotOneOf(word, words); },
+                              "{" + joined(words) + "}", "one of");
     }
 
     std::vector<std::string> splitAtCommas(const std::string &text)

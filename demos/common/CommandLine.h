@@ -17,7 +17,8 @@ namespace demos
     };
 
     /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is
-        written to standard error as one line, and BAD_INPUT returned. Adds the option --version. */
+        written to standard error as one line, and BAD_INPUT returned. For an option that does not exist the line suggests
+        a similar one. Adds the option --version. */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
 
     /** \brief Accepts finite numbers above zero */
@@ -26,13 +27,8 @@ namespace demos
     /** \brief Accepts whole numbers from 1 to \e limit */
     CLI::Validator countUpTo(unsigned long long limit);
 
-    /** \brief Check that all of the files that options name could be written, and are not the same. Empty names are
-        left out.
-        \param outputs pairs of an option and the file that it names
-        \param inputs files that must not be overwritten
-        \throws ompl::Exception that names the option and the file */
-    void checkOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,
-                      const std::vector<std::string> &inputs);
+    /** \brief Accepts one of \e words; the complaint about another one suggests the most similar */
+    CLI::Validator oneOf(const std::vector<std::string> &words);
 
     /** \brief The words of \e text, which are separated by commas; empty ones are left out */
     std::vector<std::string> splitAtCommas(const std::string &text);

@@ -30,4 +30,12 @@ namespace demos
     {
         return caught;
     }
+
+    bool takeInterrupt()
+    {
+        const bool result = caught.exchange(false);
+        if (result)
+            catchInterrupts();
+        return result;
+    }
 }

@@ -1,9 +1,11 @@
 #include "common/PlannerFactory.h"
 
 #include "common/Interrupt.h"
+#include "common/Suggestion.h"
 
 #include "ompl_certificates/team/PlannerNeighbors.h"
 #include "ompl_certificates/team/TeamPathLength.h"
+#include "ompl_certificates/validity/TeamSetup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,11 +143,12 @@ namespace demos
             return table;
         }
 
-        std::string joined(const std::vector<std::string> &words)
+        /** What OMPL's class is called where others write RRT* or RRT# */
+        std::string spelledOut(const std::string &name)
         {
             std::string text;
-            for (const std::string &word : words)
-                text += (text.empty() ? "" : ", ") + word;
+            for (const char c : name)
+                text += c == '*' ? "star" : c == '#' ? "sharp" : std::string(1, c);
             return text;
         }
 
@@ -176,7 +179,11 @@ namespace demos
     {
         const auto entry = allocators().find(name);
         if (entry == allocators().end())
-            throw ompl::Exception("There is no planner '" + name + "'; the planners are " + joined(plannerNames()));
+        {
+            const std::string suggestion = didYouMean(spelledOut(name), plannerNames());
+            throw ompl::Exception("There is no planner '" + name + "'" +
+                                  (suggestion.empty() ? "; the planners are " + joined(plannerNames()) : suggestion));
+        }
         return entry->second(si, afterSolve);
     }
 
@@ -188,6 +195,14 @@ namespace demos
         if (informed.count(name) == 0)
             return nullptr;
         return std::make_shared<ompl_certificates::TeamPathLength>(si);
+    }
+
+    std::vector<std::string> methodNames()
+    {
+        std::vector<std::string> names;
+        for (const auto method : ompl_certificates::allMethods())
+            names.push_back(nameOf(method));
+        return names;
     }
 
     std::vector<std::string> nearestNames()
@@ -204,7 +219,8 @@ namespace demos
         {
             std::vector<std::string> names;
             planner.params().getParamNames(names);
-            throw ompl::Exception(planner.getName() + " has no parameter '" + key + "'; it has " + joined(names));
+            throw ompl::Exception(planner.getName() + " has no parameter '" + key + "'; it has " + joined(names) +
+                                  didYouMean(key, names));
         }
         const std::string refusal = planner.getName() + " refuses '" + value + "' as its parameter '" + key + "'";
         bool accepted = false;

@@ -16,7 +16,7 @@ namespace demos
     std::vector<std::string> plannerNames();
 
     /** \brief OMPL's geometric planner of that class name, such as RRTConnect
-        \throws ompl::Exception that lists the names if there is none */
+        \throws ompl::Exception if there is none; the message suggests a similar name, or lists all */
     ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
                                        const SolveEvent &afterSolve = SolveEvent());
 
@@ -24,6 +24,9 @@ namespace demos
         which is the length of the path but for TRRT and BiTRRT. The others sample by it; see TeamPathLength. */
     ompl::base::OptimizationObjectivePtr makeObjective(const std::string &name,
                                                        const ompl::base::SpaceInformationPtr &si);
+
+    /** \brief The names of all methods; see ompl_certificates::Method */
+    std::vector<std::string> methodNames();
 
     /** \brief The names of what a planner can look for near states in; see ompl_certificates::NearestStructure */
     std::vector<std::string> nearestNames();

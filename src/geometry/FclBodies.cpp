@@ -8,11 +8,46 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <ompl/util/Exception.h>
+#include <string>
 
 namespace ompl_certificates
 {
     namespace
     {
+        /** The class that FCL names so, for those that are not taken */
+        std::string nameOf(fcl::NODE_TYPE type)
+        {
+            switch (type)
+            {
+                case fcl::BV_AABB:
+                    return "fcl::BVHModel<fcl::AABB>";
+                case fcl::BV_RSS:
+                    return "fcl::BVHModel<fcl::RSS>";
+                case fcl::BV_kIOS:
+                    return "fcl::BVHModel<fcl::kIOS>";
+                case fcl::BV_KDOP16:
+                    return "fcl::BVHModel<fcl::KDOP<16>>";
+                case fcl::BV_KDOP18:
+                    return "fcl::BVHModel<fcl::KDOP<18>>";
+                case fcl::BV_KDOP24:
+                    return "fcl::BVHModel<fcl::KDOP<24>>";
+                case fcl::GEOM_ELLIPSOID:
+                    return "fcl::Ellipsoid";
+                case fcl::GEOM_CONE:
+                    return "fcl::Cone";
+                case fcl::GEOM_PLANE:
+                    return "fcl::Plane";
+                case fcl::GEOM_HALFSPACE:
+                    return "fcl::Halfspace";
+                case fcl::GEOM_TRIANGLE:
+                    return "fcl::TriangleP";
+                case fcl::GEOM_OCTREE:
+                    return "fcl::OcTree";
+                default:
+                    return "a fcl::CollisionGeometry of node type " + std::to_string(type);
+            }
+        }
+
         template <typename Box>
         TriangleMeshPtr meshOf(const fcl::CollisionGeometryd *geometry)
         {
@@ -63,8 +98,8 @@ namespace ompl_certificates
                 default:
                     throw ompl::Exception(
                         "FclObstacles takes spheres, boxes, capsules, cylinders, convex polytopes and BVH "
-                        "models of OBBRSS or OBB, not FCL's node type " +
-                        std::to_string(object.getNodeType()));
+                        "models of OBBRSS or OBB, not " +
+                        nameOf(object.getNodeType()));
             }
         }
 

@@ -45,6 +45,13 @@ namespace ompl_certificates
             std::memcpy(&bits, &value, sizeof(bits));
             return bits;
         }
+
+        /** \e value, or null if it is not known: negative, or not finite */
+        nlohmann::ordered_json knownOrNull(double value)
+        {
+            return value >= 0.0 && std::isfinite(value) ? nlohmann::ordered_json(value)
+                                                        : nlohmann::ordered_json(nullptr);
+        }
     }
 
     void PlanReport::setTree(const ob::PlannerData &data)
@@ -64,7 +71,8 @@ namespace ompl_certificates
         json["seed"] = seed;
         json["solved"] = solved;
         json["approximate"] = approximate;
-        json["cost"] = solved && std::isfinite(cost) ? nlohmann::ordered_json(cost) : nlohmann::ordered_json(nullptr);
+        json["cost"] = solved ? knownOrNull(cost) : nlohmann::ordered_json(nullptr);
+        json["simplified_cost"] = knownOrNull(simplifiedCost);
         json["iterations"] = iterations;
         json["tree"] = {{"states", treeStates}, {"edges", treeEdges}, {"digest", digest}};
         json["checks"] = {{"robot_poses", checks.robotPoses},
@@ -79,9 +87,10 @@ namespace ompl_certificates
                           {"motion_samples", checks.motionSamples},
                           {"motion_samples_skipped", checks.motionSamplesSkipped},
                           {"certificates", certificates}};
-        json["seconds"] = {{"total", totalSeconds}, {"checking", checkingSeconds}};
-        json["seconds"]["nearest"] =
-            nearestSeconds >= 0.0 ? nlohmann::ordered_json(nearestSeconds) : nlohmann::ordered_json(nullptr);
+        json["seconds"] = {{"total", totalSeconds},
+                           {"checking", checkingSeconds},
+                           {"nearest", knownOrNull(nearestSeconds)},
+                           {"simplifying", knownOrNull(simplifyingSeconds)}};
         // Names come from users: what is not UTF-8 is replaced, not an error at the end of a long run.
         return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }

@@ -2,13 +2,12 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <limits>
 #include <ompl/util/Exception.h>
 #include <random>
-#include <sstream>
+#include <unistd.h>
 
 namespace ompl_certificates
 {
@@ -36,6 +35,60 @@ namespace ompl_certificates
             if (!stream)
                 fail(named, "cannot be written" + reason());
         }
+
+        /** Whether \e file is written to directly: it is there, and not a regular file */
+        bool isDevice(const std::string &file)
+        {
+            std::error_code error;
+            const fs::file_status status = fs::status(file, error);
+            if (file.empty() || fs::is_directory(status))
+                fail(file, "is a directory, not a file");
+            return fs::exists(status) && !fs::is_regular_file(status);
+        }
+
+        /** What is replaced when \e file is written. A link stays a link: what it points to is replaced. */
+        fs::path targetOf(const std::string &file)
+        {
+            std::error_code error;
+            const fs::path linked =
+                fs::is_symlink(fs::symlink_status(file, error)) ? fs::canonical(file, error) : fs::path();
+            return linked.empty() ? fs::path(file) : linked;
+        }
+
+        /** The file next to \e target that takes its place when it is complete */
+        std::string temporaryFor(const fs::path &target)
+        {
+            std::random_device random;
+            return target.string() + "." + std::to_string(random()) + ".tmp";
+        }
+
+        /** A file that is opened and closed again; what cannot be opened is named as \e named. */
+        class Descriptor
+        {
+        public:
+            Descriptor(const std::string &file, int flags, const std::string &named)
+              : descriptor_(open(file.c_str(), flags | O_CLOEXEC, 0666))
+            {
+                if (descriptor_ < 0)
+                    fail(named, "cannot be written" + reason());
+            }
+
+            ~Descriptor()
+            {
+                close(descriptor_);
+            }
+
+            Descriptor(const Descriptor &) = delete;
+            Descriptor &operator=(const Descriptor &) = delete;
+
+            int get() const
+            {
+                return descriptor_;
+            }
+
+        private:
+            int descriptor_;
+        };
     }
 
     std::string readTextFile(const std::string &file, std::uintmax_t mostBytes)
@@ -62,18 +115,11 @@ namespace ompl_certificates
 
     void writeTextFile(const std::string &file, const std::string &text)
     {
-        std::error_code error;
-        const fs::file_status status = fs::status(file, error);
-        if (file.empty() || fs::is_directory(status))
-            fail(file, "is a directory, not a file");
-        if (fs::exists(status) && !fs::is_regular_file(status))
+        if (isDevice(file))
             return writeDirectly(file, text, file);
-        // A link stays a link: what it points to is replaced.
-        const fs::path linked =
-            fs::is_symlink(fs::symlink_status(file, error)) ? fs::canonical(file, error) : fs::path();
-        const fs::path target = linked.empty() ? fs::path(file) : linked;
-        std::random_device random;
-        const std::string temporary = target.string() + "." + std::to_string(random()) + ".tmp";
+        const fs::path target = targetOf(file);
+        const std::string temporary = temporaryFor(target);
+        std::error_code error;
         try
         {
             writeDirectly(temporary, text, file);
@@ -88,11 +134,24 @@ namespace ompl_certificates
         }
     }
 
-    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path)
+    void requireWritable(const std::string &file)
     {
-        std::ostringstream text;
-        text.precision(std::numeric_limits<double>::max_digits10);
-        path.printAsMatrix(text);
-        writeTextFile(file, text.str());
+        if (isDevice(file))
+        {
+            // Whoever reads from a pipe would take its being opened and closed for the end.
+            if (fs::is_fifo(file))
+                return;
+            const Descriptor device(file, O_WRONLY | O_NONBLOCK, file);
+            if (write(device.get(), "", 0) < 0)
+                fail(file, "cannot be written" + reason());
+            return;
+        }
+        const fs::path target = targetOf(file);
+        if (fs::exists(target))
+            const Descriptor present(target, O_WRONLY, file);
+        const std::string temporary = temporaryFor(target);
+        const Descriptor made(temporary, O_WRONLY | O_CREAT | O_EXCL, file);
+        std::error_code error;
+        fs::remove(temporary, error);
     }
 }

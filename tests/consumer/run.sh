@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs a build folder, by default build/, and builds and runs a user's program against what was installed.
+# Installs a build folder, by default build/, builds and runs a user's program against what was installed, and runs the
+# installed programs.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,3 +20,18 @@ fi
 cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/moved"
 cmake --build "$work/build"
 "$work/build/consumer"
+
+if [[ -x "$work/moved/bin/plan_team" ]]; then
+  for program in plan_team benchmark_team generate_scene certificate_experiment; do
+    "$work/moved/bin/$program" --version
+    # A library of ours that is found in the build folder would not be found elsewhere.
+    if ! ldd "$work/moved/bin/$program" | grep -q "libompl_certificates.*$work/moved/"; then
+      echo "error: $program does not use the installed libraries" >&2
+      exit 1
+    fi
+  done
+  cd "$work"
+  moved/bin/generate_scene --robots 2 --obstacles 10 --seed 1 --output scene.yaml
+  moved/bin/plan_team scene.yaml --planner RRTConnect --simplify --path path.csv
+  head -n 1 path.csv
+fi

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <sstream>
 #include <thread>
+#include <tuple>
 
 namespace
 {
@@ -120,6 +121,33 @@ TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)
                                        "--runs", "1", "--time", "0.5", "--log", "/dev/full"});
     EXPECT_EQ(program.wait(), 2);
     EXPECT_NE(program.errors().find("/dev/full"), std::string::npos) << program.errors();
+}
+
+TEST(BenchmarkTeam, writesALogToStandardOutput)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTConnect", "--methods", "shared",
+                                       "--runs", "1", "--time", "0.5", "--log", "-"});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_NE(program.output().find("geometric_RRTConnect[shared]\n"), std::string::npos) << program.output();
+    EXPECT_EQ(program.output().find("medians"), std::string::npos) << program.output();
+    EXPECT_NE(program.errors().find("medians"), std::string::npos) << program.errors();
+}
+
+TEST(BenchmarkTeam, suggestsWhatWasMeant)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    for (const auto &[option, word, meant] : {std::tuple{"--planners", "RRTConect", "RRTConnect"},
+                                              {"--methods", "standart", "standard"},
+                                              {"--plannners", "RRT", "--planners"}})
+    {
+        Program program("benchmark_team", {folder / "scene.yaml", option, word});
+        EXPECT_EQ(program.wait(), 2);
+        EXPECT_NE(program.errors().find("did you mean " + std::string(meant) + "?"), std::string::npos)
+            << program.errors();
+    }
 }
 
 TEST(BenchmarkTeam, refusesBadInput)

@@ -1,14 +1,34 @@
 #include "demos/Program.h"
 
+#include "common/PlannerFactory.h"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <sys/resource.h>
 #include <thread>
 
 namespace
 {
+    /** The numbers of a table of comma-separated values that is not empty, without its first line */
+    std::vector<std::vector<double>> tableOf(std::string text)
+    {
+        std::replace(text.begin(), text.end(), ',', ' ');
+        std::istringstream lines(text);
+        std::string line;
+        std::getline(lines, line);
+        std::vector<std::vector<double>> rows;
+        while (std::getline(lines, line))
+        {
+            std::istringstream numbers(line);
+            rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+        }
+        return rows;
+    }
+
     /** Plans in a folder that has scene.yaml, and reads the report */
     class PlanTeam : public ::testing::Test
     {
@@ -42,23 +62,20 @@ namespace
 
 TEST_F(PlanTeam, writesWhatIsAskedFor)
 {
-    ASSERT_EQ(plan({scene(), "--path", folder_ / "path.txt", "--picture", folder_ / "plan.svg", "--picture-tree",
+    ASSERT_EQ(plan({scene(), "--path", folder_ / "path.csv", "--picture", folder_ / "plan.svg", "--picture-tree",
                     "--picture-certificates"}),
               0)
         << errors_;
     EXPECT_EQ(errors_, "");
     EXPECT_NE(contentOf(folder_ / "plan.svg").find("</svg>"), std::string::npos);
 
-    std::istringstream path(contentOf(folder_ / "path.txt"));
-    std::vector<double> first;
-    std::string line;
-    std::getline(path, line);
-    std::istringstream numbers(line);
-    for (double number; numbers >> number;)
-        first.push_back(number);
-    ASSERT_EQ(first.size(), 6u);
-    EXPECT_EQ(first[0], 1.0);
-    EXPECT_EQ(first[4], 4.0);
+    const auto path = tableOf(contentOf(folder_ / "path.csv"));
+    ASSERT_GE(path.size(), 2u);
+    ASSERT_EQ(path.front().size(), 7u);
+    EXPECT_EQ(path.front()[0], 0.0);
+    EXPECT_EQ(path.front()[1], 1.0);
+    EXPECT_EQ(path.front()[5], 4.0);
+    EXPECT_DOUBLE_EQ(path.back()[0], report_.at("cost").get<double>());
 
     EXPECT_EQ(report_.at("planner"), "RRTConnect");
     EXPECT_EQ(report_.at("method"), "shared");
@@ -67,10 +84,93 @@ TEST_F(PlanTeam, writesWhatIsAskedFor)
     EXPECT_TRUE(report_.at("solved").get<bool>());
     EXPECT_FALSE(report_.at("approximate").get<bool>());
     EXPECT_GT(report_.at("cost").get<double>(), 11.0);
+    EXPECT_TRUE(report_.at("simplified_cost").is_null());
+    EXPECT_TRUE(report_.at("seconds").at("simplifying").is_null());
     EXPECT_GT(report_.at("tree").at("states").get<int>(), 2);
     EXPECT_LE(report_.at("seconds").at("checking").get<double>(), report_.at("seconds").at("total").get<double>());
     EXPECT_GT(report_.at("seconds").at("nearest").get<double>(), 0.0);
     EXPECT_LE(report_.at("seconds").at("nearest").get<double>(), report_.at("seconds").at("total").get<double>());
+}
+
+TEST_F(PlanTeam, simplifiesTheSolution)
+{
+    const std::vector<std::string> arguments{scene(),  "--planner",         "RRT", "--iterations", "100000",
+                                             "--path", folder_ / "path.csv"};
+    ASSERT_EQ(plan(arguments), 0) << errors_;
+    const double cost = report_.at("cost");
+    const std::string digest = report_.at("tree").at("digest"), plain = contentOf(folder_ / "path.csv");
+    std::vector<std::string> simplifying = arguments;
+    simplifying.emplace_back("--simplify");
+    ASSERT_EQ(plan(simplifying), 0) << errors_;
+    EXPECT_EQ(report_.at("cost").get<double>(), cost);
+    EXPECT_EQ(report_.at("tree").at("digest"), digest);
+    EXPECT_LT(report_.at("simplified_cost").get<double>(), 0.9 * cost);
+    EXPECT_GT(report_.at("seconds").at("simplifying").get<double>(), 0.0);
+    const auto path = tableOf(contentOf(folder_ / "path.csv"));
+    EXPECT_DOUBLE_EQ(path.back()[0], report_.at("simplified_cost").get<double>());
+    EXPECT_EQ(path.front(), tableOf(plain).front());
+
+    // There is nothing to simplify in an approximate solution.
+    ASSERT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--simplify"}), 1) << errors_;
+    EXPECT_TRUE(report_.at("simplified_cost").is_null());
+}
+
+TEST_F(PlanTeam, tellsBothCosts)
+{
+    Program program("plan_team", {scene(), "--simplify", "--report", folder_ / "report.json"});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
+    char costs[80];
+    std::snprintf(costs, sizeof(costs), "cost %.6g, simplified %.6g in", report.at("cost").get<double>(),
+                  report.at("simplified_cost").get<double>());
+    EXPECT_NE(program.output().find(costs), std::string::npos) << program.output();
+}
+
+TEST_F(PlanTeam, writesOneFileToStandardOutput)
+{
+    Program path("plan_team", {scene(), "--path", "-", "--report", folder_ / "report.json"});
+    ASSERT_EQ(path.wait(), 0) << path.errors();
+    const std::string names = path.output().substr(0, path.output().find('\n'));
+    EXPECT_EQ(names.find("length,"), 0u) << names;
+    EXPECT_EQ(std::count(names.begin(), names.end(), ','), 6) << names;
+    const auto rows = tableOf(path.output());
+    ASSERT_GE(rows.size(), 2u);
+    for (const auto &row : rows)
+        EXPECT_EQ(row.size(), 7u);
+    // The summary
+    EXPECT_NE(path.errors().find("solved"), std::string::npos) << path.errors();
+    EXPECT_EQ(folder_.list().size(), 2u) << "there is no file named -";
+
+    Program report("plan_team", {scene(), "--report", "-", "--quiet"});
+    ASSERT_EQ(report.wait(), 0);
+    EXPECT_EQ(report.errors(), "");
+    EXPECT_TRUE(nlohmann::json::parse(report.output()).at("solved").get<bool>());
+
+    Program picture("plan_team", {scene(), "--picture", "-", "--quiet"});
+    ASSERT_EQ(picture.wait(), 0);
+    EXPECT_NE(picture.output().find("</svg>"), std::string::npos);
+}
+
+TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)
+{
+    // A limit on the size of files is met as a full disk is, and reaches the program.
+    rlimit before;
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{4096, before.rlim_max};
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    Program program("plan_team", {scene(), "--report", folder_ / "report.json", "--picture", folder_ / "plan.svg",
+                                  "--picture-tree", "--path", folder_ / "path.csv"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(program.wait(), 2);
+    const std::string errors = program.errors();
+    EXPECT_NE(errors.find(folder_ / "plan.svg: cannot be written"), std::string::npos) << errors;
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+    EXPECT_NE(program.output().find("solved"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "report.json"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "path.csv"));
+    EXPECT_EQ(folder_.list().size(), 3u) << "no part of a file is left";
 }
 
 TEST_F(PlanTeam, countsAddUpUnderEveryMethodAndMotionCheck)
@@ -128,11 +228,11 @@ TEST_F(PlanTeam, anotherSeedGrowsAnotherTree)
 
 TEST_F(PlanTeam, returnsOneIfNothingIsFound)
 {
-    EXPECT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--path", folder_ / "path.txt"}), 1);
+    EXPECT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--path", folder_ / "path.csv"}), 1);
     EXPECT_FALSE(report_.at("solved").get<bool>());
     EXPECT_TRUE(report_.at("approximate").get<bool>());
     EXPECT_TRUE(report_.at("cost").is_null());
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "path.txt"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "path.csv"));
 }
 
 TEST_F(PlanTeam, setsParametersOfThePlanner)
@@ -149,7 +249,7 @@ TEST_F(PlanTeam, endsTidilyWhenInterrupted)
     {
         std::filesystem::remove(folder_ / "report.json");
         std::filesystem::remove(folder_ / "plan.svg");
-        Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--report",
+        Program program("plan_team", {scene(), "--planner", "RRTstar", "--time", "300", "--simplify", "--report",
                                       folder_ / "report.json", "--picture", folder_ / "plan.svg"});
         std::this_thread::sleep_for(std::chrono::seconds(2));
         program.signal(signal);
@@ -158,6 +258,7 @@ TEST_F(PlanTeam, endsTidilyWhenInterrupted)
         const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
         EXPECT_TRUE(report.at("solved").get<bool>());
         EXPECT_LT(report.at("seconds").at("total").get<double>(), 200.0);
+        EXPECT_LE(report.at("simplified_cost").get<double>(), report.at("cost").get<double>());
         EXPECT_TRUE(std::filesystem::exists(folder_ / "plan.svg"));
     }
 }
@@ -197,9 +298,15 @@ namespace
             {{"@/broken.yaml"}, "broken.yaml"},
             {{"@/unknown_robot.yaml"}, "submarine"},
             {{"@/start_in_wall.yaml"}, "robots[0].start"},
-            {{"@/scene.yaml", "--planner", "RRTConect"}, "RRTConect"},
+            {{"@/scene.yaml", "--planner", "Walk"}, "the planners are ABITstar, "},
+            {{"@/scene.yaml", "--planner", "RRTConect"}, "'RRTConect'; did you mean RRTConnect?"},
+            {{"@/scene.yaml", "--planner", "rrtstar"}, "did you mean RRTstar?"},
+            {{"@/scene.yaml", "--planner", "Informed RRT*"}, "did you mean InformedRRTstar?"},
             {{"@/scene.yaml", "--method", "best"}, "--method"},
+            {{"@/scene.yaml", "--method", "shraed"}, "did you mean shared?"},
             {{"@/scene.yaml", "--motion", "jumpy"}, "--motion"},
+            {{"@/scene.yaml", "--motion", "continous"}, "did you mean continuous?"},
+            {{"@/scene.yaml", "--nearest", "kd-tree"}, "did you mean kdtree?"},
             {{"@/scene.yaml", "--motion", "continuous", "--method", "standard"}, "standard"},
             {{"@/scene.yaml", "--time", "0"}, "--time"},
             {{"@/scene.yaml", "--time", "nan"}, "--time"},
@@ -215,6 +322,7 @@ namespace
             {{"@/scene.yaml", "--planner-param", "range"}, "--planner-param"},
             {{"@/scene.yaml", "--planner-param", "=1"}, "--planner-param"},
             {{"@/scene.yaml", "--planner-param", "speed=1"}, "speed"},
+            {{"@/scene.yaml", "--planner", "RRT", "--planner-param", "gaol_bias=0.1"}, "did you mean goal_bias?"},
             {{"@/scene.yaml", "--planner-param", "range=far"}, "far"},
             {{"@/scene.yaml", "--planner", "RRT", "--planner-param", "intermediate_states=maybe"}, "maybe"},
             {{"@/scene.yaml", "--planner", "PRM", "--planner-param", "max_nearest_neighbors=8x"}, "8x"},
@@ -223,7 +331,14 @@ namespace
             {{"@/scene.yaml", "--path", "@"}, "--path"},
             {{"@/scene.yaml", "--report", "@/scene.yaml"}, "--report"},
             {{"@/scene.yaml", "--report", "@/out", "--path", "@/out"}, "--report"},
-            {{"@/scene.yaml", "--speed", "2"}, "--speed"},
+            {{"@/scene.yaml", "--report", "-", "--path", "-"}, "- is named by --path, too"},
+            {{"@/scene.yaml", "--path", "/dev/full", "--time", "300"}, "/dev/full: cannot be written"},
+            {{"@/scene.yaml", "--picture", "/proc/plan.svg", "--time", "300"}, "/proc/plan.svg: cannot be written"},
+            {{"@/scene.yaml", "--save-certificates", "-"}, "--save-certificates"},
+            {{"--list-planer"}, "There is no option --list-planer; did you mean --list-planners?"},
+            {{"@/scene.yaml", "--velocity", "2"}, "There is no option --velocity"},
+            {{"@/scene.yaml", "--planer", "RRT"}, "There is no option --planer; did you mean --planner?"},
+            {{"@/scene.yaml", "--pikture=plan.svg"}, "There is no option --pikture; did you mean --picture?"},
             {{"@/scene.yaml", "@/scene.yaml"}, "scene.yaml"},
         };
     }
@@ -269,3 +384,24 @@ TEST_P(PlanTeamBadInput, isOneLineAndExitCodeTwoAndNoFile)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlanTeamBadInput, ::testing::ValuesIn(badInputs()));
+
+TEST(ListPlanners, tellsOfEachInALine)
+{
+    for (const std::string name : {"plan_team", "benchmark_team"})
+    {
+        Program program(name, {"--list-planners"});
+        EXPECT_EQ(program.wait(), 0);
+        EXPECT_EQ(program.errors(), "");
+        std::istringstream lines(program.output());
+        std::vector<std::string> names;
+        for (std::string line; std::getline(lines, line);)
+        {
+            names.push_back(line.substr(0, line.find(' ')));
+            EXPECT_GT(line.size(), 45u) << line;
+            const bool optimizing = line.find(" optimizing ") != std::string::npos;
+            EXPECT_TRUE(names.back() != "RRTstar" || optimizing) << line;
+            EXPECT_TRUE(names.back() != "RRTConnect" || !optimizing) << line;
+        }
+        EXPECT_EQ(names, demos::plannerNames());
+    }
+}

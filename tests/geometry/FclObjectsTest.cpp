@@ -2,12 +2,17 @@
 
 #include "ompl_certificates/geometry/FclObstacles.h"
 
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/ellipsoid.h>
+#include <fcl/geometry/shape/halfspace.h>
+#include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/geometry/shape/triangle_p.h>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
 
@@ -114,4 +119,34 @@ TEST(FclObjects, AreRefusedIfNullOfAnotherKindOrNotUpright)
     EXPECT_THROW(FclObstacles(Objects{object<fcl::Cylinderd>(pose, 1.0, 2.0)}, 2), ompl::Exception);
     EXPECT_THROW(FclObstacles(Objects{}, 5), ompl::Exception);
     EXPECT_NO_THROW(FclObstacles(Objects{}, 3));
+}
+
+TEST(FclObjects, OfOtherKindsAreNamedAsFclNamesThem)
+{
+    const Pose pose = Pose::Identity();
+    const fcl::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    const std::vector<std::pair<std::shared_ptr<fcl::CollisionObjectd>, std::string>> others{
+        {object<fcl::Ellipsoidd>(pose, 1.0, 2.0, 3.0), "fcl::Ellipsoid"},
+        {object<fcl::Coned>(pose, 1.0, 2.0), "fcl::Cone"},
+        {object<fcl::Planed>(pose, z, 0.0), "fcl::Plane"},
+        {object<fcl::Halfspaced>(pose, z, 0.0), "fcl::Halfspace"},
+        {object<fcl::TrianglePd>(pose, x, y, z), "fcl::TriangleP"},
+        {object<fcl::BVHModel<fcl::AABBd>>(pose), "fcl::BVHModel<fcl::AABB>"},
+        {object<fcl::BVHModel<fcl::RSSd>>(pose), "fcl::BVHModel<fcl::RSS>"},
+        {object<fcl::BVHModel<fcl::kIOSd>>(pose), "fcl::BVHModel<fcl::kIOS>"},
+        {object<fcl::BVHModel<fcl::KDOPd<16>>>(pose), "fcl::BVHModel<fcl::KDOP<16>>"},
+        {object<fcl::BVHModel<fcl::KDOPd<18>>>(pose), "fcl::BVHModel<fcl::KDOP<18>>"},
+        {object<fcl::BVHModel<fcl::KDOPd<24>>>(pose), "fcl::BVHModel<fcl::KDOP<24>>"}};
+    for (const auto &[given, name] : others)
+        for (const unsigned int dimension : {2U, 3U})
+            try
+            {
+                FclObstacles(Objects{given}, dimension);
+                ADD_FAILURE() << name << " was taken";
+            }
+            catch (const ompl::Exception &exception)
+            {
+                const std::string message = exception.what(), end = ", not " + name;
+                EXPECT_EQ(message.substr(message.size() - std::min(end.size(), message.size())), end) << message;
+            }
 }

@@ -1,18 +1,22 @@
+#include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/scene/RandomPolygonScene.h"
 #include "ompl_certificates/scene/ScenePicture.h"
 #include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/scene/YamlScene.h"
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
+#include <set>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace ompl_certificates
 {
@@ -147,16 +151,19 @@ namespace ompl_certificates
                 keys += item.key() + " ";
             return keys;
         };
-        EXPECT_EQ(keysOf(json),
-                  "scene planner method motion seed solved approximate cost iterations tree checks seconds ");
+        EXPECT_EQ(
+            keysOf(json),
+            "scene planner method motion seed solved approximate cost simplified_cost iterations tree checks seconds ");
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),
                   "robot_poses certified_free certified_colliding exact exact_colliding "
                   "clearance_queries pair_poses pair_exact motions motion_samples "
                   "motion_samples_skipped certificates ");
-        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest ");
+        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest simplifying ");
         EXPECT_TRUE(json["seconds"]["nearest"].is_null());
+        EXPECT_TRUE(json["seconds"]["simplifying"].is_null());
         EXPECT_TRUE(json["cost"].is_null());
+        EXPECT_TRUE(json["simplified_cost"].is_null());
         EXPECT_EQ(json["seed"], 18446744073709551615u);
         EXPECT_EQ(json["checks"]["robot_poses"], 7);
         EXPECT_EQ(fileCount(), 1u);
@@ -168,6 +175,34 @@ namespace ompl_certificates
         EXPECT_EQ(nlohmann::json::parse(report.toJson())["cost"], 2.5);
         report.cost = std::numeric_limits<double>::infinity();
         EXPECT_TRUE(nlohmann::json::parse(report.toJson())["cost"].is_null());
+    }
+
+    namespace
+    {
+        /** All keys of a JSON object, those of objects in it with a dot */
+        std::set<std::string> keysOf(const nlohmann::json &object, const std::string &prefix = "")
+        {
+            std::set<std::string> keys;
+            for (const auto &[key, value] : object.items())
+                if (value.is_object())
+                    keys.merge(keysOf(value, prefix + key + "."));
+                else
+                    keys.insert(prefix + key);
+            return keys;
+        }
+    }
+
+    TEST(PlanReport, HasTheKeysOfItsPageAndNoOthers)
+    {
+        const std::string page = readTextFile(OMPL_CERTIFICATES_SOURCE_DIR "/docs/plan-team.md");
+        std::istringstream lines(page.substr(page.find("## The report")));
+        std::set<std::string> explained;
+        for (std::string line; std::getline(lines, line);)
+            if (line.compare(0, 3, "| `") == 0)
+            {
+                EXPECT_TRUE(explained.insert(line.substr(3, line.find('`', 3) - 3)).second) << line;
+            }
+        EXPECT_EQ(explained, keysOf(nlohmann::json::parse(PlanReport().toJson())));
     }
 
     TEST_F(Output, FilesAreReplacedWhole)
@@ -218,78 +253,96 @@ namespace ompl_certificates
         EXPECT_EQ(fileCount(), 0u);
     }
 
-    TEST_F(Output, PathsAreWrittenInFullPrecision)
+    TEST_F(Output, WhatCannotBeWrittenIsFoundBeforehand)
+    {
+        writeTextFile(file("a.txt"), "old");
+        fs::create_symlink(file("a.txt"), file("link.txt"));
+        ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+        for (const std::string &name :
+             {file("a.txt"), file("link.txt"), file("new.txt"), file("pipe"), std::string("/dev/null")})
+            EXPECT_NO_THROW(requireWritable(name)) << name;
+        EXPECT_EQ(readTextFile(file("a.txt")), "old");
+        EXPECT_EQ(fileCount(), 3u);
+        // Access rights tell nothing of the last ones to root.
+        for (const std::string &name :
+             {file("no/a.txt"), file("a.txt/b.txt"), folder_.string(), std::string(), std::string("/dev/full"),
+              std::string("/proc/a.txt"), std::string("/proc/version")})
+            try
+            {
+                requireWritable(name);
+                ADD_FAILURE() << name;
+            }
+            catch (const ompl::Exception &exception)
+            {
+                EXPECT_EQ(std::string(exception.what()).find((name.empty() ? "''" : name) + ": "), 0u)
+                    << exception.what();
+            }
+        EXPECT_EQ(fileCount(), 3u);
+    }
+
+    TEST_F(Output, PathsAreTablesInFullPrecision)
     {
         const YamlScene scene = sceneOf("paper_three_discs.yaml");
         const TeamSetupPtr setup = scene.makeSetup();
         setup->setup();
         ob::ScopedState<> start = scene.makeStart(std::dynamic_pointer_cast<TeamStateSpace>(setup->getStateSpace()));
+        ob::ScopedState<> goal = start;
         start[0] = 1.0 / 3.0;
-        const ompl::geometric::PathGeometric path(setup->getSpaceInformation(), start.get(), start.get());
-        writePath(file("path.txt"), path);
-        std::istringstream text(readTextFile(file("path.txt")));
-        std::vector<double> numbers;
-        for (double number; text >> number;)
-            numbers.push_back(number);
-        ASSERT_EQ(numbers.size(), 12u);
-        EXPECT_EQ(numbers[0], 1.0 / 3.0);
-    }
-
-    TEST(RandomPolygonScene, SameSeedSameText)
-    {
-        RandomPolygonScene::Settings settings;
-        settings.seed = 7;
-        const std::string text = RandomPolygonScene(settings).toYaml();
-        EXPECT_EQ(RandomPolygonScene(settings).toYaml(), text);
-        settings.seed = 8;
-        EXPECT_NE(RandomPolygonScene(settings).toYaml(), text);
-    }
-
-    TEST(RandomPolygonScene, MadeTheScenesOfThePaper)
-    {
-        for (const auto &[robots, name] : {std::pair(1u, "one_disc"), {3u, "three_discs"}, {5u, "five_discs"}})
+        goal[0] = 1.0 / 3.0 + 2.5;
+        const ompl::geometric::PathGeometric path(setup->getSpaceInformation(), start.get(), goal.get());
+        writePath(file("path.csv"), path);
+        std::istringstream text(readTextFile(file("path.csv")));
+        std::string line;
+        std::getline(text, line);
+        EXPECT_EQ(line, "length,disc_1.x,disc_1.y,disc_2.x,disc_2.y,disc_3.x,disc_3.y");
+        std::vector<std::vector<double>> rows;
+        while (std::getline(text, line))
         {
-            RandomPolygonScene::Settings settings;
-            settings.robots = robots;
-            settings.seed = 1;
-            EXPECT_EQ(RandomPolygonScene(settings).toYaml(),
-                      readTextFile(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/paper_" + std::string(name) + ".yaml"));
+            std::replace(line.begin(), line.end(), ',', ' ');
+            std::istringstream numbers(line);
+            rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
         }
+        ASSERT_EQ(rows.size(), 2u);
+        ASSERT_EQ(rows[0].size(), 7u);
+        EXPECT_EQ(rows[0][0], 0.0);
+        EXPECT_EQ(rows[0][1], 1.0 / 3.0);
+        EXPECT_EQ(rows[1][0], path.length());
+        EXPECT_EQ(rows[1][2], start[1]);
     }
 
-    TEST(RandomPolygonScene, IsValidInAllSizes)
+    TEST(PathFile, NamesTheCoordinatesOfAllRobots)
     {
-        for (const double size : {0.01, 1.0, 100.0, 1e6})
-            for (std::uint64_t seed = 0; seed < 10; ++seed)
-            {
-                RandomPolygonScene::Settings settings;
-                settings.size = size;
-                settings.radius = 0.01 * size;
-                settings.seed = seed;
-                SCOPED_TRACE(std::to_string(size) + " " + std::to_string(seed));
-                const YamlScene scene = RandomPolygonScene(settings).make();
-                EXPECT_EQ(scene.getObstacles().size(), settings.obstacles);
-                EXPECT_EQ(scene.getMembers().size(), 5u);
-                EXPECT_NO_THROW(scene.validate());
-            }
-    }
+        const YamlScene plane = YamlScene::fromText(
+            "environment: {min: [0, 0], max: [9, 9]}\n"
+            "robots:\n"
+            "  - {type: single_integrator_0, name: scout, start: [1, 1], "
+            "goal: [2, 2]}\n"
+            "  - {type: unicycle_first_order_0, name: 'a, b', start: [3, 3, 0], "
+            "goal: [4, 4, 0]}\n"
+            "  - {type: car_first_order_with_1_trailers_0, name: truck, "
+            "start: [6, 6, 0, 0], goal: [7, 7, 0, 0]}\n",
+            "plane");
+        const TeamSetupPtr setup = plane.makeSetup();
+        const std::vector<std::string> names{"scout.x",     "scout.y",       "a, b.x",
+                                             "a, b.y",      "a, b.yaw",      "truck.car.x",
+                                             "truck.car.y", "truck.car.yaw", "truck.trailer.yaw"};
+        EXPECT_EQ(coordinateNames(*setup->getStateSpace()), names);
+        setup->setup();
+        const std::string table = toCsv(ompl::geometric::PathGeometric(setup->getSpaceInformation()));
+        EXPECT_EQ(table,
+                  "length,scout.x,scout.y,\"a, b.x\",\"a, b.y\",\"a, b.yaw\",truck.car.x,truck.car.y,"
+                  "truck.car.yaw,truck.trailer.yaw\n");
 
-    TEST(RandomPolygonScene, RefusesNonsense)
-    {
-        const auto refuses = [](auto change)
-        {
-            RandomPolygonScene::Settings settings;
-            change(settings);
-            EXPECT_THROW(RandomPolygonScene(settings).toYaml(), ompl::Exception);
-        };
-        refuses([](auto &settings) { settings.robots = 0; });
-        refuses([](auto &settings) { settings.robots = 1000; });
-        refuses([](auto &settings) { settings.obstacles = 1000000; });
-        refuses([](auto &settings) { settings.size = -1.0; });
-        refuses([](auto &settings) { settings.size = std::numeric_limits<double>::quiet_NaN(); });
-        refuses([](auto &settings) { settings.radius = 0.0; });
-        refuses([](auto &settings) { settings.radius = 50.0; });
-        refuses([](auto &settings) { settings.obstacles = 10000; });  // no place left
+        const TeamSetupPtr drones = sceneOf("drones_3d.yaml").makeSetup();
+        drones->setup();
+        std::vector<double> reals;
+        drones->getStateSpace()->copyToReals(reals, ob::ScopedState<>(drones->getStateSpace()).get());
+        const std::vector<std::string> inSpace = coordinateNames(*drones->getStateSpace());
+        EXPECT_EQ(inSpace.size(), reals.size());
+        for (const std::string name : {"balloon.z", "quadrotor.qx", "quadrotor.qw"})
+            EXPECT_NE(std::find(inSpace.begin(), inSpace.end(), name), inSpace.end()) << name;
+        // Robots of one kind have coordinates of one kind: no name comes twice.
+        EXPECT_EQ(std::set<std::string>(inSpace.begin(), inSpace.end()).size(), inSpace.size());
     }
 
     TEST_F(Output, PicturesAreWellFormed)

@@ -33,8 +33,11 @@ namespace ompl_certificates
         /** \brief Whether an approximate solution was found */
         bool approximate{false};
 
-        /** \brief The cost of the solution; null in JSON if there is none or it is not finite */
+        /** \brief The cost of the planner's solution; null in JSON if there is none or it is not finite */
         double cost{0.0};
+
+        /** \brief The cost of the solution after it was simplified; negative if it was not, which is null in JSON */
+        double simplifiedCost{-1.0};
 
         /** \brief How many iterations the planner made, as far as they were counted */
         std::uint64_t iterations{0};
@@ -63,6 +66,10 @@ namespace ompl_certificates
         /** \brief The time spent in looking for near states, in seconds; negative if it was not measured, which is null in
             JSON. See timeNearest(). */
         double nearestSeconds{-1.0};
+
+        /** \brief The time of simplifying the solution, which is not part of totalSeconds, in seconds; negative if it was
+            not simplified, which is null in JSON */
+        double simplifyingSeconds{-1.0};
 
         /** \brief Set the numbers of the tree, and its digest, from \e data */
         void setTree(const ompl::base::PlannerData &data);

@@ -1,7 +1,6 @@
 #ifndef OMPL_CERTIFICATES_SCENE_TEXT_FILE_
 #define OMPL_CERTIFICATES_SCENE_TEXT_FILE_
 
-#include <ompl/geometric/PathGeometric.h>
 #include <cstdint>
 #include <string>
 
@@ -17,9 +16,10 @@ namespace ompl_certificates
         \throws ompl::Exception that names the file if it cannot be written */
     void writeTextFile(const std::string &file, const std::string &text);
 
-    /** \brief Write \e path to \e file with writeTextFile(): a line for each state with its coordinates, as
-        ompl::geometric::PathGeometric::printAsMatrix() has it, in full precision */
-    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path);
+    /** \brief Check that writeTextFile() could write \e file now, by trying: a file is made next to it and removed, what
+        is there is opened and left as it is, and nothing is written to a device.
+        \throws ompl::Exception that names the file, and the reason, if it cannot be written */
+    void requireWritable(const std::string &file);
 }
 
 #endif

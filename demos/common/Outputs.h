@@ -1,0 +1,23 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_OUTPUTS_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_OUTPUTS_
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demos
+{
+    /** \brief Check by trying that all of the files that options name can be written, and that they differ. Empty names
+        are left out, and - is standard output: if it is named, all that is printed from now on goes to standard error.
+        \param outputs pairs of an option and the file that it names
+        \param inputs files that must not be overwritten
+        \throws ompl::Exception that names the option and the file */
+    void prepareOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,
+                        const std::vector<std::string> &inputs);
+
+    /** \brief Write \e text to \e file with ompl_certificates::writeTextFile(), or to standard output if it is -
+        \throws ompl::Exception that names the file if it cannot be written */
+    void writeOutput(const std::string &file, const std::string &text);
+}
+
+#endif

@@ -1,0 +1,16 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_LIST_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_LIST_
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace demos
+{
+    /** \brief All planners of plannerNames(), a line each: the name, whether OMPL says that it optimizes, and what it is */
+    std::string plannerList();
+
+    /** \brief Add the flag --list-planners, which prints plannerList() and ends the program */
+    void addPlannerList(CLI::App &app);
+}
+
+#endif

@@ -1,0 +1,104 @@
+#include "ompl_certificates/scene/PathFile.h"
+
+#include "ompl_certificates/scene/TextFile.h"
+
+#include <charconv>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateSpaceTypes.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        std::string nameOfAxis(const ob::RealVectorStateSpace &space, unsigned int axis)
+        {
+            if (const std::string &name = space.getDimensionName(axis); !name.empty())
+                return name;
+            return space.getDimension() <= 3 ? std::string(1, "xyz"[axis]) : "x" + std::to_string(axis);
+        }
+
+        /** Add the names of the coordinates of \e space, which begin with \e prefix. */
+        void addNames(const ob::StateSpace &space, const std::string &prefix, std::vector<std::string> &names)
+        {
+            const std::string dot = prefix.empty() ? "" : prefix + ".";
+            const int type = space.getType();
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            {
+                // Position and rotation of one body need no further name.
+                const bool body = type == ob::STATE_SPACE_SE2 || type == ob::STATE_SPACE_SE3;
+                for (const ob::StateSpacePtr &part : compound->getSubspaces())
+                {
+                    const std::string &name = part->getName();
+                    const bool hasPrefix = name.compare(0, dot.size(), dot) == 0;
+                    addNames(*part, body ? prefix : hasPrefix ? name : dot + name, names);
+                }
+            }
+            else if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(&space))
+                for (unsigned int axis = 0; axis < vector->getDimension(); ++axis)
+                    names.push_back(dot + nameOfAxis(*vector, axis));
+            else if (type == ob::STATE_SPACE_SO2)
+                names.push_back(dot + "yaw");
+            else if (type == ob::STATE_SPACE_SO3)
+                for (const char *name : {"qx", "qy", "qz", "qw"})
+                    names.push_back(dot + name);
+            else
+                for (std::size_t i = 0; i < space.getValueLocations().size(); ++i)
+                    names.push_back(dot + "value" + std::to_string(i));
+        }
+
+        /** A field of a table; names come from users and may have anything in them. */
+        std::string quoted(const std::string &text)
+        {
+            if (text.find_first_of(",\"\r\n") == std::string::npos)
+                return text;
+            std::string result;
+            for (const char c : text)
+                result += c == '"' ? "\"\"" : std::string(1, c);
+            return '"' + result + '"';
+        }
+
+        /** All digits of \e value that tell it from its neighbors, and no more */
+        std::string digitsOf(double value)
+        {
+            char text[32];
+            return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
+        }
+    }
+
+    std::vector<std::string> coordinateNames(const ob::StateSpace &space)
+    {
+        std::vector<std::string> names;
+        addNames(space, "", names);
+        return names;
+    }
+
+    std::string toCsv(const ompl::geometric::PathGeometric &path)
+    {
+        const ob::SpaceInformation &si = *path.getSpaceInformation();
+        std::string text = "length";
+        for (const std::string &name : coordinateNames(*si.getStateSpace()))
+            text += ',' + quoted(name);
+        text += '\n';
+        double length = 0.0;
+        std::vector<double> reals;
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        {
+            if (i > 0)
+                length += si.distance(path.getState(i - 1), path.getState(i));
+            text += digitsOf(length);
+            si.getStateSpace()->copyToReals(reals, path.getState(i));
+            for (const double real : reals)
+                text += ',' + digitsOf(real);
+            text += '\n';
+        }
+        return text;
+    }
+
+    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path)
+    {
+        writeTextFile(file, toCsv(path));
+    }
+}
