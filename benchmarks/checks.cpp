@@ -109,7 +109,7 @@ namespace
             {
                 const PoseVerdict verdict = environment.settle({body, pose}, hint, policy, counts);
                 free += verdict.free ? 1 : 0;
-                asked += verdict.asked ? 1 : 0;
+                asked += verdict.by == SettledBy::CERTIFICATE ? 0 : 1;
                 if (which == Poses::MOTION)
                     hint = verdict.reference;
             }

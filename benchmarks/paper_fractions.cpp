@@ -83,9 +83,9 @@ namespace
                 "| %u | %s | %zu | %llu | %.2f %% | %.2f %% | %.2f %% | %.2f %% | %.2f %% | %zu | %.3f | %.3f "
                 "| %.1f %% | %s |\n",
                 robots, method.c_str(), result.states, static_cast<unsigned long long>(counts.robotPoses),
-                percent(counts.exact, counts.robotPoses), percent(counts.exactColliding, counts.robotPoses),
-                percent(counts.exactCalls, counts.robotPoses), percent(counts.exact, counts.motionSamples),
-                percent(counts.exact, standard.counts.exact), result.certificates,
+                percent(counts.asked, counts.robotPoses), percent(counts.askedColliding, counts.robotPoses),
+                percent(counts.exactCalls, counts.robotPoses), percent(counts.asked, counts.motionSamples),
+                percent(counts.asked, standard.counts.asked), result.certificates,
                 result.checkingSeconds / standard.checkingSeconds, result.totalSeconds / standard.totalSeconds,
                 percent(static_cast<std::uint64_t>(1e9 * result.checkingSeconds),
                         static_cast<std::uint64_t>(1e9 * result.totalSeconds)),

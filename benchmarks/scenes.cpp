@@ -1,5 +1,5 @@
-// Teams of one to three robots in every scene there is, with and without certificates, in turns and from equal seeds:
-// what certificates save, and that the trees are equal.
+// Teams of one to three robots in every scene there is, checked by FCL alone, by the fastest check without certificates
+// and with certificates, in turns and from equal seeds: what is saved, and that the trees are equal.
 //
 //     scenes                                   all scenes of the project, and the shared ones where they are present
 //     scenes maze.yaml --planners RRT --robots 3 --methods basic,partial,shared --seeds 10
@@ -33,6 +33,7 @@ namespace
         std::vector<std::size_t> robots{1, 2, 3};
         unsigned int iterations{10000};
         unsigned int seeds{3};
+        bool warm{false};
     };
 
     /** The scenes of the project, and those of teams among shared meshes, which may be absent */
@@ -63,9 +64,10 @@ namespace
             ->capture_default_str();
         benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
         benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each row, from seeds 1, 2, ...");
+        app.add_flag("--warm", options.warm, "Also plan with the certificates of another plan, in rows of their own");
         app.footer(
             "An interrupt ends it after the present row, with the means of what is done.\n"
-            "Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
+            "Returns 1 if a tree differs from that of FCL alone, 2 for bad input.");
     }
 
     /** The scene with its first \e robots robots alone */
@@ -97,48 +99,76 @@ namespace
         }
     };
 
+    /** Ratios of times, a row each */
+    class Ratios
+    {
+    public:
+        double add(double numerator, double denominator)
+        {
+            values_.push_back(numerator / denominator);
+            return values_.back();
+        }
+
+        void print(const char *name) const
+        {
+            std::printf("%s: geometric mean %.2f, smallest %.2f\n", name, benchmarks::geometricMean(values_),
+                        *std::min_element(values_.begin(), values_.end()));
+        }
+
+        bool isEmpty() const
+        {
+            return values_.empty();
+        }
+
+    private:
+        std::vector<double> values_;
+    };
+
     class Table
     {
     public:
         Table()
         {
             std::puts(
-                "| scene | planner | R | method | exact checks, standard | exact checks | ratio | checking, "
-                "standard (s) | standard / method, checking | total | trees equal |");
-            std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
+                "| scene | planner | R | method | FCL calls: fcl | method | checking: fcl (s) | fcl / standard | "
+                "fcl / method | standard / method | total: fcl / method | standard / method | trees equal |");
+            std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
         }
 
         void add(const std::string &scene, const std::string &planner, std::size_t robots, const std::string &method,
-                 const Sum &standard, const Sum &certified)
+                 const Sum &fcl, const Sum &standard, const Sum &certified)
         {
-            checking_.push_back(standard.checkingSeconds / certified.checkingSeconds);
-            total_.push_back(standard.totalSeconds / certified.totalSeconds);
-            const bool equal = standard.digests == certified.digests;
+            const bool equal = fcl.digests == certified.digests && fcl.digests == standard.digests;
             different_ += equal ? 0 : 1;
-            std::printf("| %s | %s | %zu | %s | %llu | %llu | %.3f | %.3f | %.2f | %.2f | %s |\n", scene.c_str(),
-                        planner.c_str(), robots, method.c_str(), static_cast<unsigned long long>(standard.exactCalls),
-                        static_cast<unsigned long long>(certified.exactCalls),
-                        static_cast<double>(certified.exactCalls) / static_cast<double>(standard.exactCalls),
-                        standard.checkingSeconds, checking_.back(), total_.back(), equal ? "yes" : "NO");
+            std::printf("| %s | %s | %zu | %s | %llu | %llu | %.3f |", scene.c_str(), planner.c_str(), robots,
+                        method.c_str(), static_cast<unsigned long long>(fcl.exactCalls),
+                        static_cast<unsigned long long>(certified.exactCalls), fcl.checkingSeconds);
+            std::printf(" %.2f | %.2f | %.2f |", fclToStandard_.add(fcl.checkingSeconds, standard.checkingSeconds),
+                        fclToMethod_.add(fcl.checkingSeconds, certified.checkingSeconds),
+                        standardToMethod_.add(standard.checkingSeconds, certified.checkingSeconds));
+            std::printf(" %.2f | %.2f | %s |\n", fclToMethodTotal_.add(fcl.totalSeconds, certified.totalSeconds),
+                        standardToMethodTotal_.add(standard.totalSeconds, certified.totalSeconds),
+                        equal ? "yes" : "NO");
             std::fflush(stdout);
         }
 
         /** Prints the means. Whether all trees were equal. */
         bool finish() const
         {
-            if (checking_.empty())
+            if (fclToMethod_.isEmpty())
                 return true;
-            std::printf(
-                "\nstandard / method, geometric means of %zu rows: checking %.2f, total %.2f; the smallest: "
-                "checking %.2f, total %.2f. Rows with trees that differ: %u.\n",
-                checking_.size(), benchmarks::geometricMean(checking_), benchmarks::geometricMean(total_),
-                *std::min_element(checking_.begin(), checking_.end()), *std::min_element(total_.begin(), total_.end()),
-                different_);
+            std::puts("");
+            fclToStandard_.print("checking, fcl / standard");
+            fclToMethod_.print("checking, fcl / method");
+            standardToMethod_.print("checking, standard / method");
+            fclToMethodTotal_.print("total, fcl / method");
+            standardToMethodTotal_.print("total, standard / method");
+            std::printf("rows with trees that differ: %u\n", different_);
             return different_ == 0;
         }
 
     private:
-        std::vector<double> checking_, total_;
+        Ratios fclToStandard_, fclToMethod_, standardToMethod_, fclToMethodTotal_, standardToMethodTotal_;
         unsigned int different_{0};
     };
 
@@ -146,20 +176,33 @@ namespace
     {
         benchmarks::PlanTask task{scene, planner};
         task.iterations = options.iterations;
-        Sum standard;
-        std::vector<Sum> certified(options.methods.size());
+        Sum fcl, standard;
+        std::vector<Sum> cold(options.methods.size()), warm(options.methods.size());
+        const auto add = [&task](Sum &sum, Method method, bool isWarm)
+        {
+            task.method = method;
+            task.warm = isWarm;
+            sum.add(benchmarks::run(task));
+        };
         for (task.seed = 1; task.seed <= options.seeds; ++task.seed)
         {
-            task.method = Method::STANDARD;
-            standard.add(benchmarks::run(task));
-            for (std::size_t i = 0; i < certified.size(); ++i)
+            add(fcl, Method::FCL, false);
+            add(standard, Method::STANDARD, false);
+            for (std::size_t i = 0; i < options.methods.size(); ++i)
             {
-                task.method = methodOf(options.methods[i]);
-                certified[i].add(benchmarks::run(task));
+                add(cold[i], methodOf(options.methods[i]), false);
+                if (options.warm)
+                    add(warm[i], methodOf(options.methods[i]), true);
             }
         }
-        for (std::size_t i = 0; i < certified.size(); ++i)
-            table.add(scene.getName(), planner, scene.getMembers().size(), options.methods[i], standard, certified[i]);
+        for (std::size_t i = 0; i < options.methods.size(); ++i)
+        {
+            const auto print = [&](const std::string &name, const Sum &sum)
+            { table.add(scene.getName(), planner, scene.getMembers().size(), name, fcl, standard, sum); };
+            print(options.methods[i], cold[i]);
+            if (options.warm)
+                print(options.methods[i] + ", warm", warm[i]);
+        }
     }
 
     int run(const Options &options)

@@ -44,7 +44,8 @@ int main()
     setup.getSolutionPath().printAsMatrix(std::cout);
     const CheckCounts counts = checker->getStatistics().getCounts();
     std::cout << counts.robotPoses << " robot poses were looked at: " << counts.certifiedFree << " certified free, "
-              << counts.certifiedColliding << " certified colliding, " << counts.exact << " settled exactly.\n"
+              << counts.certifiedColliding << " certified colliding, " << counts.asked << " asked of the obstacles;\n"
+              << "FCL was called " << counts.exactCalls << " times.\n"
               << counts.motionSamplesSkipped << " of " << counts.motionSamples << " samples of motions were skipped.\n";
     return 0;
 }

@@ -42,7 +42,7 @@ int main()
     std::cout << "A path of length " << setup.getSolutionPath().length() << " through "
               << setup.getSolutionPath().getStateCount() << " states\n";
     const CheckCounts counts = setup.getStatistics().getCounts();
-    std::cout << "Settled exactly: " << counts.exact << " of " << counts.robotPoses << " robot poses, and "
-              << counts.pairExact << " of " << counts.pairPoses << " pairs of robots\n";
+    std::cout << "FCL was called " << counts.exactCalls << " times for " << counts.robotPoses << " robot poses, and "
+              << counts.pairExact << " times for " << counts.pairPoses << " pairs of robots\n";
     return 0;
 }

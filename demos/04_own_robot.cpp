@@ -82,6 +82,6 @@ int main()
 
     setup.getSolutionPath().printAsMatrix(std::cout);
     const CheckCounts counts = setup.getStatistics().getCounts();
-    std::cout << "Settled exactly: " << counts.exact << " of " << counts.robotPoses << " robot poses\n";
+    std::cout << "The obstacles were asked for " << counts.asked << " of " << counts.robotPoses << " robot poses\n";
     return 0;
 }

@@ -61,8 +61,8 @@ int main()
         solved = plan(*setup) && solved;
         const auto fresh = makeSetup(team, change.after);
         solved = plan(*fresh) && solved;
-        asked += setup->getStatistics().getCounts().exact;
-        askedAnew += fresh->getStatistics().getCounts().exact;
+        asked += setup->getStatistics().getCounts().asked;
+        askedAnew += fresh->getStatistics().getCounts().asked;
     }
     std::cout << "Ten plans, one obstacle of " << obstacles.size() << " moved before each: " << asked
               << " robot poses had to be checked among the obstacles, by new checkers " << askedAnew << ".\n";

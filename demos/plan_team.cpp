@@ -202,11 +202,16 @@ namespace
         std::printf("  robot poses   %llu:", number(checks.robotPoses));
         printShare(" certified free ", checks.certifiedFree, checks.robotPoses);
         printShare(", certified colliding ", checks.certifiedColliding, checks.robotPoses);
-        printShare(", exact ", checks.exact, checks.robotPoses);
+        if (checks.byClearances > 0)
+            printShare(", by clearances ", checks.byClearances, checks.robotPoses);
+        if (checks.contactTests > 0)
+            printShare(", by the contact test ", checks.byContact, checks.robotPoses);
+        printShare(", by FCL ", checks.exact, checks.robotPoses);
         std::printf("\n  motions       %llu:", number(checks.motions));
         printShare(" samples skipped ", checks.motionSamplesSkipped, checks.motionSamples);
         std::printf("\n  robot pairs   %llu:", number(checks.pairPoses));
-        printShare(" exact ", checks.pairExact, checks.pairPoses);
+        std::printf(" FCL called for %llu", number(checks.pairExact));
+        std::printf("\n  calls of FCL  %llu", number(checks.exactCalls + checks.pairExact));
         std::printf("\n  certificates  %llu\n", number(report.certificates));
         std::printf("  time          %.3f s", report.totalSeconds);
         // Threads add up, and then there is no share of the whole.

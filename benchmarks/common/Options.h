@@ -25,15 +25,15 @@ namespace benchmarks
             ->capture_default_str();
     }
 
-    /** \brief Option --methods: all but the standard one */
+    /** \brief Option --methods: those with certificates */
     inline void addMethods(CLI::App &app, std::vector<std::string> &methods)
     {
         using ompl_certificates::Method;
         std::vector<std::string> known;
         for (const Method method : ompl_certificates::allMethods())
-            if (method != Method::STANDARD)
+            if (method != Method::FCL && method != Method::STANDARD)
                 known.push_back(ompl_certificates::nameOf(method));
-        addList(app, "--methods", methods, "Methods to compare with the standard one, separated by commas")
+        addList(app, "--methods", methods, "Methods to compare with those without certificates, separated by commas")
             ->check(CLI::IsMember(known))
             ->capture_default_str();
     }

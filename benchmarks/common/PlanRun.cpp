@@ -108,7 +108,7 @@ namespace benchmarks
             team->computeLocations();
             if (scene.getResolution() > 0.0)
                 team->setLongestValidSegmentFraction(scene.getResolution());
-            auto setup = std::make_shared<TeamSetup>(team, scene.makeObstacles(), Method::STANDARD);
+            auto setup = std::make_shared<TeamSetup>(team, scene.makeObstacles(), Method::FCL);
             setup->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
             setup->setNearestStructure(NearestStructure::GNAT);
             return setup;
@@ -152,14 +152,28 @@ namespace benchmarks
         const auto allocator = allocators().find(task.planner);
         if (allocator == allocators().end())
             throw ompl::Exception("There is no planner '" + task.planner + "' here");
-        setSeed(task.seed);
         const TeamSetupPtr setup = task.stock ? makeStockSetup(task.scene) : task.scene.makeSetup(task.method);
         if (task.resolution > 0.0)
             setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
-        const ob::PlannerPtr planner = allocator->second(setup->getSpaceInformation());
-        if (task.range > 0.0)
-            planner->params().setParam("range", std::to_string(task.range));
-        setup->setPlanner(planner);
+        const auto certificates = setup->getCertificateChecker();
+        const auto makePlanner = [&](std::uint_fast32_t seed)
+        {
+            setSeed(seed);
+            const ob::PlannerPtr planner = allocator->second(setup->getSpaceInformation());
+            if (task.range > 0.0)
+                planner->params().setParam("range", std::to_string(task.range));
+            setup->setPlanner(planner);
+            return planner;
+        };
+        if (task.warm && certificates)
+        {
+            // Another seed: not the certificates of the very same states.
+            const ob::PlannerPtr before = makePlanner(task.seed + 1000);
+            setup->setup();
+            before->solve(ob::IterationTerminationCondition(task.iterations));
+            setup->getProblemDefinition()->clearSolutionPaths();
+        }
+        const ob::PlannerPtr planner = makePlanner(task.seed);
         const bool sampleable = planner->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION;
         if (task.keepGoing && !sampleable)
             setup->setGoal(std::make_shared<NeverSatisfied>(setup->getSpaceInformation()));
@@ -183,6 +197,8 @@ namespace benchmarks
                 break;
             planner->clear();
             setup->getProblemDefinition()->clearSolutionPaths();
+            if (certificates && !task.warm)
+                certificates->clear();
         }
         result.counts = setup->getStatistics().getCounts();
         result.checkingSeconds = setup->getStatistics().getCheckingSeconds();

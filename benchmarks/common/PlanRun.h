@@ -29,7 +29,10 @@ namespace benchmarks
 
         std::uint_fast32_t seed{1};
 
-        /** \brief Whether to plan as OMPL alone does: a CompoundStateSpace with the team's distance, the standard check, and
+        /** \brief Whether certificates are known from another plan of the same scene; else each tree begins without any */
+        bool warm{false};
+
+        /** \brief Whether to plan as OMPL alone does: a CompoundStateSpace with the team's distance, FCL's check, and
             the nearest-neighbor structure that OMPL gives the planner. It takes the place of \e method. */
         bool stock{false};
 

@@ -28,18 +28,18 @@ namespace demos
             return check();
         begun_ = false;
         const std::uint64_t poses = statistics_.getCount(&CheckCounts::endPoses);
-        const std::uint64_t exact = statistics_.getCount(&CheckCounts::endExact);
+        const std::uint64_t asked = statistics_.getCount(&CheckCounts::endAsked);
         const bool valid = check();
         const std::uint64_t newPoses = statistics_.getCount(&CheckCounts::endPoses) - poses;
-        const std::uint64_t newExact = statistics_.getCount(&CheckCounts::endExact) - exact;
+        const std::uint64_t newAsked = statistics_.getCount(&CheckCounts::endAsked) - asked;
         ++counts_.samples;
         counts_.samplePoses += newPoses;
-        counts_.sampleExact += newExact;
+        counts_.sampleAsked += newAsked;
         if (valid)
         {
             ++counts_.nodes;
             counts_.nodePoses += newPoses;
-            counts_.nodeExact += newExact;
+            counts_.nodeAsked += newAsked;
         }
         return valid;
     }

@@ -25,10 +25,10 @@ namespace demos
             std::uint64_t samples{0}, nodes{0};
 
             /** \brief Poses at samples, and those of them that the obstacles had to be asked for */
-            std::uint64_t samplePoses{0}, sampleExact{0};
+            std::uint64_t samplePoses{0}, sampleAsked{0};
 
             /** \brief The same at samples that became nodes */
-            std::uint64_t nodePoses{0}, nodeExact{0};
+            std::uint64_t nodePoses{0}, nodeAsked{0};
         };
 
         /** \brief Put a counter before the motion validator of \e setup, which must outlive it */

@@ -104,7 +104,7 @@ namespace demos
         { addProgressProperty(*planner, name + " INTEGER", [count] { return std::to_string(count()); }); };
         const Statistics &statistics = setup.getStatistics();
         add("robot_poses", [&statistics] { return statistics.getCounts().robotPoses; });
-        add("exact", [&statistics] { return statistics.getCounts().exact; });
+        add("asked", [&statistics] { return statistics.getCounts().asked; });
         add("certificates", [&setup] { return certificatesOf(setup); });
         addProgressProperty(*planner, "time_in_checking REAL",
                             [&statistics] { return ompl::toString(statistics.getCheckingSeconds()); });
@@ -147,9 +147,13 @@ namespace demos
             {"robot_poses", counts_.robotPoses},
             {"certified_free", counts_.certifiedFree},
             {"certified_colliding", counts_.certifiedColliding},
+            {"asked", counts_.asked},
+            {"asked_colliding", counts_.askedColliding},
+            {"by_clearances", counts_.byClearances},
+            {"by_contact", counts_.byContact},
             {"exact", counts_.exact},
-            {"exact_colliding", counts_.exactColliding},
             {"clearance_queries", counts_.clearanceQueries},
+            {"contact_tests", counts_.contactTests},
             {"exact_calls", counts_.exactCalls},
             {"pair_poses", counts_.pairPoses},
             {"pair_exact", counts_.pairExact},

@@ -16,8 +16,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 import trials
 
-COLORS = {"standard": "#555555", "basic": "#d55e00", "partial": "#0072b2", "shared": "#009e73"}
-STYLES = {"standard": ":", "basic": "-.", "partial": "--", "shared": "-"}
+COLORS = {"fcl": "#999999", "standard": "#555555", "basic": "#d55e00", "partial": "#0072b2", "shared": "#009e73"}
+STYLES = {"fcl": ":", "standard": ":", "basic": "-.", "partial": "--", "shared": "-"}
 
 # The paper's figures of the proportion of checks and of relative runtime
 PAPER = {"RRT": (6, 8), "RRTstar": (7, 9)}

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pandas as pd
 
-METHODS = ["standard", "basic", "partial", "shared"]
+METHODS = ["fcl", "standard", "basic", "partial", "shared"]
 METHOD_LABELS = {
+    "fcl": "FCL alone",
     "standard": "Standard",
     "basic": "Basic Certificate",
     "partial": "Partial Certificate",
@@ -73,11 +74,11 @@ def records_of(trials):
         frames.append(frame)
     records = pd.concat(frames, ignore_index=True)
     records["iterations"] = records["iterations"].astype(int)
-    # The standard method asks for every pose and counts none of samples and nodes.
-    standard = records["method"] == "standard"
-    records["fraction_nodes"] = ratio(records["node_exact"], records["node_poses"]).mask(standard, 1.0)
-    records["fraction_samples"] = ratio(records["sample_exact"], records["sample_poses"]).mask(standard, 1.0)
-    records["fraction_motions"] = ratio(records["exact"], records["motion_samples"])
+    # The methods without certificates ask for every pose and count none of samples and nodes.
+    without = records["method"].isin(["fcl", "standard"])
+    records["fraction_nodes"] = ratio(records["node_asked"], records["node_poses"]).mask(without, 1.0)
+    records["fraction_samples"] = ratio(records["sample_asked"], records["sample_poses"]).mask(without, 1.0)
+    records["fraction_motions"] = ratio(records["asked"], records["motion_samples"])
     return add_relative_times(records)
 
 

@@ -1,7 +1,8 @@
 #include "ompl_certificates/certificates/CertifiedEnvironment.h"
 
+#include "ExactCheck.h"
+
 #include <algorithm>
-#include <chrono>
 
 namespace ompl_certificates
 {
@@ -20,49 +21,6 @@ namespace ompl_certificates
 
         /** How many clearances may be asked of one pose before the exact check is the cheaper one */
         constexpr unsigned int MOST_CLEARANCES = 8;
-
-        /** Settles a pose in the way that a policy chooses, and tells it how long that took if it is the pose's turn */
-        class Settling
-        {
-        public:
-            Settling(SwitchingPolicy &policy, bool needsClearances)
-              : policy_(policy), timed_(policy.isTimed()), way_(policy.choose(needsClearances, timed_))
-            {
-                if (timed_)
-                    start_ = std::chrono::steady_clock::now();
-            }
-
-            SwitchingPolicy::Way getWay() const
-            {
-                return way_;
-            }
-
-            void noteClearances(double samples)
-            {
-                if (timed_)
-                    policy_.noteClearances(lap(), samples);
-            }
-
-            void noteExact()
-            {
-                if (timed_)
-                    policy_.noteExact(way_, lap());
-            }
-
-        private:
-            std::chrono::nanoseconds lap()
-            {
-                const auto now = std::chrono::steady_clock::now();
-                const std::chrono::nanoseconds elapsed = now - start_;
-                start_ = now;
-                return elapsed;
-            }
-
-            SwitchingPolicy &policy_;
-            const bool timed_;
-            const SwitchingPolicy::Way way_;
-            std::chrono::steady_clock::time_point start_;
-        };
     }
 
     CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit)
@@ -97,6 +55,8 @@ namespace ompl_certificates
         if (settleByHint(query, hint, verdict))
             return verdict;
         verdict = {};
+        if (!isFinite(query.pose))
+            return verdict;
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
         // A ball is settled by one search either way, which mostly finds something.
@@ -129,7 +89,7 @@ namespace ompl_certificates
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
     {
-        return askAndLearn(query, false, policy, counts);
+        return isFinite(query.pose) ? askAndLearn(query, false, policy, counts) : PoseVerdict();
     }
 
     bool CertifiedEnvironment::hitsAgain(const PoseQuery &query, CheckCounts &counts) const
@@ -147,14 +107,15 @@ namespace ompl_certificates
                                                   CheckCounts &counts) const
     {
         PoseVerdict verdict;
-        verdict.asked = true;
+        verdict.by = SettledBy::CLEARANCES;
         if (query.proofOnly)
         {
             settleByClearances(query, learn, verdict, counts);
             return verdict;
         }
         // Only clearances tell how long a body stays free.
-        Settling settling(policy, query.minimumReach > 0.0);
+        TimedSettling settling(policy,
+                               query.minimumReach > 0.0 ? SwitchingPolicy::WITH_CLEARANCES : SwitchingPolicy::ANY);
         const auto [clearances, contact] = settling.getWay();
         if (clearances)
         {
@@ -168,24 +129,17 @@ namespace ompl_certificates
         else
             ++counts.steppedAside;
         verdict.reach = 0.0;
-        verdict.free = !((query.samplesAhead > 0.0 && hitsAgain(query, counts)) || collides(query, contact, counts));
-        settling.noteExact();
-        return verdict;
-    }
-
-    bool CertifiedEnvironment::collides(const PoseQuery &query, bool tryContact, CheckCounts &counts) const
-    {
-        if (tryContact)
+        if (query.samplesAhead > 0.0 && hitsAgain(query, counts))
+            verdict.by = clearances ? SettledBy::CLEARANCES : SettledBy::CERTIFICATE;
+        else
         {
-            ObstaclePart hit = NO_PART;
-            const Touching touching = obstacles_->touches(query.body, query.pose, &hit);
+            ObstaclePart hit;
+            verdict.free = !collides(*obstacles_, query.body, query.pose, contact, verdict.by, hit, counts);
             if (hit != NO_PART)
                 hits_.note(enclosingBall(query), hit);
-            if (touching != Touching::UNKNOWN)
-                return touching == Touching::YES;
         }
-        ++counts.exactCalls;
-        return obstacles_->collides(query.body, query.pose);
+        settling.noteExact();
+        return verdict;
     }
 
     bool CertifiedEnvironment::settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict,

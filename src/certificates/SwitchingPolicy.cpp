@@ -72,30 +72,31 @@ namespace ompl_certificates
 
     void SwitchingPolicy::judge()
     {
-        for (const bool needsClearances : {false, true})
+        for (const Choice choice : {ANY, WITH_CLEARANCES, WITHOUT_CLEARANCES})
         {
-            std::uint32_t best = best_[needsClearances].load(std::memory_order_relaxed);
+            std::uint32_t best = best_[choice].load(std::memory_order_relaxed);
             float least = costOf(best) / HYSTERESIS;
-            for (std::uint32_t way = 0; way < (needsClearances ? WAYS_WITH_CLEARANCES : WAYS); ++way)
+            const auto [first, end] = waysOf(choice);
+            for (std::uint32_t way = first; way < end; ++way)
                 if (exact_[way].notes.load(std::memory_order_relaxed) == ENOUGH_NOTES && costOf(way) < least)
                 {
                     best = way;
                     least = costOf(way);
                 }
-            best_[needsClearances].store(best, std::memory_order_relaxed);
+            best_[choice].store(best, std::memory_order_relaxed);
         }
     }
 
-    std::uint32_t SwitchingPolicy::tryOut(bool needsClearances)
+    std::uint32_t SwitchingPolicy::tryOut(Choice choice)
     {
-        const std::uint32_t ways = needsClearances ? WAYS_WITH_CLEARANCES : WAYS;
-        const std::uint32_t best = best_[needsClearances].load(std::memory_order_relaxed);
+        const auto [first, end] = waysOf(choice);
+        const std::uint32_t best = best_[choice].load(std::memory_order_relaxed);
         const std::uint32_t turn = turns_.load(std::memory_order_relaxed) + 1;
         turns_.store(turn, std::memory_order_relaxed);
         const float least = std::max(costOf(best), 1.0F);
-        for (std::uint32_t i = 0; i < ways; ++i)
+        for (std::uint32_t i = 0; i < end - first; ++i)
         {
-            const std::uint32_t way = (turn + i) % ways;
+            const std::uint32_t way = first + (turn + i) % (end - first);
             const std::uint32_t notes = exact_[way].notes.load(std::memory_order_relaxed);
             if (notes < FEW_NOTES)
                 return way;
@@ -120,7 +121,7 @@ namespace ompl_certificates
             cost->mean.store(0.0F, std::memory_order_relaxed);
             cost->notes.store(0, std::memory_order_relaxed);
         }
-        for (auto &best : best_)
-            best.store(0, std::memory_order_relaxed);
+        for (const Choice choice : {ANY, WITH_CLEARANCES, WITHOUT_CLEARANCES})
+            best_[choice].store(waysOf(choice)[0], std::memory_order_relaxed);
     }
 }

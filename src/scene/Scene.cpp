@@ -163,7 +163,7 @@ namespace ompl_certificates
         for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
         {
             const unsigned int first = pairs.getFirst(pair), second = pairs.getSecond(pair);
-            if (pairs.collide(pair, poses[first].data(), poses[second].data(), counts))
+            if (pairs.collide(pair, poses[first].data(), poses[second].data(), true, counts))
                 throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap");
         }
     }

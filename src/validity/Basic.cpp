@@ -88,13 +88,12 @@ namespace ompl_certificates
             counts.certifiedFree += robots;
             return whole;
         }
-        whole = {true, std::numeric_limits<double>::infinity(), NO_CERTIFICATE, true};
+        whole = {true, std::numeric_limits<double>::infinity()};
         thread_local std::vector<Certificate> fresh;
         fresh.clear();
         for (unsigned int robot = 0; whole.free && robot < robots; ++robot)
         {
-            ++counts.robotPoses;
-            ++counts.exact;
+            SettledBy by = SettledBy::CERTIFICATE;
             for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
             {
                 const PoseQuery query = queryOf(robot, body, poses, motion);
@@ -103,14 +102,13 @@ namespace ompl_certificates
                 const PoseVerdict one = environment_.ask(query, policy, counts);
                 whole.free = one.free;
                 whole.reach = std::min(whole.reach, one.reach);
+                by = std::max(by, one.by);
                 fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});
             }
+            countRobotPose(counts, by, whole.free);
         }
         if (!whole.free)
-        {
-            ++counts.exactColliding;
             return whole;
-        }
         // Where clearances do not pay, bodies are settled without.
         if (std::any_of(fresh.begin(), fresh.end(), [](const Certificate &one) { return std::isnan(one.clearance); }))
             return whole;

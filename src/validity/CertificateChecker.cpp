@@ -12,12 +12,6 @@ namespace ompl_certificates
             [this] { return getMaxCertificates(); });
         params_.declareParam<bool>(
             "adaptive", [this](bool adaptive) { setAdaptive(adaptive); }, [this] { return isAdaptive(); });
-        // Not in the midst of the first check: among 10^5 triangles this takes a twentieth of a second.
-        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
-            for (const Body &body : team_.getRobot(robot).getBodies())
-                for (const auto &part : body.getParts())
-                    if (const TriangleMesh *mesh = part.shape.getMesh())
-                        mesh->getTree();
     }
 
     bool CertificateChecker::isValid(const ompl::base::State *state) const

@@ -2,6 +2,7 @@
 
 #include "ContinuousMotionCheck.h"
 #include "DiscreteMotionCheck.h"
+#include "MotionCount.h"
 
 #include <algorithm>
 #include <ompl/base/SpaceInformation.h>
@@ -11,17 +12,8 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
-    namespace
-    {
-        /** OMPL counts motions in plain integers, but validators are used by many threads. */
-        void countMotion(unsigned int &counter)
-        {
-            __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
-        }
-    }
-
     CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const CertificateChecker> checker, Mode mode)
-      : MotionValidator(checker ? checker->si_
+      : MotionValidator(checker ? checker->getSpaceInformation()
                                 : throw ompl::Exception("A motion validator needs a certificate checker"))
       , checker_(std::move(checker))
       , mode_(mode)
@@ -33,7 +25,7 @@ namespace ompl_certificates
 
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
-        const WorldLock::Check entry(checker_->worldLock_);
+        const WorldLock::Check world = checker_->holdObstacles();
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
         const auto run = [this](auto &&check)
@@ -51,7 +43,7 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {
-        const WorldLock::Check entry(checker_->worldLock_);
+        const WorldLock::Check world = checker_->holdObstacles();
         const Statistics::Timer timer(checker_->getStatistics());
         const MotionScratchPool::Lease scratch(*scratch_);
         double free = 1.0;

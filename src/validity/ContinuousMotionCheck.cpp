@@ -38,7 +38,8 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, int &around)
     {
         const int counted = reversed_ ? cells_ - 1 - cell : cell;
-        const PoseVerdict verdict = settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, true, cell == cells_ - 1 ? 0.0 : 1.0);
+        const PoseVerdict verdict =
+            settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, true, cell == cells_ - 1 ? 0.0 : 1.0);
         const double reach = std::min(verdict.reach, 1.0) * (1.0 - OVERLAP);
         around = std::max(0, static_cast<int>(reach * cells_ - 0.5));
         return verdict.free;
@@ -60,7 +61,7 @@ namespace ompl_certificates
             const bool free = settleCell(subject, cells_ - 1, around);
             // Nothing of this motion was counted before its end.
             counts_.endPoses = counts_.robotPoses;
-            counts_.endExact = counts_.exact;
+            counts_.endAsked = counts_.asked;
             if (!free)
                 return false;
             if (around < cells_ - 1)

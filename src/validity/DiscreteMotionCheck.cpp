@@ -32,7 +32,7 @@ namespace ompl_certificates
             const PoseVerdict verdict = settle(subject, 1.0, 0.0, false, 0.0);
             // Nothing of this motion was counted before its end.
             counts_.endPoses = counts_.robotPoses;
-            counts_.endExact = counts_.exact;
+            counts_.endAsked = counts_.asked;
             if (!verdict.free)
                 return false;
             scratch_.endReach[subject] = verdict.reach;

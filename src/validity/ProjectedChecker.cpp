@@ -72,19 +72,12 @@ namespace ompl_certificates
                 environment.settle(queryOf(robot, body, poses, motion), whole.reference, policy, counts);
             whole.free = one.free;
             whole.reach = std::min(whole.reach, one.reach);
-            whole.asked = whole.asked || one.asked;
+            whole.by = std::max(whole.by, one.by);
             if (one.reference != NO_CERTIFICATE)
                 whole.reference = one.reference;
         }
         references[robot] = whole.reference;
-        ++counts.robotPoses;
-        if (whole.asked)
-        {
-            ++counts.exact;
-            counts.exactColliding += whole.free ? 0 : 1;
-        }
-        else
-            ++(whole.free ? counts.certifiedFree : counts.certifiedColliding);
+        countRobotPose(counts, whole.by, whole.free);
         return whole;
     }
 

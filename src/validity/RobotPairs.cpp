@@ -3,6 +3,7 @@
 #include "ompl_certificates/geometry/FclObstacles.h"
 
 #include "BodyClearance.h"
+#include "certificates/ExactCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,8 @@ namespace ompl_certificates
                 return frame;
         auto obstacles =
             std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getHeights());
-        frames_.push_back(std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles, limit_), {}}));
+        frames_.push_back(
+            std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles, limit_), {}, {}}));
         return frames_.back();
     }
 
@@ -71,7 +73,8 @@ namespace ompl_certificates
         return team_.getRobot(pair.second).getBodies()[bodies.secondBody];
     }
 
-    bool RobotPairs::collide(unsigned int index, const Pose *first, const Pose *second, CheckCounts &counts) const
+    bool RobotPairs::collide(unsigned int index, const Pose *first, const Pose *second, bool contactTest,
+                             CheckCounts &counts) const
     {
         const Pair &pair = pairs_[index];
         for (const BodyPair &bodies : pair.bodies)
@@ -86,10 +89,17 @@ namespace ompl_certificates
             }
             else if (gap <= bodies.margin)
             {
-                ++counts.pairExact;
                 const Obstacles &obstacles = bodies.frame->environment.getObstacles();
-                if (bodies.swapped ? obstacles.collides(b, poseA.inverse() * poseB)
-                                   : obstacles.collides(a, poseB.inverse() * poseA))
+                const Body &body = bodies.swapped ? b : a;
+                const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
+                CheckCounts asked;
+                SettledBy by;
+                const bool touch = contactTest ? collidesWithoutMemory(obstacles, body, relative,
+                                                                       bodies.frame->contactPolicy, by, asked)
+                                               : obstacles.collides(body, relative);
+                counts.contactTests += asked.contactTests;
+                counts.pairExact += contactTest ? asked.exactCalls : 1;
+                if (touch)
                     return true;
             }
         }
@@ -136,6 +146,7 @@ namespace ompl_certificates
                 {bodies.swapped ? b : a, relative, &travel, provedReach, provedReach > 0.0}, NO_CERTIFICATE, policy,
                 asked);
             counts.clearanceQueries += asked.clearanceQueries;
+            counts.contactTests += asked.contactTests;
             counts.pairExact += asked.exactCalls;
             verdict.reach = std::min(verdict.reach, one.reach);
             if (!one.free)
@@ -190,6 +201,7 @@ namespace ompl_certificates
         {
             frame->environment.clear();
             frame->policy.reset();
+            frame->contactPolicy.reset();
         }
     }
 }

@@ -6,11 +6,6 @@
 
 namespace ompl_certificates
 {
-    namespace
-    {
-        thread_local unsigned int runningTimers = 0;
-    }
-
     Statistics::Slot &Statistics::slotOfThisThread()
     {
         return slots_[threadNumber() % SLOTS];
@@ -66,19 +61,14 @@ namespace ompl_certificates
         }
     }
 
-    Statistics::Timer::Timer(Statistics &statistics) : statistics_(runningTimers++ == 0 ? &statistics : nullptr)
+    Statistics::Timer::Timer(Statistics &statistics) : statistics_(statistics), start_(std::chrono::steady_clock::now())
     {
-        if (statistics_)
-            start_ = std::chrono::steady_clock::now();
     }
 
     Statistics::Timer::~Timer()
     {
-        --runningTimers;
-        if (!statistics_)
-            return;
         const auto elapsed = std::chrono::steady_clock::now() - start_;
-        statistics_->slotOfThisThread().nanoseconds.fetch_add(
+        statistics_.slotOfThisThread().nanoseconds.fetch_add(
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count()),
             std::memory_order_relaxed);
     }

@@ -3,7 +3,7 @@
 #include "ompl_certificates/validity/Basic.h"
 #include "ompl_certificates/validity/Partial.h"
 #include "ompl_certificates/validity/SharedProjection.h"
-#include "ompl_certificates/validity/TimedMotionValidator.h"
+#include "ompl_certificates/validity/ExactMotionValidator.h"
 
 #include <functional>
 #include <ompl/util/Console.h>
@@ -17,7 +17,7 @@ namespace ompl_certificates
 
     const std::vector<Method> &allMethods()
     {
-        static const std::vector<Method> methods{Method::STANDARD, Method::BASIC, Method::PARTIAL,
+        static const std::vector<Method> methods{Method::FCL, Method::STANDARD, Method::BASIC, Method::PARTIAL,
                                                  Method::SHARED_PROJECTION};
         return methods;
     }
@@ -26,6 +26,8 @@ namespace ompl_certificates
     {
         switch (method)
         {
+            case Method::FCL:
+                return "fcl";
             case Method::STANDARD:
                 return "standard";
             case Method::BASIC:
@@ -61,12 +63,14 @@ namespace ompl_certificates
         };
         switch (method)
         {
+            case Method::FCL:
             case Method::STANDARD:
                 if (mode == CertificateMotionValidator::CONTINUOUS)
-                    throw ompl::Exception(
-                        "The standard method makes no certificates and so cannot check motions continuously");
-                checker_ = std::make_shared<TeamValidityChecker>(si_, obstacles);
-                si_->setMotionValidator(std::make_shared<TimedMotionValidator>(si_, checker_));
+                    throw ompl::Exception("The method " + nameOf(method) +
+                                          " makes no certificates and so cannot check motions continuously");
+                checker_ = std::make_shared<TeamValidityChecker>(
+                    si_, obstacles, method == Method::FCL ? ExactCheck::FCL : ExactCheck::CONTACT_TEST_THEN_FCL);
+                si_->setMotionValidator(std::make_shared<ExactMotionValidator>(checker_));
                 break;
             case Method::BASIC:
                 use(std::make_shared<Basic>(si_, obstacles));

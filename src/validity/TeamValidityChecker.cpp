@@ -1,6 +1,7 @@
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include "BodyClearance.h"
+#include "certificates/ExactCheck.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,14 +40,31 @@ namespace ompl_certificates
         }
     }
 
-    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles)
-      : StateValidityChecker(si), obstacles_(std::move(obstacles)), team_(teamOf(si)), pairs_(team_, limit_)
+    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, ObstaclesPtr obstacles,
+                                             ExactCheck exactCheck)
+      : StateValidityChecker(si)
+      , obstacles_(std::move(obstacles))
+      , team_(teamOf(si))
+      , pairs_(team_, limit_)
+      , exactCheck_(exactCheck)
     {
         requireObstacles(obstacles_, team_);
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
         firstBody_.push_back(0);
         for (const auto &robot : team_.getRobots())
             firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
+        contactPolicies_ = std::vector<SwitchingPolicy>(getBodyCount());
+        if (exactCheck_ != ExactCheck::FCL)
+            makeMeshTrees();
+    }
+
+    void TeamValidityChecker::makeMeshTrees() const
+    {
+        for (const auto &robot : team_.getRobots())
+            for (const Body &body : robot->getBodies())
+                for (const auto &part : body.getParts())
+                    if (const TriangleMesh *mesh = part.shape.getMesh())
+                        mesh->getTree();
     }
 
     void TeamValidityChecker::changeObstacles(const ObstacleChange &change)
@@ -67,6 +85,18 @@ namespace ompl_certificates
         return poses.data();
     }
 
+    bool TeamValidityChecker::collidesWithObstacles(std::size_t index, const Body &body, const Pose &pose,
+                                                    SettledBy &by, CheckCounts &counts) const
+    {
+        if (!isFinite(pose))
+            return true;
+        if (exactCheck_ != ExactCheck::FCL)
+            return collidesWithoutMemory(*obstacles_, body, pose, contactPolicies_[index], by, counts);
+        by = SettledBy::EXACT_CHECK;
+        ++counts.exactCalls;
+        return obstacles_->collides(body, pose);
+    }
+
     bool TeamValidityChecker::findContact(const ob::State *state, CheckCounts &counts, unsigned int &first,
                                           unsigned int &second) const
     {
@@ -75,19 +105,22 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < team_.getRobotCount(); ++i)
         {
             const Robot &robot = team_.getRobot(i);
-            Pose *own = poses + getFirstBody(i);
-            robot.computePoses(teamState->components[i], own);
-            ++counts.robotPoses;
-            ++counts.exact;
-            for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
+            const std::size_t firstBody = getFirstBody(i);
+            robot.computePoses(teamState->components[i], poses + firstBody);
+            bool collide = false;
+            SettledBy by = SettledBy::CLEARANCES;
+            for (std::size_t k = 0; !collide && k < robot.getBodies().size(); ++k)
             {
-                ++counts.exactCalls;
-                if (obstacles_->collides(robot.getBodies()[k], own[k]))
-                {
-                    ++counts.exactColliding;
-                    first = second = i;
-                    return true;
-                }
+                SettledBy bodyBy = SettledBy::CLEARANCES;
+                collide =
+                    collidesWithObstacles(firstBody + k, robot.getBodies()[k], poses[firstBody + k], bodyBy, counts);
+                by = std::max(by, bodyBy);
+            }
+            countRobotPose(counts, by, !collide);
+            if (collide)
+            {
+                first = second = i;
+                return true;
             }
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
@@ -95,10 +128,17 @@ namespace ompl_certificates
             first = pairs_.getFirst(pair);
             second = pairs_.getSecond(pair);
             ++counts.pairPoses;
-            if (pairs_.collide(pair, poses + getFirstBody(first), poses + getFirstBody(second), counts))
+            if (pairs_.collide(pair, poses + getFirstBody(first), poses + getFirstBody(second),
+                               exactCheck_ != ExactCheck::FCL, counts))
                 return true;
         }
         return false;
+    }
+
+    bool TeamValidityChecker::isFreeExactly(const ob::State *state, CheckCounts &counts) const
+    {
+        unsigned int first, second;
+        return !findContact(state, counts, first, second);
     }
 
     bool TeamValidityChecker::isValid(const ob::State *state) const
@@ -106,10 +146,7 @@ namespace ompl_certificates
         const WorldLock::Check check(worldLock_);
         const Statistics::Timer timer(statistics_);
         CheckCounts counts;
-        unsigned int first, second;
-        const bool valid = !findContact(state, counts, first, second);
-        if (timer.isEnclosed())
-            counts.motionSamples = counts.robotPoses;
+        const bool valid = isFreeExactly(state, counts);
         statistics_.add(counts);
         return valid;
     }

@@ -38,7 +38,8 @@ namespace
         {
             luck = (luck + 617) % 1000;
             const bool timed = policy.isTimed();
-            const SwitchingPolicy::Way way = policy.choose(needsClearances, timed);
+            const SwitchingPolicy::Way way =
+                policy.choose(needsClearances ? SwitchingPolicy::WITH_CLEARANCES : SwitchingPolicy::ANY, timed);
             tried.clearances += way.clearances ? 1 : 0;
             tried.contact += way.contact ? 1 : 0;
             const bool clear = luck < costs.settledByClearances;
@@ -160,7 +161,7 @@ TEST(SwitchingPolicy, AlwaysAsksClearancesWhereTheyAreNeeded)
 TEST(SwitchingPolicy, DoesNotCountWhatTheFirstPosePaysForAll)
 {
     SwitchingPolicy policy;
-    const SwitchingPolicy::Way all = policy.choose(false, false);
+    const SwitchingPolicy::Way all = policy.choose(SwitchingPolicy::ANY, false);
     EXPECT_TRUE(all.clearances && all.contact);
     policy.noteClearances(std::chrono::seconds(1), 0.0);
     policy.noteExact(all, std::chrono::seconds(1));
@@ -173,7 +174,7 @@ TEST(SwitchingPolicy, IsNotMisledForLongByAnotherProgramsTurn)
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(2, 500, 20));
     policy.noteClearances(std::chrono::seconds(1), 1.0);
-    policy.noteExact(policy.choose(false, false), std::chrono::seconds(1));
+    policy.noteExact(policy.choose(SwitchingPolicy::ANY, false), std::chrono::seconds(1));
     EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)).clearances, 9000U);
 }
 
@@ -183,8 +184,8 @@ TEST(SwitchingPolicy, JudgesAnewAfterReset)
     settle(policy, 1000, clearancesOf(10, 100, 5));
     for (int i = 0; i < 1000; ++i)
         policy.noteLookup(false);
-    EXPECT_FALSE(policy.choose(false, false).clearances);
+    EXPECT_FALSE(policy.choose(SwitchingPolicy::ANY, false).clearances);
     policy.reset();
     EXPECT_TRUE(policy.looksUp());
-    EXPECT_TRUE(policy.choose(false, false).clearances);
+    EXPECT_TRUE(policy.choose(SwitchingPolicy::ANY, false).clearances);
 }

@@ -68,7 +68,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
             const auto count = [&](const std::string &name)
             { return std::stoull("0" + value(run, name + " INTEGER")); };
             EXPECT_GT(count("robot_poses"), 10u);
-            EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("exact"));
+            EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("asked"));
             // Among few obstacles, robots on their own search for certificates, and keep them, only now and then.
             if (method == "standard")
             {

@@ -99,16 +99,16 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
         EXPECT_LE(end.at("checking_seconds").get<double>(), end.at("seconds").get<double>());
         if (trial.at("method") == "standard")
         {
-            EXPECT_EQ(end.at("exact"), end.at("robot_poses"));
+            EXPECT_EQ(end.at("asked"), end.at("robot_poses"));
             EXPECT_TRUE(end.at("node_poses").is_null());
             continue;
         }
         // All robots of a sample that becomes a node were looked at.
         EXPECT_EQ(end.at("node_poses").get<int>(), end.at("nodes").get<int>() * trial.at("robots").get<int>());
-        EXPECT_LE(end.at("node_exact").get<int>(), end.at("sample_exact").get<int>());
-        EXPECT_LE(end.at("sample_exact").get<int>(), end.at("exact").get<int>());
+        EXPECT_LE(end.at("node_asked").get<int>(), end.at("sample_asked").get<int>());
+        EXPECT_LE(end.at("sample_asked").get<int>(), end.at("asked").get<int>());
         EXPECT_LE(end.at("sample_poses").get<int>(), end.at("robot_poses").get<int>());
-        EXPECT_GT(end.at("node_exact").get<int>(), 0);
+        EXPECT_GT(end.at("node_asked").get<int>(), 0);
     }
     ASSERT_EQ(digests.size(), 8u);
     for (const auto &[cell, different] : digests)

@@ -188,8 +188,9 @@ TEST_F(PlanTeam, countsAddUpUnderEveryMethodAndMotionCheck)
             const auto &checks = report_.at("checks");
             const auto count = [&checks](const char *key) { return checks.at(key).get<std::uint64_t>(); };
             EXPECT_GT(count("robot_poses"), 0u);
-            EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("exact"));
-            EXPECT_LE(count("exact_colliding"), count("exact"));
+            EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("asked"));
+            EXPECT_EQ(count("asked"), count("by_clearances") + count("by_contact") + count("exact"));
+            EXPECT_LE(count("asked_colliding"), count("asked"));
             EXPECT_LE(count("pair_exact"), count("pair_poses"));
             EXPECT_LE(count("motion_samples_skipped"), count("motion_samples"));
             EXPECT_GT(count("motions"), 0u);

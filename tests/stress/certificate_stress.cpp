@@ -35,13 +35,13 @@ namespace
     /** How each robot pose was settled, over all worlds: lies can only be found where certificates decide. */
     struct Settled
     {
-        std::uint64_t certifiedFree{0}, certifiedColliding{0}, exact{0};
+        std::uint64_t certifiedFree{0}, certifiedColliding{0}, asked{0};
 
         void add(const CheckCounts &counts)
         {
             certifiedFree += counts.certifiedFree;
             certifiedColliding += counts.certifiedColliding;
-            exact += counts.exact;
+            asked += counts.asked;
         }
     };
 
@@ -116,7 +116,7 @@ namespace
             static const char *const methods[] = {"basic", "partial", "shared"};
             for (std::size_t i = 0; i < std::size(settled_); ++i)
                 out << "  " << methods[i] << ": robot poses certified free " << settled_[i].certifiedFree
-                    << ", certified colliding " << settled_[i].certifiedColliding << ", exact " << settled_[i].exact
+                    << ", certified colliding " << settled_[i].certifiedColliding << ", asked " << settled_[i].asked
                     << '\n';
         }
 

@@ -12,7 +12,7 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief The four methods for one team among the same obstacles, the standard one first */
+        /** \brief All methods for one team among the same obstacles, FCL alone first */
         struct Checkers
         {
             Checkers(const TeamStateSpacePtr &space, const ObstaclesPtr &obstacles, double resolution = 0.01)
@@ -26,20 +26,27 @@ namespace ompl_certificates
                 }
             }
 
-            const TeamSetup &standard() const
+            /** \brief FCL alone, to compare the others with */
+            const TeamSetup &reference() const
             {
                 return *setups.front();
+            }
+
+            /** \brief All others: without certificates, but with the contact test, and with certificates */
+            std::vector<TeamSetupPtr> compared() const
+            {
+                return {setups.begin() + 1, setups.end()};
             }
 
             /** \brief The setups of the methods with certificates */
             std::vector<TeamSetupPtr> certified() const
             {
-                return {setups.begin() + 1, setups.end()};
+                return {setups.begin() + 2, setups.end()};
             }
 
             bool isValid(const ompl::base::State *state) const
             {
-                return standard().getTeamChecker()->isValid(state);
+                return reference().getTeamChecker()->isValid(state);
             }
 
             TeamStateSpacePtr team;

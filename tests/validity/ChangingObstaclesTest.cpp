@@ -83,12 +83,12 @@ TEST_P(ChangingObstacles, LeaveVerdictsAndClearancesOfFreshCheckers)
                         << setup->getTeamChecker()->getMethodName();
                     ASSERT_EQ(
                         setup->getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()),
-                        fresh.standard().getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()));
+                        fresh.reference().getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()));
                 }
             for (const auto &setup : changed.certified())
                 for (const Certificate &certificate : setup->getCertificateChecker()->getCertificates())
                 {
-                    const Obstacles &obstacles = fresh.standard().getTeamChecker()->getObstacles();
+                    const Obstacles &obstacles = fresh.reference().getTeamChecker()->getObstacles();
                     const double clearance = obstacles.clearance(certificate.point);
                     ASSERT_NEAR(certificate.clearance, clearance, obstacles.getTolerance())
                         << setup->getTeamChecker()->getMethodName();

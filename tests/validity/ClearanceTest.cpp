@@ -65,14 +65,14 @@ TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)
         for (int i = 0; i < 40; ++i)
         {
             const auto state = randomState(random, team);
-            const double clearance = checkers.standard().getTeamChecker()->clearance(state.get());
+            const double clearance = checkers.reference().getTeamChecker()->clearance(state.get());
             const bool isValid = checkers.isValid(state.get());
             // Of a state that is not valid only the sign is promised.
             const double nearest = sampledDistance(random, *team, *obstacles, state.get());
             ASSERT_LE(clearance, isValid ? nearest + 1e-9 : 0.0);
             positive += clearance > 0.0 ? 1 : 0;
             valid += isValid ? 1 : 0;
-            for (const auto &setup : checkers.certified())
+            for (const auto &setup : checkers.compared())
                 ASSERT_EQ(setup->getTeamChecker()->clearance(state.get()), clearance);
         }
     }

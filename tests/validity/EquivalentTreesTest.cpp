@@ -110,10 +110,10 @@ namespace
             for (const ob::State *state : setup.getSolutionPath().getStates())
                 result.path.push_back(realsOf(*problem.team, state));
         const CheckCounts counts = setup.getStatistics().getCounts();
-        EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.exact);
+        EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.asked);
         EXPECT_EQ(counts.motionSamples > 0, counts.motions > 0);
         EXPECT_LE(counts.motionSamplesSkipped, counts.motionSamples);
-        EXPECT_LE(counts.exactColliding, counts.exact);
+        EXPECT_LE(counts.askedColliding, counts.asked);
         EXPECT_GT(counts.robotPoses, 0U);
         return result;
     }
@@ -138,7 +138,7 @@ TEST_P(Trees, AreTheSameUnderAllMethods)
         {
             SCOPED_TRACE("seed " + std::to_string(seed) + ", team " + std::to_string(kind));
             const Problem problem = randomProblem(seed, kind);
-            const Result standard = plan(problem, Method::STANDARD, GetParam(), seed, iterations);
+            const Result standard = plan(problem, Method::FCL, GetParam(), seed, iterations);
             nodes += standard.states.size();
             solved += standard.solved ? 1 : 0;
             ++runs;

@@ -33,7 +33,7 @@ namespace
             team_->clearReferences(state.get());
             setup.getStatistics().reset();
             EXPECT_TRUE(setup.getTeamChecker()->isValid(state.get()));
-            return static_cast<unsigned int>(setup.getStatistics().getCounts().exact);
+            return static_cast<unsigned int>(setup.getStatistics().getCounts().asked);
         }
 
         TeamStateSpacePtr team_;
@@ -61,7 +61,7 @@ TEST_F(Methods, BasicNeedsAReferenceToATeamCertificate)
     setup.getStatistics().reset();
     team_->interpolate(near.get(), (state = moved_).get(), 1.0, state.get());
     EXPECT_TRUE(setup.getTeamChecker()->isValid(state.get()));
-    EXPECT_EQ(setup.getStatistics().getCounts().exact, 0U);
+    EXPECT_EQ(setup.getStatistics().getCounts().asked, 0U);
     EXPECT_EQ(setup.getStatistics().getCounts().certifiedFree, 2U);
 }
 
@@ -95,7 +95,7 @@ TEST_F(Methods, MoveFromStateToStateByReference)
         ASSERT_TRUE(setup.getTeamChecker()->isValid(near.get()));
         setup.getStatistics().reset();
         EXPECT_TRUE(setup.getSpaceInformation()->checkMotion(near.get(), fresh.get()));
-        EXPECT_EQ(setup.getStatistics().getCounts().exact, 0U) << nameOf(method);
+        EXPECT_EQ(setup.getStatistics().getCounts().asked, 0U) << nameOf(method);
         for (unsigned int robot = 0; robot < 2; ++robot)
             EXPECT_NE(fresh->as<TeamStateSpace::StateType>()->getReference(robot), NO_CERTIFICATE) << nameOf(method);
     }

@@ -17,7 +17,7 @@ namespace
           : random(seed)
           , team(anyTeam(kind, unit))
           , checkers(team, anyObstacles(random, kind, 3 + random.below(15), unit), random.logUniform(0.001, 0.05))
-          , ompl(checkers.standard().getSpaceInformation())
+          , ompl(checkers.reference().getSpaceInformation())
         {
         }
 
@@ -41,7 +41,7 @@ namespace
         std::pair<ob::State *, double> expected{expectedState.get(), -7.0};
         const bool valid = scene.ompl.checkMotion(from.get(), to.get(), expected);
         ASSERT_EQ(scene.ompl.checkMotion(from.get(), to.get()), valid);
-        for (const auto &setup : scene.checkers.certified())
+        for (const auto &setup : scene.checkers.setups)
         {
             const auto &validator = setup->getSpaceInformation()->getMotionValidator();
             SCOPED_TRACE(setup->getTeamChecker()->getMethodName());

@@ -169,7 +169,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             place(at.get());
             const PoseVerdict verdict =
                 pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), counts);
-            ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), counts));
+            ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
             const double byBalls =
                 pairs.reachOfEnclosingBalls(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data());
@@ -181,7 +181,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
                     continue;
                 team->interpolate(from.get(), to.get(), later, at.get());
                 place(at.get());
-                ASSERT_FALSE(pairs.collide(pair, poses[a].data(), poses[b].data(), counts));
+                ASSERT_FALSE(pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             }
         }
     }

@@ -59,8 +59,8 @@ namespace
             setup->solve(seconds);
             ASSERT_GT(setup->getCertificateChecker()->getCertificateCount(), 10U);
             const CheckCounts counts = setup->getStatistics().getCounts();
-            EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.exact);
-            EXPECT_GT(counts.certifiedFree, counts.exact);
+            EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.asked);
+            EXPECT_GT(counts.certifiedFree, counts.asked);
             const TeamSetup standard(std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace()), obstacles(),
                                      Method::STANDARD);
             standard.getSpaceInformation()->setup();
@@ -163,7 +163,7 @@ TEST(PlannersOnThreads, LearnFromEachOther)
                 thread.join();
             std::uint64_t exact = 0;
             for (const auto &setup : setups)
-                exact += setup->getStatistics().getCounts().exact;
+                exact += setup->getStatistics().getCounts().asked;
             return exact;
         };
         const std::uint64_t alone = exactOf(1, true), together = exactOf(4, true), apart = exactOf(4, false);

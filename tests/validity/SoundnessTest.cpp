@@ -76,7 +76,7 @@ namespace
             start_ = Eigen::Map<Eigen::VectorXd>(position_, dimension_);
             // Mostly towards something that can be hit
             const auto &obstacles =
-                static_cast<const FclObstacles &>(checkers.standard().getTeamChecker()->getObstacles());
+                static_cast<const FclObstacles &>(checkers.reference().getTeamChecker()->getObstacles());
             const Eigen::Vector3d target =
                 obstacles.getBodies()[random.below(obstacles.getBodies().size())].pose.translation();
             along_ = random.direction(checkers.team->getWorkspaceDimension()).head(dimension_);
@@ -135,7 +135,7 @@ namespace
         const bool valid = checkers.isValid(state.get());
         ++counts.states;
         ++(valid ? counts.valid : counts.invalid);
-        for (const auto &setup : checkers.certified())
+        for (const auto &setup : checkers.compared())
         {
             // What the references say must not matter: those of another method, of a near state, or anything.
             if (random.chance(0.1))
@@ -143,7 +143,7 @@ namespace
                     state->as<TeamStateSpace::StateType>()->setReference(i, random.below(200));
             ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), valid)
                 << setup->getTeamChecker()->getMethodName() << " differs; "
-                << checkers.standard().getTeamChecker()->describeCollision(state.get());
+                << checkers.reference().getTeamChecker()->describeCollision(state.get());
         }
     }
 }

@@ -32,7 +32,7 @@ namespace
                 const ob::ScopedState<> state = states_[i];  // with references
                 const ob::ScopedState<> &next = states_[(i + 1) % states_.size()];
                 ASSERT_EQ(setup->getSpaceInformation()->checkMotion(state.get(), next.get()),
-                          checkers.standard().getSpaceInformation()->checkMotion(state.get(), next.get()));
+                          checkers.reference().getSpaceInformation()->checkMotion(state.get(), next.get()));
                 ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), checkers.isValid(state.get()));
             }
         }
@@ -121,7 +121,7 @@ TEST(References, OfADiscThatWasFoundFreeProveItFreeAgain)
             ++free;
             setup.getStatistics().reset();
             ASSERT_TRUE(setup.getTeamChecker()->isValid(state.get()));
-            asked += setup.getStatistics().getCounts().exact > 0 ? 1 : 0;
+            asked += setup.getStatistics().getCounts().asked > 0 ? 1 : 0;
         }
         EXPECT_GT(free, 30U);
         EXPECT_EQ(asked, 0U) << nameOf(method);

@@ -88,10 +88,10 @@ TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
         EXPECT_EQ(setup.getTeamChecker()->getMethodName(), nameOf(method));
         EXPECT_EQ(setup.getSpaceInformation()->getStateValidityChecker(), setup.getTeamChecker());
         EXPECT_EQ(&setup.getTeam(), team.get());
-        EXPECT_EQ(setup.getCertificateChecker() == nullptr, method == Method::STANDARD);
+        EXPECT_EQ(setup.getCertificateChecker() == nullptr, method == Method::FCL || method == Method::STANDARD);
         const auto *validator =
             dynamic_cast<CertificateMotionValidator *>(setup.getSpaceInformation()->getMotionValidator().get());
-        EXPECT_EQ(validator == nullptr, method == Method::STANDARD);
+        EXPECT_EQ(validator == nullptr, setup.getCertificateChecker() == nullptr);
         if (validator)
         {
             EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
@@ -102,8 +102,8 @@ TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
 
 TEST(TeamSetup, KnowsTheNamesOfTheMethods)
 {
-    EXPECT_EQ(allMethods().size(), 4U);
-    EXPECT_EQ(allMethods().front(), Method::STANDARD);
+    EXPECT_EQ(allMethods().size(), 5U);
+    EXPECT_EQ(allMethods().front(), Method::FCL);
     for (const Method method : allMethods())
         EXPECT_EQ(methodOf(nameOf(method)), method);
     try

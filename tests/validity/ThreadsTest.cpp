@@ -18,7 +18,7 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
     const Checkers checkers(team, anyObstacles(random, GetParam(), 10));
-    const auto &alone = *checkers.standard().getSpaceInformation();
+    const auto &alone = *checkers.reference().getSpaceInformation();
     constexpr unsigned int count = 400;
     std::vector<ob::ScopedState<>> states;
     std::vector<bool> valid, motions;
@@ -63,7 +63,7 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
                 thread.join();
             EXPECT_EQ(wrong, 0U);
             const CheckCounts counts = setup->getStatistics().getCounts();
-            EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.exact);
+            EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.asked);
             EXPECT_EQ(counts.motions, 4U * 2U * count);
             if (setup->getCertificateChecker())
             {

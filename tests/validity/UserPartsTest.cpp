@@ -139,11 +139,11 @@ namespace
             ob::ScopedState<> expectedState(checkers.team), state(checkers.team);
             std::pair<ob::State *, double> expected{expectedState.get(), 1.0};
             const bool isValid = checkers.isValid(to.get());
-            const bool motion = checkers.standard().getSpaceInformation()->checkMotion(from.get(), to.get(), expected);
+            const bool motion = checkers.reference().getSpaceInformation()->checkMotion(from.get(), to.get(), expected);
             ++counts.states;
             counts.valid += isValid ? 1 : 0;
             counts.validMotions += motion ? 1 : 0;
-            for (const auto &setup : checkers.certified())
+            for (const auto &setup : checkers.compared())
             {
                 SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
                 std::pair<ob::State *, double> last{state.get(), 1.0};

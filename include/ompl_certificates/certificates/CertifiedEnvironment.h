@@ -59,8 +59,8 @@ namespace ompl_certificates
         /** \brief A certificate that took part in the proof, or NO_CERTIFICATE */
         CertificateIndex reference{NO_CERTIFICATE};
 
-        /** \brief Whether the obstacles were asked */
-        bool asked{false};
+        /** \brief What settled the pose */
+        SettledBy by{SettledBy::CERTIFICATE};
 
         /** \brief The clearance of the center of the body's enclosing ball; not a number if it was not measured */
         double clearance{std::numeric_limits<double>::quiet_NaN()};
@@ -163,10 +163,6 @@ namespace ompl_certificates
 
         /** \brief Settle \e query by clearances, if they do; counts them in \e verdict and \e counts */
         bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
-
-        /** \brief Whether the body collides: if \e tryContact by the obstacles' quick test, which remembers what it hits, or
-            else by the exact check */
-        bool collides(const PoseQuery &query, bool tryContact, CheckCounts &counts) const;
 
         /** \brief Whether the body certainly hits the part of the obstacles that was hit last around it */
         bool hitsAgain(const PoseQuery &query, CheckCounts &counts) const;

@@ -59,12 +59,22 @@ namespace ompl_certificates
             return poses % TIMING_INTERVAL == 0;
         }
 
-        /** \brief How to settle a pose
-            \param needsClearances whether they must be asked, for only they tell what is to be known
-            \param timed whether the policy will be told how long it took: only then is tried what does not pay */
-        Way choose(bool needsClearances, bool timed)
+        /** \brief Which ways there are to choose from */
+        enum Choice
         {
-            return wayOf(timed ? tryOut(needsClearances) : best_[needsClearances].load(std::memory_order_relaxed));
+            /// All four.
+            ANY,
+            /// Those with clearances, where only they tell what is to be known.
+            WITH_CLEARANCES,
+            /// Those without, where nothing is to be remembered.
+            WITHOUT_CLEARANCES
+        };
+
+        /** \brief How to settle a pose
+            \param timed whether the policy will be told how long it took: only then is tried what does not pay */
+        Way choose(Choice choice, bool timed)
+        {
+            return wayOf(timed ? tryOut(choice) : best_[choice].load(std::memory_order_relaxed));
         }
 
         /** \brief Take into account how long clearances were asked for a pose, and how many samples of its motion they have
@@ -85,16 +95,23 @@ namespace ompl_certificates
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
 
         /** \brief Ways have numbers: one bit for each of the two that is left out */
-        static constexpr std::uint32_t WAYS = 4, WAYS_WITH_CLEARANCES = 2;
+        static constexpr std::uint32_t WAYS = 4, FIRST_WITHOUT_CLEARANCES = 2;
 
         static Way wayOf(std::uint32_t number)
         {
-            return {number < WAYS_WITH_CLEARANCES, number % 2 == 0};
+            return {number < FIRST_WITHOUT_CLEARANCES, number % 2 == 0};
         }
 
         static std::uint32_t numberOf(Way way)
         {
-            return (way.clearances ? 0 : WAYS_WITH_CLEARANCES) + (way.contact ? 0 : 1);
+            return (way.clearances ? 0 : FIRST_WITHOUT_CLEARANCES) + (way.contact ? 0 : 1);
+        }
+
+        /** \brief The numbers of the ways of a choice: from the first to before the second */
+        static std::array<std::uint32_t, 2> waysOf(Choice choice)
+        {
+            return {choice == WITHOUT_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : 0,
+                    choice == WITH_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : WAYS};
         }
 
         /** \brief What something has cost lately */
@@ -120,7 +137,7 @@ namespace ompl_certificates
         static float note(Cost &cost, std::chrono::nanoseconds time, float most);
 
         /** \brief The number of the way for a timed pose: mostly the best one */
-        std::uint32_t tryOut(bool needsClearances);
+        std::uint32_t tryOut(Choice choice);
 
         /** \brief What a way costs for each sample of a motion that it settles (nanoseconds) */
         float costOf(std::uint32_t way) const;
@@ -139,8 +156,8 @@ namespace ompl_certificates
         /** \brief What the exact check costs at the end of each way */
         std::array<Cost, WAYS> exact_;
 
-        /** \brief The numbers of the best way of all, and of those with clearances */
-        std::array<std::atomic<std::uint32_t>, 2> best_{};
+        /** \brief The number of the best way of each choice */
+        std::array<std::atomic<std::uint32_t>, 3> best_{0, 0, FIRST_WITHOUT_CLEARANCES};
     };
 }
 

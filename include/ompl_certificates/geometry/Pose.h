@@ -18,6 +18,13 @@ namespace ompl_certificates
         return pose;
     }
 
+    /** \brief Whether a pose is somewhere: whether all its numbers are finite */
+    inline bool isFinite(const Pose &pose)
+    {
+        // What is not finite, times zero, is not a number, and neither is a sum of it.
+        return (pose.affine().array() * 0.0).sum() == 0.0;
+    }
+
     /** \brief The planar pose at (\e x, \e y), turned counter-clockwise by \e angle (radians) */
     inline Pose planarPose(double x, double y, double angle = 0.0)
     {

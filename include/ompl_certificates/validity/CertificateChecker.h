@@ -130,8 +130,6 @@ namespace ompl_certificates
                                          const CertificateIndex *references) const = 0;
 
     protected:
-        friend class CertificateMotionValidator;
-
         /** \brief What a body is asked of its environment; \e body counts within the robot */
         PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const Motion &motion) const
         {

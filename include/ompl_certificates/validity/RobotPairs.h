@@ -39,10 +39,12 @@ namespace ompl_certificates
             return pairs_[pair].second;
         }
 
-        /** \brief Whether the two robots of a pair touch each other, by the exact check
+        /** \brief Whether the two robots of a pair touch each other, with no use of certificates
             \param first poses of the first robot's bodies
-            \param second poses of the second robot's bodies */
-        bool collide(unsigned int pair, const Pose *first, const Pose *second, CheckCounts &counts) const;
+            \param second poses of the second robot's bodies
+            \param contactTest whether the contact test may come before FCL */
+        bool collide(unsigned int pair, const Pose *first, const Pose *second, bool contactTest,
+                     CheckCounts &counts) const;
 
         /** \brief Like collide(), by clearances and certificates where possible, and for how long the two stay apart
             \param firstTravel how fast the first robot's bodies move
@@ -74,7 +76,8 @@ namespace ompl_certificates
         {
             Body body;
             CertifiedEnvironment environment;
-            SwitchingPolicy policy;
+            /** What pays with certificates, and without */
+            SwitchingPolicy policy, contactPolicy;
         };
 
         /** \brief A body of one robot and a body of the other */

@@ -29,25 +29,18 @@ namespace ompl_certificates
         /** \brief Set all counts and the time to zero */
         void reset();
 
-        /** \brief Adds the time of its life to a Statistics, unless one of the same thread encloses it: a motion check that
-            calls the state check is timed once. */
+        /** \brief Adds the time of its life to a Statistics */
         class Timer
         {
         public:
             explicit Timer(Statistics &statistics);
             ~Timer();
 
-            /** \brief Whether another one of this thread encloses this one */
-            bool isEnclosed() const
-            {
-                return statistics_ == nullptr;
-            }
-
             Timer(const Timer &) = delete;
             Timer &operator=(const Timer &) = delete;
 
         private:
-            Statistics *statistics_;
+            Statistics &statistics_;
             std::chrono::steady_clock::time_point start_;
         };
 

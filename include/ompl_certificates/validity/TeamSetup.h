@@ -12,7 +12,9 @@ namespace ompl_certificates
     /** \brief The ways to check a team */
     enum class Method
     {
-        /// TeamValidityChecker and OMPL's motion validator: every check is exact.
+        /// TeamValidityChecker with FCL alone: what people have without this library.
+        FCL,
+        /// TeamValidityChecker, by the contact test where it pays, then by FCL: the fastest check that remembers nothing.
         STANDARD,
         /// Basic
         BASIC,
@@ -22,10 +24,10 @@ namespace ompl_certificates
         SHARED_PROJECTION
     };
 
-    /** \brief All methods, the standard one first */
+    /** \brief All methods: those without certificates first, FCL alone foremost */
     const std::vector<Method> &allMethods();
 
-    /** \brief The name of a method: standard, basic, partial or shared */
+    /** \brief The name of a method: fcl, standard, basic, partial or shared */
     std::string nameOf(Method method);
 
     /** \brief The method of that name

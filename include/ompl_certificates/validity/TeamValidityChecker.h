@@ -12,11 +12,20 @@
 
 namespace ompl_certificates
 {
-    /** \brief The standard check of a team: every robot against the obstacles, every pair of robots against each other,
-        always by the exact check. The baseline of every comparison, and the base of the checkers with certificates.
+    /** \brief How a team is checked without certificates */
+    enum class ExactCheck
+    {
+        /// By Obstacles::collides() alone: FCL.
+        FCL,
+        /// By the contact test where it pays, then by FCL: the fastest check that remembers nothing.
+        CONTACT_TEST_THEN_FCL
+    };
 
-        A state is valid if no robot touches an obstacle or another robot. Bounds are not checked, as in OMPL. All
-        methods may be called from many threads at once. */
+    /** \brief The check of a team without certificates: every robot against the obstacles, every pair of robots against each
+        other. The baseline of every comparison, and the base of the checkers with certificates.
+
+        A state is valid if no robot touches an obstacle or another robot, and if all its coordinates are finite. Bounds
+        are not checked, as in OMPL. All methods may be called from many threads at once. */
     class TeamValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
@@ -24,9 +33,14 @@ namespace ompl_certificates
             locked, so that no robot can be added later.
             \throws ompl::Exception if it is not, if the team is empty, if \e obstacles is null, or if the obstacles'
             workspace or heights are not the team's */
-        TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles);
+        TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles,
+                            ExactCheck exactCheck = ExactCheck::CONTACT_TEST_THEN_FCL);
 
         bool isValid(const ompl::base::State *state) const override;
+
+        /** \brief The verdict without certificates, counted in \e counts and not in the statistics. Only while
+            holdObstacles() holds, for who checks many states at once. */
+        bool isFreeExactly(const ompl::base::State *state, CheckCounts &counts) const;
 
         using ompl::base::StateValidityChecker::isValid;
 
@@ -37,10 +51,16 @@ namespace ompl_certificates
 
         using ompl::base::StateValidityChecker::clearance;
 
-        /** \brief The name of the method: standard, basic, partial or shared */
+        /** \brief The name of the method: fcl, standard, basic, partial or shared */
         virtual std::string getMethodName() const
         {
-            return "standard";
+            return exactCheck_ == ExactCheck::FCL ? "fcl" : "standard";
+        }
+
+        /** \brief The space information that this checker was made for */
+        ompl::base::SpaceInformation *getSpaceInformation() const
+        {
+            return si_;
         }
 
         /** \brief The team */
@@ -107,6 +127,10 @@ namespace ompl_certificates
         /** \brief Memory for the poses of the team's bodies, for this thread until its next call */
         Pose *poseBuffer() const;
 
+        /** \brief Make the trees of the robots' meshes now, and not in the midst of the first check: among 10^5 triangles this
+            takes a twentieth of a second. */
+        void makeMeshTrees() const;
+
         ObstaclesPtr obstacles_;
         const TeamStateSpace &team_;
 
@@ -121,7 +145,14 @@ namespace ompl_certificates
         bool findContact(const ompl::base::State *state, CheckCounts &counts, unsigned int &first,
                          unsigned int &second) const;
 
+        /** \brief Whether a body of the team collides with an obstacle */
+        bool collidesWithObstacles(std::size_t index, const Body &body, const Pose &pose, SettledBy &by,
+                                   CheckCounts &counts) const;
+
+        const ExactCheck exactCheck_;
         std::vector<std::size_t> firstBody_;
+        /** \brief Whether the contact test pays, for each body of the team */
+        mutable std::vector<SwitchingPolicy> contactPolicies_;
         mutable Statistics statistics_;
     };
 }
