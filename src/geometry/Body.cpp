@@ -124,13 +124,13 @@ namespace ompl_certificates
     {
         if (parts.empty())
             throw ompl::Exception("A body needs at least one shape");
-        for (const Part &part : parts)
+        for (Part &part : parts)
         {
             if (part.shape.getDimension() != parts.front().shape.getDimension())
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
             if (!part.pose.matrix().allFinite())
                 throw ompl::Exception("The pose of a body's shape must be finite");
-            if (!part.shape.isInPlace(part.pose))
+            if (!part.shape.putInPlace(part.pose))
                 throw ompl::Exception("A planar shape turns about the z axis only, and is at z = 0 if it is no mesh");
         }
         data_ = std::make_shared<Data>();

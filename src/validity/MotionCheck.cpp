@@ -75,7 +75,7 @@ namespace ompl_certificates
         else
             moved.getStateSpace()->interpolate(s1_->components[robot], s2_->components[robot], t,
                                                scratch_.sample->components[robot]);
-        moved.computePoses(component, scratch_.poses.data() + scratch_.firstBody[robot]);
+        moved.placeBodies(component, scratch_.poses.data() + scratch_.firstBody[robot]);
     }
 
     PoseVerdict MotionCheck::settle(unsigned int subject, double t)

@@ -76,7 +76,7 @@ namespace ompl_certificates
         {
             const Robot &robot = team_.getRobot(i);
             Pose *own = poses + getFirstBody(i);
-            robot.computePoses(teamState->components[i], own);
+            robot.placeBodies(teamState->components[i], own);
             ++counts.robotPoses;
             ++counts.exact;
             for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
@@ -137,7 +137,7 @@ namespace ompl_certificates
         {
             const Robot &robot = team_.getRobot(i);
             Pose *own = poses + getFirstBody(i);
-            robot.computePoses(teamState->components[i], own);
+            robot.placeBodies(teamState->components[i], own);
             for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
                 nearest = std::min(nearest, bodyClearance(*obstacles_, robot.getBodies()[k], own[k]));
         }
