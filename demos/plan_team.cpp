@@ -247,8 +247,6 @@ namespace
             scene->makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
                                                                     : CertificateMotionValidator::DISCRETE);
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
-        if (const auto objective = demos::makeObjective(choice.planner, setup->getSpaceInformation()))
-            setup->setOptimizationObjective(objective);
         demos::checkOutputs({{"--picture", options.picture},
                              {"--path", options.path},
                              {"--report", options.report},

@@ -3,13 +3,11 @@
 #include "common/Interrupt.h"
 
 #include "ompl_certificates/team/PlannerNeighbors.h"
-#include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <set>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -178,16 +176,6 @@ namespace demos
         if (entry == allocators().end())
             throw ompl::Exception("There is no planner '" + name + "'; the planners are " + joined(plannerNames()));
         return entry->second(si, afterSolve);
-    }
-
-    ob::OptimizationObjectivePtr makeObjective(const std::string &name, const ob::SpaceInformationPtr &si)
-    {
-        // Not for all planners: PRM, for one, stops at its first solution only if it is given no objective.
-        static const std::set<std::string> informed{"ABITstar",   "AITstar",  "BITstar", "CForest",  "InformedRRTstar",
-                                                    "RRTXstatic", "RRTsharp", "RRTstar", "SORRTstar"};
-        if (informed.count(name) == 0)
-            return nullptr;
-        return std::make_shared<ompl_certificates::TeamPathLength>(si);
     }
 
     std::vector<std::string> nearestNames()
