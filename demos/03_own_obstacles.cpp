@@ -4,6 +4,7 @@
 #include <ompl_certificates/geometry/Obstacles.h>
 #include <ompl_certificates/geometry/RigidRobot.h>
 #include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/validity/UserParts.h>
 
 #include <cmath>
 #include <iostream>
@@ -65,7 +66,11 @@ int main()
     team->addRobot(RigidRobot::disc("scout", 0.4, bounds));
     team->addRobot(RigidRobot::inSE2("carrier", Body::box(1.5, 0.6), bounds));
 
-    TeamSetup setup(team, std::make_shared<Columns>(4.0, 0.8));
+    const auto columns = std::make_shared<Columns>(4.0, 0.8);
+    // Throws, and says where, if clearances are no distances or not those of collides(): certificates rely on both.
+    checkObstacles(*columns, {Body::disc(0.4), Body::box(1.5, 0.6)}, bounds);
+
+    TeamSetup setup(team, columns);
     ompl::base::ScopedState<> start(team), goal(team);
     start = std::vector<double>{2.0, 2.0, 18.0, 18.0, 0.0};
     goal = std::vector<double>{18.0, 18.0, 2.0, 2.0, 1.0};

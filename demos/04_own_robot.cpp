@@ -4,6 +4,7 @@
 #include <ompl_certificates/geometry/FclObstacles.h>
 #include <ompl_certificates/geometry/RigidRobot.h>
 #include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/validity/UserParts.h>
 
 #include <cmath>
 #include <iostream>
@@ -67,7 +68,10 @@ int main()
 
     // The arm reaches around a post, while a disc passes beneath it.
     auto team = std::make_shared<TeamStateSpace>();
-    team->addRobot(std::make_shared<Arm>("arm", Eigen::Vector2d(0.0, 0.0), 1.2));
+    const auto arm = std::make_shared<Arm>("arm", Eigen::Vector2d(0.0, 0.0), 1.2);
+    // Throws, and says where, if a link moves farther than its travel bound allows: certificates rely on it.
+    checkRobot(*arm);
+    team->addRobot(arm);
     team->addRobot(RigidRobot::disc("scout", 0.3, bounds));
     const std::vector<PlacedBody> posts{{Body::disc(0.25), planarPose(1.6, 0.9)}};
 

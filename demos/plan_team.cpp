@@ -289,8 +289,6 @@ namespace
             scene->makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
                                                                     : CertificateMotionValidator::DISCRETE);
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
-        if (const auto objective = demos::makeObjective(choice.planner, setup->getSpaceInformation()))
-            setup->setOptimizationObjective(objective);
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
         demos::prepareOutputs({{"--picture", options.picture},

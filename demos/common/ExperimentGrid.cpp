@@ -273,13 +273,10 @@ namespace demos
 
     void ExperimentGrid::givePlanner(const Planner &planner, TeamSetup &setup) const
     {
-        const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
-        const ob::PlannerPtr made = makePlanner(planner.plannerClass, si);
+        const ob::PlannerPtr made = makePlanner(planner.plannerClass, setup.getSpaceInformation());
         for (const auto &[key, value] : planner.parameters)
             setParameter(*made, key, value);
         setup.setPlanner(made);
-        if (const auto objective = makeObjective(planner.plannerClass, si))
-            setup.setOptimizationObjective(objective);
         setup.setNearestStructure(nearest);
     }
 }

@@ -4,14 +4,12 @@
 #include "common/Suggestion.h"
 
 #include "ompl_certificates/team/PlannerNeighbors.h"
-#include "ompl_certificates/team/TeamPathLength.h"
 #include "ompl_certificates/validity/TeamSetup.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <set>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -185,16 +183,6 @@ namespace demos
                                   (suggestion.empty() ? "; the planners are " + joined(plannerNames()) : suggestion));
         }
         return entry->second(si, afterSolve);
-    }
-
-    ob::OptimizationObjectivePtr makeObjective(const std::string &name, const ob::SpaceInformationPtr &si)
-    {
-        // Not for all planners: PRM, for one, stops at its first solution only if it is given no objective.
-        static const std::set<std::string> informed{"ABITstar",   "AITstar",  "BITstar", "CForest",  "InformedRRTstar",
-                                                    "RRTXstatic", "RRTsharp", "RRTstar", "SORRTstar"};
-        if (informed.count(name) == 0)
-            return nullptr;
-        return std::make_shared<ompl_certificates::TeamPathLength>(si);
     }
 
     std::vector<std::string> methodNames()

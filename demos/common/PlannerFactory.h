@@ -2,7 +2,6 @@
 #define OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_FACTORY_
 
 #include <functional>
-#include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/Planner.h>
 #include <string>
 #include <vector>
@@ -19,11 +18,6 @@ namespace demos
         \throws ompl::Exception if there is none; the message suggests a similar name, or lists all */
     ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
                                        const SolveEvent &afterSolve = SolveEvent());
-
-    /** \brief The objective to set for the planner of that class name. Null for most: they then take OMPL's default,
-        which is the length of the path but for TRRT and BiTRRT. The others sample by it; see TeamPathLength. */
-    ompl::base::OptimizationObjectivePtr makeObjective(const std::string &name,
-                                                       const ompl::base::SpaceInformationPtr &si);
 
     /** \brief The names of all methods; see ompl_certificates::Method */
     std::vector<std::string> methodNames();

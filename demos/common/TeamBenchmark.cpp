@@ -2,6 +2,8 @@
 
 #include "common/Interrupt.h"
 
+#include "ompl_certificates/team/TeamPathLength.h"
+
 #include <cmath>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
@@ -111,7 +113,7 @@ namespace demos
 
         // The objective differs between planners, so it is set whenever the planner does.
         const ob::ProblemDefinitionPtr &problem = host_->getProblemDefinition();
-        problem->setOptimizationObjective(makeObjective(entry.planner.planner, si));
+        problem->setOptimizationObjective(defaultObjective(*planner));
         problem->clearSolutionPaths();
         planner->setProblemDefinition(problem);
         planner->setup();

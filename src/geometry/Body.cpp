@@ -56,6 +56,35 @@ namespace ompl_certificates
         {
             return Body({{std::move(shape), Pose::Identity()}});
         }
+
+        std::vector<Eigen::Vector3d> spatial(const std::vector<Eigen::Vector2d> &points)
+        {
+            std::vector<Eigen::Vector3d> flat;
+            flat.reserve(points.size());
+            for (const auto &point : points)
+                flat.emplace_back(point.x(), point.y(), 0.0);
+            return flat;
+        }
+
+        std::string textOf(const Eigen::Vector3d &point, unsigned int dimension)
+        {
+            std::string text = "(" + std::to_string(point.x()) + ", " + std::to_string(point.y());
+            return text + (dimension == 3 ? ", " + std::to_string(point.z()) + ")" : ")");
+        }
+
+        void requireConvex(const Body &hull, const std::vector<Eigen::Vector3d> &points)
+        {
+            // So much may be lost of points on an edge or a face where they are written down.
+            constexpr double rounding = 1e-6;
+            const Shape &shape = hull.getParts().front().shape;
+            const double deepest = rounding * shape.getBounds().diagonal().norm();
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (shape.signedDistance(points[i]) < -deepest)
+                    throw ompl::Exception("Point " + std::to_string(i) + " of " + std::to_string(points.size()) +
+                                          " (counted from 0), " + textOf(points[i], shape.getDimension()) +
+                                          ", lies inside the convex hull of the others: make a body that is not convex "
+                                          "of several shapes, or take the hull by Body::convexHull()");
+        }
     }
 
     Body Body::disc(double radius)
@@ -98,14 +127,24 @@ namespace ompl_certificates
 
     Body Body::convexPolygon(const std::vector<Eigen::Vector2d> &points)
     {
-        std::vector<Eigen::Vector3d> flat;
-        flat.reserve(points.size());
-        for (const auto &point : points)
-            flat.emplace_back(point.x(), point.y(), 0.0);
-        return single(Shape::polytope(2, flat));
+        Body hull = convexHull(points);
+        requireConvex(hull, spatial(points));
+        return hull;
     }
 
     Body Body::convexPolytope(const std::vector<Eigen::Vector3d> &points)
+    {
+        Body hull = convexHull(points);
+        requireConvex(hull, points);
+        return hull;
+    }
+
+    Body Body::convexHull(const std::vector<Eigen::Vector2d> &points)
+    {
+        return single(Shape::polytope(2, spatial(points)));
+    }
+
+    Body Body::convexHull(const std::vector<Eigen::Vector3d> &points)
     {
         return single(Shape::polytope(3, points));
     }
@@ -124,13 +163,13 @@ namespace ompl_certificates
     {
         if (parts.empty())
             throw ompl::Exception("A body needs at least one shape");
-        for (const Part &part : parts)
+        for (Part &part : parts)
         {
             if (part.shape.getDimension() != parts.front().shape.getDimension())
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
             if (!part.pose.matrix().allFinite())
                 throw ompl::Exception("The pose of a body's shape must be finite");
-            if (!part.shape.isInPlace(part.pose))
+            if (!part.shape.putInPlace(part.pose))
                 throw ompl::Exception("A planar shape turns about the z axis only, and is at z = 0 if it is no mesh");
         }
         data_ = std::make_shared<Data>();

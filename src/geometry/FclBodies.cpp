@@ -90,7 +90,7 @@ namespace ompl_certificates
                     return {Body::cylinder(cylinder->radius, cylinder->lz), pose};
                 }
                 case fcl::GEOM_CONVEX:
-                    return {Body::convexPolytope(static_cast<const fcl::Convexd *>(geometry)->getVertices()), pose};
+                    return {Body::convexHull(static_cast<const fcl::Convexd *>(geometry)->getVertices()), pose};
                 case fcl::BV_OBBRSS:
                     return {Body::mesh(meshOf<fcl::OBBRSSd>(geometry)), pose};
                 case fcl::BV_OBB:
@@ -137,7 +137,7 @@ namespace ompl_certificates
                     std::vector<Eigen::Vector2d> outline;
                     for (const auto &vertex : static_cast<const fcl::Convexd *>(geometry)->getVertices())
                         outline.push_back((transform * vertex).head<2>());
-                    return {Body::convexPolygon(outline), Pose::Identity()};
+                    return {Body::convexHull(outline), Pose::Identity()};
                 }
                 case fcl::BV_OBBRSS:
                 case fcl::BV_OBB:

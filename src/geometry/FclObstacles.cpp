@@ -98,8 +98,8 @@ namespace ompl_certificates
                 throw ompl::Exception("The pose of an obstacle must be finite");
             for (const auto &part : body.getParts())
             {
-                const Pose partPose = pose * part.pose;
-                if (!part.shape.isInPlace(partPose))
+                Pose partPose = pose * part.pose;
+                if (!part.shape.putInPlace(partPose))
                     throw ompl::Exception(
                         "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "
                         "mesh");

@@ -18,4 +18,15 @@ namespace ompl_certificates
                 throw ompl::Exception(name_, "the bodies of a robot are all planar or all spatial");
         space_->setName(name_);
     }
+
+    void Robot::placeBodies(const ompl::base::State *state, Pose *poses) const
+    {
+        computePoses(state, poses);
+        if (getWorkspaceDimension() == 2)
+            for (std::size_t i = 0; i < bodies_.size(); ++i)
+            {
+                makeUpright(poses[i]);
+                poses[i].translation().z() = 0.0;
+            }
+    }
 }

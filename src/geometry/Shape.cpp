@@ -1,5 +1,7 @@
 #include "ompl_certificates/geometry/Shape.h"
 
+#include "ompl_certificates/geometry/Pose.h"
+
 #include "Prisms.h"
 #include "TriangleDistance.h"
 
@@ -223,19 +225,28 @@ namespace ompl_certificates
         throw ompl::Exception("Unknown kind of shape");
     }
 
-    bool Shape::isInPlace(const Eigen::Isometry3d &pose) const
+    bool Shape::putInPlace(Eigen::Isometry3d &pose) const
     {
         constexpr double rounding = 1e-12;
         if (dimension_ != 2)
             return true;
         const Eigen::Vector3d axis = pose.linear().col(2);
-        const bool isUpright = (axis - Eigen::Vector3d::UnitZ()).norm() <= rounding;
-        if (kind_ == Kind::MESH)
-            return isUpright;
-        const bool isLevel = std::abs(pose.translation().z()) <= rounding;
-        if (kind_ == Kind::CAPSULE)
-            return isLevel && std::abs(axis.z()) <= rounding;
-        return isLevel && (isUpright || kind_ == Kind::BALL);
+        const bool upright = (axis - Eigen::Vector3d::UnitZ()).norm() <= rounding;
+        const bool lying = std::abs(axis.z()) <= rounding;
+        const bool level = kind_ == Kind::MESH || std::abs(pose.translation().z()) <= rounding;
+        if (!level || !(kind_ == Kind::BALL || (kind_ == Kind::CAPSULE ? lying : upright)))
+            return false;
+        if (kind_ != Kind::MESH)
+            pose.translation().z() = 0.0;
+        if (upright)
+            makeUpright(pose);
+        else if (kind_ == Kind::CAPSULE && axis.z() != 0.0)
+        {
+            // A capsule is round: any turn about its axis will do, and this one is exact.
+            const Eigen::Vector2d along = axis.head<2>().normalized();
+            pose.linear() << 0.0, -along.y(), along.x(), 0.0, along.x(), along.y(), -1.0, 0.0, 0.0;
+        }
+        return true;
     }
 
     Eigen::AlignedBox3d Shape::getBounds() const

@@ -2,8 +2,6 @@
 
 #include "SpaceClass.h"
 
-#include "ompl_certificates/team/TeamStateSpace.h"
-
 #include <algorithm>
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -20,7 +18,7 @@ namespace ompl_certificates
         constexpr double SAME_ROTATION = 1e-9;
     }
 
-    ExactDistance::ExactDistance(const ob::StateSpace &space) : isTeam_(isOfClass<TeamStateSpace>(space))
+    ExactDistance::ExactDistance(const ob::StateSpace &space) : isTeam_(isEuclideanTeam(space))
     {
         if (!isTeam_)
         {

@@ -57,7 +57,7 @@ namespace ompl_certificates
         static void copy(const Term &term, const ompl::base::State *state, double *row);
         static double distance(const Term &term, const double *row, const double *other);
 
-        /** One term for each robot in a team; else one */
+        /** One term for each robot in a team with the Euclidean metric; else one */
         std::vector<Term> terms_;
         bool isTeam_, known_{true};
         unsigned int size_{0};

@@ -2,8 +2,6 @@
 
 #include "SpaceClass.h"
 
-#include "ompl_certificates/team/TeamStateSpace.h"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -79,7 +77,7 @@ namespace ompl_certificates
     FlatMetric::FlatMetric(const ob::StateSpace &space)
     {
         std::vector<unsigned int> path;
-        if (isOfClass<TeamStateSpace>(space))
+        if (isEuclideanTeam(space))
         {
             const auto &team = *space.as<ob::CompoundStateSpace>();
             for (path.push_back(0); path[0] < team.getSubspaceCount(); ++path[0])

@@ -9,10 +9,11 @@ namespace ompl_certificates
 {
     /** \brief States as rows of floats, and lower bounds of their distance.
 
-        The distance of a team is the root of the sum of the squares of the robots' distances, and a robot's is the
-        weighted sum of those in R^n, SO(2) and SO(3) that it is compounded of. Weights are multiplied into the
-        coordinates of R^n and SO(2); a rotation is the unit quaternion of a fixed half of the sphere. Floats, because
-        twice as many are compared at once, and the exact distance decides anyway; see threshold(). */
+        The distance of a team with the Euclidean metric is the root of the sum of the squares of the robots' distances. A
+        robot's, and that of a team with the metric SUM, is the weighted sum of those in R^n, SO(2) and SO(3) that it is
+        compounded of. Weights are multiplied into the coordinates of R^n and SO(2); a rotation is the unit quaternion of
+        a fixed half of the sphere. Floats, because twice as many are compared at once, and the exact distance decides
+        anyway; see threshold(). */
     class FlatMetric
     {
     public:
@@ -87,7 +88,7 @@ namespace ompl_certificates
             std::vector<double> center;
         };
 
-        /** The parts of a robot: its distance is the sum of theirs. */
+        /** Parts whose distances add up: of a robot, or of a whole team */
         using Group = std::vector<Part>;
 
         void collect(const ompl::base::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group);

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_TEAM_SPACE_CLASS_
 #define OMPL_CERTIFICATES_TEAM_SPACE_CLASS_
 
+#include "ompl_certificates/team/TeamStateSpace.h"
+
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <typeinfo>
@@ -15,10 +17,17 @@ namespace ompl_certificates
         return typeid(space) == typeid(Space);
     }
 
+    /** \brief Whether the distance of \e space is Euclidean over a team's robots */
+    inline bool isEuclideanTeam(const ompl::base::StateSpace &space)
+    {
+        return isOfClass<TeamStateSpace>(space) && space.as<TeamStateSpace>()->getMetric() == TeamStateSpace::EUCLIDEAN;
+    }
+
     /** \brief Whether the distance of \e space is the weighted sum of its subspaces' */
     inline bool isCompound(const ompl::base::StateSpace &space)
     {
-        return isOfClass<ompl::base::CompoundStateSpace>(space) || isOfClass<ompl::base::SE2StateSpace>(space) ||
+        return (isOfClass<TeamStateSpace>(space) && !isEuclideanTeam(space)) ||
+               isOfClass<ompl::base::CompoundStateSpace>(space) || isOfClass<ompl::base::SE2StateSpace>(space) ||
                isOfClass<ompl::base::SE3StateSpace>(space);
     }
 }

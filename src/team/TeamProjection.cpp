@@ -3,10 +3,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ompl_certificates
 {
-    TeamProjection::TeamProjection(const TeamStateSpace *team) : ProjectionEvaluator(team), team_(team)
+    TeamProjection::TeamProjection(const TeamStateSpace *team)
+      : ProjectionEvaluator(team), team_(team), awaited_(team->getMetric() == TeamStateSpace::SUM)
     {
         for (const auto &robot : team->getRobots())
             mostBodies_ = std::max(mostBodies_, robot->getBodies().size());
@@ -19,6 +21,12 @@ namespace ompl_certificates
                 columns(i, j) = std::sin(1.0 + 1.7 * static_cast<double>(i) + 2.9 * static_cast<double>(j * (i + 1)));
         const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
         map_ = (qr.householderQ() * Eigen::MatrixXd::Identity(count, dimension)).transpose();
+    }
+
+    void TeamProjection::setup()
+    {
+        if (!std::exchange(awaited_, false))
+            ProjectionEvaluator::setup();
     }
 
     unsigned int TeamProjection::getDimension() const

@@ -17,12 +17,18 @@ namespace ompl_certificates
 
         unsigned int getDimension() const override;
 
+        /** \brief OMPL infers the sizes of cells from random states, which takes random seeds. With the metric SUM, random
+            numbers are to be those of a CompoundStateSpace, which has no default projection: there the sizes are inferred
+            when a planner sets the projection up, and not yet by the space's own setup(). */
+        void setup() override;
+
         void project(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override;
 
     private:
         const TeamStateSpace *team_;
         Eigen::MatrixXd map_;
         std::size_t mostBodies_{0};
+        bool awaited_;
     };
 }
 

@@ -56,7 +56,7 @@ namespace ompl_certificates
         }
     }
 
-    TeamStateSpace::TeamStateSpace()
+    TeamStateSpace::TeamStateSpace(Metric metric) : metric_(metric)
     {
         setName("Team" + getName());
     }
@@ -98,6 +98,8 @@ namespace ompl_certificates
 
     double TeamStateSpace::getMaximumExtent() const
     {
+        if (metric_ == SUM)
+            return CompoundStateSpace::getMaximumExtent();
         double squares = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
             if (weights_[i] >= std::numeric_limits<double>::epsilon())  // 0 times infinity is not a number
@@ -109,7 +111,7 @@ namespace ompl_certificates
     {
         const auto *a = state1->as<StateType>(), *b = state2->as<StateType>();
         const double *x = a->vectorValues(), *y = b->vectorValues();
-        double squares = 0.0;
+        double sum = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
         {
             double distance = 0.0;
@@ -124,9 +126,9 @@ namespace ompl_certificates
             else
                 distance = components_[i]->distance(a->components[i], b->components[i]);
             distance *= weights_[i];
-            squares += distance * distance;
+            sum += metric_ == SUM ? distance : distance * distance;
         }
-        return std::sqrt(squares);
+        return metric_ == SUM ? sum : std::sqrt(sum);
     }
 
     void TeamStateSpace::copyReferences(const StateType *destination, const StateType *source) const

@@ -29,7 +29,7 @@ namespace ompl_certificates
             const auto [first, last] = getGroup(group);
             for (unsigned int robot = first; robot < last; ++robot)
             {
-                team_.getRobot(robot).computePoses(teamState->components[robot], poses + getFirstBody(robot));
+                team_.getRobot(robot).placeBodies(teamState->components[robot], poses + getFirstBody(robot));
                 references[robot] = teamState->getReference(robot);
             }
             valid = settleGroup(group, poses, {}, references.data(), counts).free;

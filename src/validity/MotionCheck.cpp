@@ -50,7 +50,7 @@ namespace ompl_certificates
             component = scratch_.sample->components[robot];
             moved.getStateSpace()->interpolate(from, to, t, scratch_.sample->components[robot]);
         }
-        moved.computePoses(component, scratch_.poses.data() + scratch_.firstBody[robot]);
+        moved.placeBodies(component, scratch_.poses.data() + scratch_.firstBody[robot]);
     }
 
     PoseVerdict MotionCheck::settle(unsigned int subject, double t, double minimumReach, bool proofOnly,

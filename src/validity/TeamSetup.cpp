@@ -1,5 +1,6 @@
 #include "ompl_certificates/validity/TeamSetup.h"
 
+#include "ompl_certificates/team/TeamPathLength.h"
 #include "ompl_certificates/validity/Basic.h"
 #include "ompl_certificates/validity/Partial.h"
 #include "ompl_certificates/validity/SharedProjection.h"
@@ -134,8 +135,24 @@ namespace ompl_certificates
         nearestStructure_ = structure;
     }
 
+    void TeamSetup::chooseObjective()
+    {
+        if (pdef_->hasOptimizationObjective() && pdef_->getOptimizationObjective() != objective_)
+            return;
+        // SimpleSetup would make it later, but in the same order.
+        if (!planner_ && pa_)
+        {
+            si_->setup();
+            planner_ = pa_(si_);
+        }
+        objective_ = planner_ ? defaultObjective(*planner_) : std::make_shared<TeamPathLength>(si_);
+        pdef_->setOptimizationObjective(objective_);
+    }
+
     void TeamSetup::setup()
     {
+        if (!planner_ || !planner_->isSetup())
+            chooseObjective();
         SimpleSetup::setup();
         if (nearestStructure_ == NearestStructure::KD_TREE)
             useKdTree(*planner_);

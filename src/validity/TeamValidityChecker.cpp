@@ -106,7 +106,7 @@ namespace ompl_certificates
         {
             const Robot &robot = team_.getRobot(i);
             const std::size_t firstBody = getFirstBody(i);
-            robot.computePoses(teamState->components[i], poses + firstBody);
+            robot.placeBodies(teamState->components[i], poses + firstBody);
             bool collide = false;
             SettledBy by = SettledBy::CLEARANCES;
             for (std::size_t k = 0; !collide && k < robot.getBodies().size(); ++k)
@@ -174,7 +174,7 @@ namespace ompl_certificates
         {
             const Robot &robot = team_.getRobot(i);
             Pose *own = poses + getFirstBody(i);
-            robot.computePoses(teamState->components[i], own);
+            robot.placeBodies(teamState->components[i], own);
             for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
                 nearest = std::min(nearest, bodyClearance(*obstacles_, robot.getBodies()[k], own[k]));
         }

@@ -52,7 +52,6 @@ namespace
         ompl::RNG::setSeed(3);
         const auto setup = discAndBoxAmongColumns(structure);
         const ob::PlannerPtr planner = demos::makePlanner(name, setup->getSpaceInformation());
-        setup->setOptimizationObjective(demos::makeObjective(name, setup->getSpaceInformation()));
         // Without an objective PRM ends when another thread finds that it may.
         if (name == "PRM")
             setup->setOptimizationObjective(

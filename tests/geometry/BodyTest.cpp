@@ -22,6 +22,60 @@ TEST(Body, RefusesSizesThatAreNotPositiveAndFinite)
     EXPECT_THROW(Body::convexPolytope({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), ompl::Exception);
 }
 
+TEST(Body, RefusesAConcaveOutlineAndNamesThePoint)
+{
+    const auto complaintOf = [](const auto &points, const auto &make) -> std::string
+    {
+        try
+        {
+            make(points);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            return exception.what();
+        }
+        return "";
+    };
+    const std::vector<Eigen::Vector2d> angle{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    EXPECT_NE(complaintOf(angle, [](const auto &points) { return Body::convexPolygon(points); })
+                  .find("Point 3 of 6 (counted from 0), (1.000000, 1.000000), lies inside the convex hull"),
+              std::string::npos);
+    std::vector<Eigen::Vector3d> dented;
+    for (const double z : {0.0, 1.0})
+        for (const auto &point : angle)
+            dented.emplace_back(point.x(), point.y(), z);
+    // The dent's own edge ends on two faces of the hull.
+    EXPECT_NO_THROW(Body::convexPolytope(dented));
+    dented.emplace_back(1.0, 1.0, 0.5);
+    EXPECT_NE(complaintOf(dented, [](const auto &points) { return Body::convexPolytope(points); })
+                  .find("Point 12 of 13 (counted from 0), (1.000000, 1.000000, 0.500000), lies inside"),
+              std::string::npos);
+
+    // Whoever wants the hull says so.
+    EXPECT_EQ(Body::convexHull(angle).getParts().front().shape.getHull()->vertices.size(), 5U);
+    EXPECT_EQ(Body::convexHull(dented).getParts().front().shape.getHull()->vertices.size(), 10U);
+}
+
+TEST(Body, TakesCornersInAnyOrderPointsOnEdgesAndRepeatedOnes)
+{
+    for (const double far : {0.0, 1e6})
+    {
+        std::vector<Eigen::Vector2d> points{{2, 2}, {0, 0}, {2, 0}, {0, 2}, {1, 0}, {0, 0}, {1.5, 2}, {2, 0.5}};
+        // Written down with seven digits
+        points.emplace_back(1.0, 1e-7);
+        std::vector<Eigen::Vector3d> prism;
+        for (auto &point : points)
+        {
+            point.x() += far;
+            for (const double z : {-1.0, 0.0, 1.0})
+                prism.emplace_back(point.x(), point.y(), z);
+        }
+        EXPECT_EQ(Body::convexPolygon(points).getParts().front().shape.getHull()->vertices.size(), 4U);
+        // All points in the middle of the prism's sides, none inside
+        EXPECT_EQ(Body::convexPolytope(prism).getParts().front().shape.getHull()->vertices.size(), 8U);
+    }
+}
+
 TEST(Body, RefusesNoPartsMixedPartsAndPosesThatAreNotFinite)
 {
     const Shape disc = Shape::ball(2, 1.0), sphere = Shape::ball(3, 1.0);

@@ -103,7 +103,7 @@ TEST(FclObjects, AreSeenFromAboveInAPlanarWorkspace)
          {Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(-1, 1, 0), Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, -1, 0),
           Eigen::Vector3d(0, 0, 2)})
         outline.push_back((lying * corner).head<2>());
-    same(pyramid(lying), Body::convexPolygon(outline), Pose::Identity());
+    same(pyramid(lying), Body::convexHull(outline), Pose::Identity());
 }
 
 TEST(FclObjects, AreRefusedIfNullOfAnotherKindOrNotUpright)

@@ -22,33 +22,34 @@ namespace ompl_certificates
             return bounds;
         }
 
-        inline TeamStateSpacePtr discs(unsigned int count, double low = 0.0, double high = 100.0)
+        inline TeamStateSpacePtr discs(unsigned int count, double low = 0.0, double high = 100.0,
+                                       TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
         {
-            auto team = std::make_shared<TeamStateSpace>();
+            auto team = std::make_shared<TeamStateSpace>(metric);
             for (unsigned int i = 0; i < count; ++i)
                 team->addRobot(RigidRobot::disc(std::to_string(i), 0.1, cube(2, low, high)));
             return team;
         }
 
-        inline TeamStateSpacePtr boxes()
+        inline TeamStateSpacePtr boxes(TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
         {
-            auto team = std::make_shared<TeamStateSpace>();
+            auto team = std::make_shared<TeamStateSpace>(metric);
             for (unsigned int i = 0; i < 2; ++i)
                 team->addRobot(RigidRobot::inSE2(std::to_string(i), Body::box(0.5, 0.2), cube(2, -2.0, 2.0)), 1.0 + i);
             return team;
         }
 
-        inline TeamStateSpacePtr drones()
+        inline TeamStateSpacePtr drones(TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
         {
-            auto team = std::make_shared<TeamStateSpace>();
+            auto team = std::make_shared<TeamStateSpace>(metric);
             for (unsigned int i = 0; i < 2; ++i)
                 team->addRobot(RigidRobot::inSE3(std::to_string(i), Body::box(0.5, 0.2, 0.1), cube(3, -1.0, 1.0)));
             return team;
         }
 
-        inline TeamStateSpacePtr mixed()
+        inline TeamStateSpacePtr mixed(TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
         {
-            auto team = std::make_shared<TeamStateSpace>();
+            auto team = std::make_shared<TeamStateSpace>(metric);
             const auto bounds = cube(2, -3.0, 3.0);
             team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.2), bounds), 2.0);
             team->addRobot(
@@ -82,6 +83,14 @@ namespace ompl_certificates
                     se2->setBounds(cube(2, -1.0, 1.0));
                     return se2;
                 }
+                case 8:
+                    return discs(5, 0.0, 100.0, TeamStateSpace::SUM);
+                case 9:
+                    return boxes(TeamStateSpace::SUM);
+                case 10:
+                    return drones(TeamStateSpace::SUM);
+                case 11:
+                    return mixed(TeamStateSpace::SUM);
                 default:
                 {
                     auto plain = std::make_shared<ompl::base::RealVectorStateSpace>(7);
@@ -91,7 +100,7 @@ namespace ompl_certificates
             }
         }
 
-        constexpr unsigned int SPACES = 9;
+        constexpr unsigned int SPACES = 13;
     }
 }
 

@@ -85,7 +85,7 @@ namespace
     template <typename Planner>
     void expectSameTrees(unsigned int iterations)
     {
-        for (const auto &team : {boxes(), mixed()})
+        for (const auto &team : {boxes(), mixed(), mixed(TeamStateSpace::SUM)})
         {
             const auto gnat = grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations);
             // Not EXPECT_EQ, which would print them

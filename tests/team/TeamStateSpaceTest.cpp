@@ -69,6 +69,32 @@ TEST_P(AnyTeam, HasALockableListOfRobots)
 
 INSTANTIATE_TEST_SUITE_P(Kind, AnyTeam, testing::Values(0U, 1U, 2U));
 
+TEST(TeamStateSpace, HasStatesThatAreReadAsTheDocumentsSay)
+{
+    const auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("scout", 0.3, cubeBounds(2, HALF)));
+    team->addRobot(RigidRobot::inSE2("carrier", Body::box(0.5, 0.25), cubeBounds(2, HALF)));
+    team->setup();
+    ob::ScopedState<TeamStateSpace> start(team);
+    start = std::vector<double>{3.0, 4.0, 0.0, 0.0, 0.5};
+    start->as<ob::SE2StateSpace::StateType>(1)->setXY(1.0, 2.0);
+    const ob::State *state = start.get();
+    const auto *second = state->as<TeamStateSpace::StateType>()->as<ob::SE2StateSpace::StateType>(1);
+    EXPECT_EQ(second->getX(), 1.0);
+    EXPECT_EQ(second->getYaw(), 0.5);
+    EXPECT_EQ(team->getSubspaceIndex("carrier"), 1U);
+    EXPECT_EQ(team->as<ob::SE2StateSpace>(1), team->getSubspace("carrier").get());
+
+    ob::ScopedState<ob::SE2StateSpace> carrier(team->getSubspace("carrier"));
+    carrier->setXY(-1.0, -2.0);
+    carrier->setYaw(0.25);
+    start << carrier;
+    EXPECT_EQ(start.reals(), (std::vector<double>{3.0, 4.0, -1.0, -2.0, 0.25}));
+    carrier->setYaw(0.0);
+    start >> carrier;
+    EXPECT_EQ(carrier->getYaw(), 0.25);
+}
+
 TEST(TeamStateSpace, HasTheExtentOfItsWeightedRobots)
 {
     TeamStateSpace team;

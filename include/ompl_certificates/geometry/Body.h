@@ -49,13 +49,23 @@ namespace ompl_certificates
         /** \brief A cylinder along z about the origin, in space */
         static Body cylinder(double radius, double length);
 
-        /** \brief The convex hull of the given points of the plane
-            \throws ompl::Exception if they span no area or are too many (see convexHull()) */
+        /** \brief The convex polygon with the given corners, in any order; points on its edges and repeated ones do not matter
+            \throws ompl::Exception if a point lies inside the hull of the others, by more than a millionth of its size, as
+            those of a concave outline do; if they span no area, or are too many (see ompl_certificates::convexHull()) */
         static Body convexPolygon(const std::vector<Eigen::Vector2d> &points);
 
-        /** \brief The convex hull of the given points of space
-            \throws ompl::Exception if they span no volume or are too many (see convexHull()) */
+        /** \brief The convex polytope with the given corners, in any order; points on its faces and repeated ones do not matter
+            \throws ompl::Exception if a point lies inside the hull of the others, as in convexPolygon(); if they span no
+            volume, or are too many (see ompl_certificates::convexHull()) */
         static Body convexPolytope(const std::vector<Eigen::Vector3d> &points);
+
+        /** \brief The convex hull of any points of the plane
+            \throws ompl::Exception if they span no area or are too many (see ompl_certificates::convexHull()) */
+        static Body convexHull(const std::vector<Eigen::Vector2d> &points);
+
+        /** \brief The convex hull of any points of space
+            \throws ompl::Exception if they span no volume or are too many (see ompl_certificates::convexHull()) */
+        static Body convexHull(const std::vector<Eigen::Vector3d> &points);
 
         /** \brief A triangle mesh, in space
             \throws ompl::Exception if it is null

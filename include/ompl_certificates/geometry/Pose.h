@@ -34,6 +34,14 @@ namespace ompl_certificates
         pose.translation() << x, y, 0.0;
         return pose;
     }
+
+    /** \brief Make \e pose exactly upright: what turns it out of the plane, as the rounding of a computed rotation does, is
+        dropped. Its z stays. */
+    inline void makeUpright(Pose &pose)
+    {
+        pose.linear().col(2) = Eigen::Vector3d::UnitZ();
+        pose.linear().row(2) = Eigen::RowVector3d::UnitZ();
+    }
 }
 
 #endif

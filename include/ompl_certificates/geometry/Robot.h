@@ -68,6 +68,10 @@ namespace ompl_certificates
         /** \brief Write where each body is when the robot is in \e state: one pose per body, to \e poses[0], … */
         virtual void computePoses(const ompl::base::State *state, Pose *poses) const = 0;
 
+        /** \brief computePoses(), with the bodies of a planar robot exactly in the plane: upright and at z = 0, whatever rounding
+            computePoses() has left there. What the checkers ask for. */
+        void placeBodies(const ompl::base::State *state, Pose *poses) const;
+
         /** \brief Write how far each body can travel along the space's interpolation from \e from to \e to: one bound
             per body, to \e bounds[0], … A bound may be too large, which costs time, but never too small. */
         virtual void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,

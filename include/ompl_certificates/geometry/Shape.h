@@ -54,7 +54,8 @@ namespace ompl_certificates
         /** \brief A cylinder along z, in space */
         static Shape cylinder(double radius, double length);
 
-        /** \brief The convex hull of points of the plane (\e dimension 2; z is ignored) or of space (3), see convexHull() */
+        /** \brief The convex hull of any points of the plane (\e dimension 2; z is ignored) or of space (3), see convexHull().
+            Body::convexPolygon() and Body::convexPolytope() refuse points inside it. */
         static Shape polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points);
 
         /** \brief The surface of a mesh, for the plane (\e dimension 2) or for space (3)
@@ -103,9 +104,10 @@ namespace ompl_certificates
             linear in the number of faces of a polytope and of the triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
-        /** \brief Whether a planar shape at \e pose stays in the plane: upright and, but for meshes, at z = 0; balls may be turned
-            anyhow, capsules must lie. Clearances know nothing of where else it may be. True for spatial shapes. */
-        bool isInPlace(const Eigen::Isometry3d &pose) const;
+        /** \brief Whether a planar shape at \e pose stays in the plane, but for rounding: upright and, but for meshes, at z = 0;
+            balls may be turned anyhow, capsules must lie. If so, the rounding (1e-12 at most) is taken out of \e pose, so
+            that all that is computed from it lies exactly in the plane. Spatial shapes may be anywhere. */
+        bool putInPlace(Eigen::Isometry3d &pose) const;
 
         /** \brief The smallest box along the axes of the shape's frame that contains the shape */
         Eigen::AlignedBox3d getBounds() const;

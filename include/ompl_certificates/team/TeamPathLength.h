@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TEAM_TEAM_PATH_LENGTH_
 #define OMPL_CERTIFICATES_TEAM_TEAM_PATH_LENGTH_
 
+#include <ompl/base/Planner.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/samplers/informed/RejectionInfSampler.h>
 
@@ -24,6 +25,11 @@ namespace ompl_certificates
             return std::make_shared<ompl::base::RejectionInfSampler>(problem, maxNumberCalls);
         }
     };
+
+    /** \brief The objective for a problem of a team for which the user chose none: a TeamPathLength, which stands for the path
+        length that OMPL's planners take then. Null for planners that do something else without an objective: PRM and
+        LazyPRM stop at their first solution, TRRT and BiTRRT minimise mechanical work. */
+    ompl::base::OptimizationObjectivePtr defaultObjective(const ompl::base::Planner &planner);
 }
 
 #endif

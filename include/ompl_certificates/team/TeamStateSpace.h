@@ -12,10 +12,12 @@ namespace ompl_certificates
 {
     /** \brief The state space of a team: a CompoundStateSpace with one component per robot.
 
-        The distance between two states is Euclidean over the robots: the root of the sum of the squares of the weighted
-        distances in the components, as in the paper's RD-dimensional space. Every state carries, for each robot, a
-        reference to a certificate that proved it free. References are hints: copyState(), cloneState() and interpolate()
-        pass them on, sampling and deserialization clear them, and serialization, equality and distance ignore them. */
+        The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space. A
+        program that used a CompoundStateSpace keeps its distances, ranges and trees with SUM; see Metric.
+
+        Every state carries, for each robot, a reference to a certificate that proved it free. References are hints:
+        copyState(), cloneState() and interpolate() pass them on, sampling and deserialization clear them, and
+        serialization, equality and distance ignore them. */
     class TeamStateSpace : public ompl::base::CompoundStateSpace
     {
     public:
@@ -56,8 +58,24 @@ namespace ompl_certificates
             std::atomic<CertificateIndex> *references_{nullptr};
         };
 
+        /** \brief How the robots' weighted distances make up the team's */
+        enum Metric
+        {
+            /// The root of the sum of their squares
+            EUCLIDEAN,
+            /// Their sum: the distances and extents of an ompl::base::CompoundStateSpace of the same components and
+            /// weights, to the last bit
+            SUM
+        };
+
         /** \brief A team without robots */
-        TeamStateSpace();
+        explicit TeamStateSpace(Metric metric = EUCLIDEAN);
+
+        /** \brief How the robots' distances make up the team's */
+        Metric getMetric() const
+        {
+            return metric_;
+        }
 
         /** \brief Add a robot; distances in its component count \e weight times
             \throws ompl::Exception if \e robot is null, if its name is taken, if its workspace is not the others', if
@@ -120,6 +138,7 @@ namespace ompl_certificates
     private:
         void copyReferences(const StateType *destination, const StateType *source) const;
 
+        const Metric metric_;
         std::vector<RobotPtr> robots_;
         /** The dimensions of the components that are R^n, 0 for others, and their sum. Planners ask for distances more than
             for anything else, and those need no virtual call. */

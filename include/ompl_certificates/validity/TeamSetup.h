@@ -34,8 +34,13 @@ namespace ompl_certificates
         \throws ompl::Exception that lists the names if there is none */
     Method methodOf(const std::string &name);
 
-    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place, and the
-        planner's tree in a PlannerKdTree. */
+    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place, the
+        planner's tree in a PlannerKdTree, and the team's path length to optimise.
+
+        All of OMPL's geometric planners that take one space and one problem run in it. setup() gives the problem the
+        planner's defaultObjective() unless setOptimizationObjective() gave it another one. In an ompl::tools::Benchmark,
+        which sets up this class once, all planners get a TeamPathLength; PRM then plans for all of the time, as it does
+        after RRTstar in OMPL. */
     class TeamSetup : public ompl::geometric::SimpleSetup
     {
     public:
@@ -92,7 +97,12 @@ namespace ompl_certificates
         void simplifyInSteps(ompl::geometric::PathGeometric &path,
                              const ompl::base::PlannerTerminationCondition &condition);
 
+        /** \brief Give the problem the planner's default objective, unless it has one of the user's */
+        void chooseObjective();
+
         std::shared_ptr<TeamValidityChecker> checker_;
+        /** \brief What chooseObjective() gave last */
+        ompl::base::OptimizationObjectivePtr objective_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};
     };
 

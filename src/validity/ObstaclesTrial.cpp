@@ -1,0 +1,228 @@
+#include "ompl_certificates/validity/UserParts.h"
+
+#include "TrialText.h"
+
+#include <cmath>
+#include <limits>
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** What rounding may do to a clearance, relative to the coordinates */
+        constexpr double ROUNDING = 1e-9;
+
+        std::string verdictOf(bool collides)
+        {
+            return collides ? "colliding" : "free";
+        }
+
+        class ObstaclesTrial
+        {
+        public:
+            ObstaclesTrial(const Obstacles &obstacles, const ompl::base::RealVectorBounds &bounds)
+              : obstacles_(obstacles), dimension_(obstacles.getDimension())
+            {
+                require(dimension_ == 2 || dimension_ == 3,
+                        "getDimension() must be 2 or 3, not " + std::to_string(dimension_));
+                require(bounds.low.size() == dimension_ && bounds.high.size() == dimension_,
+                        "they have " + std::to_string(dimension_) + " dimensions, the bounds " +
+                            std::to_string(bounds.low.size()));
+                for (unsigned int i = 0; i < dimension_; ++i)
+                {
+                    low_[i] = bounds.low[i];
+                    high_[i] = bounds.high[i];
+                }
+                size_ = (high_ - low_).norm();
+                slack_ = ROUNDING * (low_.norm() + high_.norm());
+                require(obstacles.getTolerance() >= 0.0,
+                        "getTolerance() must not be negative, but is " + textOf(obstacles.getTolerance()));
+            }
+
+            void tryPoints(unsigned int samples)
+            {
+                for (unsigned int i = 0; i < samples; ++i)
+                    tryLipschitz(anyPoint());
+                // A disc reaches through all heights.
+                if (dimension_ == 3 || obstacles_.getHeights().contain({}))
+                    for (unsigned int i = 0; i < samples; ++i)
+                        tryBalls(anyPoint());
+            }
+
+            void tryBody(const Body &body, std::size_t index, unsigned int samples)
+            {
+                require(body.getDimension() == dimension_, "they have " + std::to_string(dimension_) +
+                                                               " dimensions, body " + std::to_string(index) + " " +
+                                                               std::to_string(body.getDimension()));
+                require(dimension_ == 3 || obstacles_.getHeights().contain(body.getHeights()),
+                        "body " + std::to_string(index) + " reaches beyond the heights that they were made for");
+                for (unsigned int i = 0; i < samples; ++i)
+                    tryPose(body, anyPose(body), "body " + std::to_string(index));
+            }
+
+        private:
+            static void require(bool good, const std::string &complaint)
+            {
+                if (!good)
+                    throw ompl::Exception("Obstacles: " + complaint);
+            }
+
+            Eigen::Vector3d anyPoint()
+            {
+                Eigen::Vector3d point = Eigen::Vector3d::Zero();
+                for (unsigned int i = 0; i < dimension_; ++i)
+                    point[i] = random_.uniformReal(low_[i], high_[i]);
+                return point;
+            }
+
+            Eigen::Vector3d anyDirection()
+            {
+                for (;;)
+                {
+                    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+                    for (unsigned int i = 0; i < dimension_; ++i)
+                        direction[i] = random_.gaussian01();
+                    if (direction.norm() > 1e-3)
+                        return direction.normalized();
+                }
+            }
+
+            /** A pose of \e body, mostly where it may well touch something */
+            Pose anyPose(const Body &body)
+            {
+                Pose pose = Pose::Identity();
+                if (dimension_ == 2)
+                    pose = planarPose(0.0, 0.0, random_.uniformReal(-M_PI, M_PI));
+                else
+                {
+                    double q[4];
+                    random_.quaternion(q);
+                    pose.linear() = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
+                }
+                for (int attempt = 0; attempt < 8; ++attempt)
+                {
+                    pose.translation() = anyPoint();
+                    if (std::abs(clearanceOf(pose.translation())) <= body.getReach())
+                        break;
+                }
+                return pose;
+            }
+
+            double clearanceOf(const Eigen::Vector3d &point) const
+            {
+                const double clearance = obstacles_.clearance(point);
+                require(!std::isnan(clearance), "clearance() is not a number at " + textOf(point));
+                ObstaclePart part;
+                const double nearest = obstacles_.findNearest(point, part);
+                require(nearest == clearance || std::abs(nearest - clearance) <= slack_,
+                        "findNearest() says " + textOf(nearest) + " at " + textOf(point) + ", clearance() " +
+                            textOf(clearance));
+                return clearance;
+            }
+
+            void tryLipschitz(const Eigen::Vector3d &point)
+            {
+                const double clearance = clearanceOf(point);
+                const Eigen::Vector3d other =
+                    point + size_ * std::pow(10.0, random_.uniformReal(-4.0, 0.0)) * anyDirection();
+                const double there = clearanceOf(other), distance = (other - point).norm();
+                require(there == clearance || std::abs(there - clearance) <= distance + slack_,
+                        "clearance() is not 1-Lipschitz: it is " + textOf(clearance) + " at " + textOf(point) +
+                            " and " + textOf(there) + " at " + textOf(other) + ", which differ by " +
+                            textOf(std::abs(there - clearance)) + " in a distance of " + textOf(distance));
+            }
+
+            /** Balls about a point that just do not, and that just do, reach the nearest obstacle */
+            void tryBalls(const Eigen::Vector3d &point)
+            {
+                const double clearance = clearanceOf(point);
+                if (!std::isfinite(clearance))
+                    return;
+                const double margin = obstacles_.getTolerance() + exactCheckTolerance(std::abs(clearance)) + slack_;
+                const double least = std::max(0.0, clearance + margin), most = clearance - margin;
+                const double part = random_.uniform01();
+                for (const double radius : {most, part * most})
+                    if (radius >= 0.0)
+                        tryBall(point, clearance, radius, false);
+                // A larger ball is checked with a larger tolerance.
+                if (obstacles_.provesCollisions())
+                    for (const double radius : {least, (1.0 + part) * least})
+                        tryBall(point, clearance, radius + exactCheckTolerance(part * least) + slack_, true);
+            }
+
+            void tryBall(const Eigen::Vector3d &point, double clearance, double radius, bool expected) const
+            {
+                const Body ball = dimension_ == 2 ? Body::disc(radius) : Body::sphere(radius);
+                require(obstacles_.collides(ball, poseAt(point)) == expected,
+                        "collides() finds the ball of radius " + textOf(radius) + " at " + textOf(point) + " " +
+                            verdictOf(!expected) + ", where clearance() is " + textOf(clearance) +
+                            "; they differ by more than the tolerance, " + textOf(obstacles_.getTolerance()));
+                tryQuickTests(ball, poseAt(point), expected, "the ball of radius " + textOf(radius));
+            }
+
+            void tryPose(const Body &body, const Pose &pose, const std::string &name) const
+            {
+                const bool collides = obstacles_.collides(body, pose);
+                tryQuickTests(body, pose, collides, name);
+                const double margin = obstacles_.getTolerance() + exactCheckTolerance(body.getReach()) + slack_;
+                const auto blame = [&](const std::string &what) {
+                    require(false, "collides() finds " + name + " at " + textOf(pose) + " " + verdictOf(collides) +
+                                       ", but " + what);
+                };
+                if (collides && isFreeByClearances(body, pose, margin))
+                    blame("clearance() is larger than the radius at the center of each ball that it lies in");
+                if (collides || !obstacles_.provesCollisions())
+                    return;
+                for (const Ball &ball : body.getCore())
+                    if (const double clearance = clearanceOf(pose * ball.center); clearance < ball.radius - margin)
+                        blame("clearance() is " + textOf(clearance) + " at the center " +
+                              textOf(Eigen::Vector3d(pose * ball.center)) + " of the ball of radius " +
+                              textOf(ball.radius) + " inside it");
+            }
+
+            bool isFreeByClearances(const Body &body, const Pose &pose, double margin) const
+            {
+                const auto &nodes = body.getCover().getNodes();
+                const auto isFree = [&](const Cover::Node &node)
+                { return clearanceOf(pose * node.ball.center) > node.ball.radius + margin; };
+                if (isFree(nodes.front()))
+                    return true;
+                for (const auto &node : nodes)
+                    if (node.childCount == 0 && !isFree(node))
+                        return false;
+                return true;
+            }
+
+            /** touches() and certainlyHits() against what collides() said */
+            void tryQuickTests(const Body &body, const Pose &pose, bool collides, const std::string &name) const
+            {
+                ObstaclePart hit = NO_PART, nearest = NO_PART;
+                const Touching touching = obstacles_.touches(body, pose, &hit);
+                require(touching == Touching::UNKNOWN || (touching == Touching::YES) == collides,
+                        "touches() says " + std::string(touching == Touching::YES ? "YES" : "NO") + " of " + name +
+                            " at " + textOf(pose) + ", which collides() finds " + verdictOf(collides));
+                obstacles_.findNearest(pose * body.getCover().getRoot().center, nearest);
+                for (const ObstaclePart part : {hit, nearest})
+                    require(collides || part == NO_PART || !obstacles_.certainlyHits(body, pose, part),
+                            "certainlyHits() says that " + name + " at " + textOf(pose) + " hits part " +
+                                std::to_string(part) + ", but collides() finds it free");
+            }
+
+            const Obstacles &obstacles_;
+            const unsigned int dimension_;
+            Eigen::Vector3d low_{Eigen::Vector3d::Zero()}, high_{Eigen::Vector3d::Zero()};
+            double size_, slack_;
+            ompl::RNG random_;
+        };
+    }
+
+    void checkObstacles(const Obstacles &obstacles, const std::vector<Body> &bodies,
+                        const ompl::base::RealVectorBounds &bounds, unsigned int samples)
+    {
+        ObstaclesTrial trial(obstacles, bounds);
+        trial.tryPoints(samples);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            trial.tryBody(bodies[i], i, samples);
+    }
+}

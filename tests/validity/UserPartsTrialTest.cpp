@@ -1,0 +1,323 @@
+#include "support/Teams.h"
+
+#include "ompl_certificates/validity/UserParts.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/util/Exception.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** What \e trial complains of; empty if of nothing */
+    std::string complaintOf(const std::function<void()> &trial)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        ompl::RNG::setSeed(5);
+        try
+        {
+            trial();
+        }
+        catch (const ompl::Exception &exception)
+        {
+            return exception.what();
+        }
+        return "";
+    }
+
+    void expectWords(const std::string &complaint, const std::vector<std::string> &words)
+    {
+        for (const std::string &word : words)
+            EXPECT_NE(complaint.find(word), std::string::npos) << "no '" << word << "' in: " << complaint;
+    }
+
+    enum class Fault
+    {
+        NONE,
+        SLOW_LINEAR,
+        SLOW_ANGULAR,
+        NEGATIVE,
+        UNWRITTEN_POSE,
+        UNWRITTEN_BOUND,
+        SURPLUS_POSE,
+        NOT_FINITE,
+        OUT_OF_PLANE,
+        MIRRORED
+    };
+
+    /** Two boxes in SE(2), the second behind the first */
+    class TwoBoxes : public Robot
+    {
+    public:
+        explicit TwoBoxes(Fault fault)
+          : Robot("two boxes", makeSpace(), {Body::box(1.0, 0.4), Body::box(0.5, 0.4)}), fault_(fault)
+        {
+        }
+
+        void computePoses(const ob::State *state, Pose *poses) const override
+        {
+            const auto &q = *state->as<ob::SE2StateSpace::StateType>();
+            poses[0] = planarPose(q.getX(), q.getY(), q.getYaw());
+            if (fault_ != Fault::UNWRITTEN_POSE)
+                poses[1] = poses[0] * planarPose(-1.0, 0.0);
+            if (fault_ == Fault::SURPLUS_POSE)
+                poses[2] = poses[1];
+            else if (fault_ == Fault::NOT_FINITE && q.getX() > 4.0)
+                poses[1].translation().x() = std::sqrt(-1.0);
+            else if (fault_ == Fault::OUT_OF_PLANE)
+                poses[1].translation().z() = 1e-6 * q.getX();
+            else if (fault_ == Fault::MIRRORED)
+                poses[1].linear().col(0) *= -1.0;
+        }
+
+        void computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const override
+        {
+            const auto &a = *from->as<ob::SE2StateSpace::StateType>(), &b = *to->as<ob::SE2StateSpace::StateType>();
+            const auto *angles = getStateSpace()->as<ob::CompoundStateSpace>()->getSubspace(1).get();
+            const double way = std::hypot(a.getX() - b.getX(), a.getY() - b.getY());
+            const double turn = angles->distance(a.components[1], b.components[1]);
+            bounds[0] = {way, turn};
+            if (fault_ == Fault::UNWRITTEN_BOUND)
+                return;
+            // The second one's origin goes around the first's.
+            bounds[1] = {way + (fault_ == Fault::SLOW_LINEAR ? 0.8 : 1.0) * turn,
+                         (fault_ == Fault::SLOW_ANGULAR ? 0.8 : 1.0) * turn};
+            if (fault_ == Fault::NEGATIVE)
+                bounds[1].angular *= -1.0;
+        }
+
+    private:
+        static ob::StateSpacePtr makeSpace()
+        {
+            auto space = std::make_shared<ob::SE2StateSpace>();
+            space->setBounds(cubeBounds(2, HALF));
+            return space;
+        }
+
+        Fault fault_;
+    };
+
+    std::string complaintOf(Fault fault)
+    {
+        const TwoBoxes robot(fault);
+        return complaintOf([&] { checkRobot(robot); });
+    }
+
+    /** True obstacles, and what somebody says of them */
+    struct Told : Obstacles
+    {
+        explicit Told(ObstaclesPtr obstacles) : truth(std::move(obstacles))
+        {
+        }
+
+        unsigned int getDimension() const override
+        {
+            return truth->getDimension();
+        }
+
+        Heights getHeights() const override
+        {
+            return truth->getHeights();
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            return collision ? collision(body, pose) : truth->collides(body, pose);
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            return factor * truth->clearance(point) + offset;
+        }
+
+        double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override
+        {
+            part = partSaid;
+            return clearance(point) + nearestOffset;
+        }
+
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart * /*hit*/) const override
+        {
+            return touching ? touching(body, pose) : truth->touches(body, pose);
+        }
+
+        bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const override
+        {
+            return hits;
+        }
+
+        double getTolerance() const override
+        {
+            return tolerance < 0.0 ? truth->getTolerance() : tolerance;
+        }
+
+        bool provesCollisions() const override
+        {
+            return proves;
+        }
+
+        ObstaclesPtr truth;
+        double factor{1.0}, offset{0.0}, nearestOffset{0.0}, tolerance{-1.0};
+        ObstaclePart partSaid{NO_PART};
+        bool hits{false}, proves{true};
+        std::function<bool(const Body &, const Pose &)> collision;
+        std::function<Touching(const Body &, const Pose &)> touching;
+    };
+
+    std::vector<Body> bodiesOf(const TeamStateSpace &team)
+    {
+        std::vector<Body> bodies;
+        for (const auto &robot : team.getRobots())
+            bodies.insert(bodies.end(), robot->getBodies().begin(), robot->getBodies().end());
+        return bodies;
+    }
+
+    class ToldObstacles : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        ToldObstacles() : team_(anyTeam(GetParam()))
+        {
+            Random random(3);
+            // Of all heights, so that discs may be asked about
+            const auto made = anyObstacles(random, GetParam(), 10);
+            told_ = std::make_unique<Told>(std::make_shared<FclObstacles>(made->getDimension(), made->getBodies()));
+        }
+
+        std::string complaint() const
+        {
+            return complaintOf(
+                [&]
+                { checkObstacles(*told_, bodiesOf(*team_), cubeBounds(told_->getDimension(), HALF), scaled(300)); });
+        }
+
+        void expectComplaint(const std::vector<std::string> &words) const
+        {
+            expectWords(complaint(), words);
+        }
+
+        TeamStateSpacePtr team_;
+        std::unique_ptr<Told> told_;
+    };
+}
+
+TEST(CheckRobot, FindsNoFaultInTheLibrarysOwn)
+{
+    for (unsigned int which = 0; which < TEAMS; ++which)
+    {
+        const auto team = anyTeam(which);
+        for (const auto &robot : team->getRobots())
+            EXPECT_EQ(complaintOf([&] { checkRobot(*robot, scaled(500)); }), "") << which;
+    }
+    const CarWithTrailer train("train", Body::box(0.4, 0.2), Body::box(0.3, 0.2), 0.5, cubeBounds(2, HALF));
+    EXPECT_EQ(complaintOf([&] { checkRobot(train, scaled(500)); }), "");
+    EXPECT_EQ(complaintOf(Fault::NONE), "");
+}
+
+TEST(CheckRobot, FindsBoundsThatAreTooSmallAndSaysWhere)
+{
+    expectWords(complaintOf(Fault::SLOW_LINEAR),
+                {"Robot 'two boxes'", "from the state (", "between times", "of body 1 travels", "linear", "allows"});
+    expectWords(complaintOf(Fault::SLOW_ANGULAR), {"between times", "of body 1 travels", "angular", "allows"});
+    expectWords(complaintOf(Fault::NEGATIVE), {"travel bound of body 1", "must not be negative"});
+    expectWords(complaintOf(Fault::UNWRITTEN_BOUND), {"travel bound of body 1", "must be written"});
+}
+
+TEST(CheckRobot, FindsPosesThatAreNone)
+{
+    expectWords(complaintOf(Fault::UNWRITTEN_POSE), {"pose of body 1", "in the state (", "was not written"});
+    expectWords(complaintOf(Fault::NOT_FINITE), {"pose of body 1", "in the state (", "not finite"});
+    expectWords(complaintOf(Fault::OUT_OF_PLANE), {"pose of body 1", "leaves the plane: z = "});
+    expectWords(complaintOf(Fault::MIRRORED), {"pose of body 1", "no rotation and translation"});
+    expectWords(complaintOf(Fault::SURPLUS_POSE), {"computePoses() writes more than the poses of its 2 bodies"});
+}
+
+TEST_P(ToldObstacles, AreWithoutFaultIfTheyTellTheTruth)
+{
+    EXPECT_EQ(complaint(), "");
+    // The true ones too, which know parts
+    EXPECT_EQ(
+        complaintOf(
+            [&]
+            { checkObstacles(*told_->truth, bodiesOf(*team_), cubeBounds(told_->getDimension(), HALF), scaled(300)); }),
+        "");
+    // A lower bound is enough where collisions are not proved by it.
+    told_->factor = 0.5;
+    told_->offset = -0.01;
+    told_->proves = false;
+    EXPECT_EQ(complaint(), "");
+}
+
+TEST_P(ToldObstacles, AreFoundNotToBeLipschitz)
+{
+    told_->factor = 1.1;
+    expectComplaint({"clearance() is not 1-Lipschitz: it is ", " at (", "which differ by "});
+}
+
+TEST_P(ToldObstacles, AreFoundToHaveTooSmallATolerance)
+{
+    told_->offset = 0.001;
+    expectComplaint({"collides() finds the ball of radius ", "colliding, where clearance() is ", "tolerance"});
+    told_->tolerance = 0.002;
+    EXPECT_EQ(complaint(), "");
+    told_->tolerance = -1.0;
+    told_->offset = -0.001;
+    expectComplaint({"collides() finds the ball of radius ", "free, where clearance() is ", "tolerance"});
+}
+
+TEST_P(ToldObstacles, AreFoundToNameOtherClearancesAsNearest)
+{
+    told_->nearestOffset = 1e-3;
+    expectComplaint({"findNearest() says ", " at (", "clearance() "});
+}
+
+TEST_P(ToldObstacles, AreFoundToContradictThemselvesAboutBodies)
+{
+    told_->touching = [](const Body &, const Pose &) { return Touching::UNKNOWN; };
+    // Right about balls alone
+    told_->collision = [this](const Body &body, const Pose &pose)
+    { return told_->truth->collides(body, pose) || (!body.isBall() && pose.translation().x() > 2.0); };
+    if (GetParam() > 0)
+        expectComplaint({"collides() finds body ", "colliding, but clearance() is larger"});
+    told_->collision = [this](const Body &body, const Pose &pose)
+    { return told_->truth->collides(body, pose) && (body.isBall() || pose.translation().x() > 2.0); };
+    if (GetParam() == 1 || GetParam() == 2)
+        expectComplaint({"collides() finds body ", "free, but clearance() is "});
+}
+
+TEST_P(ToldObstacles, AreFoundToTouchWhatIsFree)
+{
+    told_->touching = [](const Body &, const Pose &pose)
+    { return pose.translation().x() > 3.0 ? Touching::YES : Touching::UNKNOWN; };
+    expectComplaint({"touches() says YES of ", "collides() finds free"});
+    told_->touching = [](const Body &, const Pose &) { return Touching::NO; };
+    expectComplaint({"touches() says NO of ", "collides() finds colliding"});
+    told_->touching = nullptr;
+    told_->hits = true;
+    told_->partSaid = 7;
+    expectComplaint({"certainlyHits() says ", "hits part 7", "collides() finds it free"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, ToldObstacles, testing::Range(0U, TEAMS));
+
+TEST(CheckObstacles, KeepsToTheHeightsThatTheyWereMadeFor)
+{
+    Random random(3);
+    const auto team = planarMeshTeam();
+    const auto obstacles = anyObstacles(random, 3, 10);
+    EXPECT_EQ(complaintOf([&] { checkObstacles(*obstacles, bodiesOf(*team), cubeBounds(2, HALF), scaled(300)); }), "");
+    EXPECT_THROW(checkObstacles(*obstacles, {Body::disc(1.0)}, cubeBounds(2, HALF)), ompl::Exception);
+}
+
+TEST(CheckObstacles, RefuseOtherDimensions)
+{
+    const FclObstacles flat(2, {{Body::disc(1.0)}}), none(3, {});
+    EXPECT_THROW(checkObstacles(flat, {}, cubeBounds(3, 1.0)), ompl::Exception);
+    EXPECT_THROW(checkObstacles(flat, {Body::sphere(1.0)}, cubeBounds(2, 1.0)), ompl::Exception);
+    EXPECT_NO_THROW(checkObstacles(none, {Body::sphere(1.0), Body::box(1.0, 1.0, 1.0)}, cubeBounds(3, 1.0)));
+}
