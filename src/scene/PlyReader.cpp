@@ -1,0 +1,301 @@
+#include "MeshReaders.h"
+#include "MeshText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        struct Type
+        {
+            std::size_t size{0};
+            bool isInteger{false};
+            double (*convert)(const char *bytes){nullptr};
+        };
+
+        template <typename Number>
+        Type typeOf()
+        {
+            return {sizeof(Number), std::is_integral_v<Number>, [](const char *bytes)
+                    {
+                        Number number;
+                        std::memcpy(&number, bytes, sizeof(number));
+                        return static_cast<double>(number);
+                    }};
+        }
+
+        const std::map<std::string, Type> TYPES{
+            {"char", typeOf<std::int8_t>()},     {"int8", typeOf<std::int8_t>()},
+            {"uchar", typeOf<std::uint8_t>()},   {"uint8", typeOf<std::uint8_t>()},
+            {"short", typeOf<std::int16_t>()},   {"int16", typeOf<std::int16_t>()},
+            {"ushort", typeOf<std::uint16_t>()}, {"uint16", typeOf<std::uint16_t>()},
+            {"int", typeOf<std::int32_t>()},     {"int32", typeOf<std::int32_t>()},
+            {"uint", typeOf<std::uint32_t>()},   {"uint32", typeOf<std::uint32_t>()},
+            {"float", typeOf<float>()},          {"float32", typeOf<float>()},
+            {"double", typeOf<double>()},        {"float64", typeOf<double>()},
+        };
+
+        /** What a property is for: the numbers of a vertex, the vertices of a face, or nothing */
+        enum Use : std::size_t
+        {
+            X,
+            Y,
+            Z,
+            NORMAL,
+            TEXTURE = NORMAL + 3,
+            INDICES = TEXTURE + 2,
+            NOTHING
+        };
+
+        const std::map<std::string, std::size_t> USES{
+            {"vertex x", X},
+            {"vertex y", Y},
+            {"vertex z", Z},
+            {"vertex nx", NORMAL},
+            {"vertex ny", NORMAL + 1},
+            {"vertex nz", NORMAL + 2},
+            {"vertex s", TEXTURE},
+            {"vertex t", TEXTURE + 1},
+            {"vertex u", TEXTURE},
+            {"vertex v", TEXTURE + 1},
+            {"vertex texture_u", TEXTURE},
+            {"vertex texture_v", TEXTURE + 1},
+            {"face vertex_indices", INDICES},
+            {"face vertex_index", INDICES},
+        };
+
+        struct Property
+        {
+            Type type;
+            /** The type of its length, if it is a list; else of no size */
+            Type lengthType;
+            std::size_t use;
+        };
+
+        struct Element
+        {
+            std::string name;
+            std::size_t count;
+            std::vector<Property> properties;
+
+            bool has(std::size_t use) const
+            {
+                return std::any_of(properties.begin(), properties.end(),
+                                   [use](const Property &property) { return property.use == use; });
+            }
+        };
+
+        class PlyReader
+        {
+        public:
+            PlyReader(std::string_view content, MeshCollector &mesh) : content_(content), text_(content), mesh_(mesh)
+            {
+            }
+
+            void run()
+            {
+                readHeader();
+                for (const Element &element : elements_)
+                    // What has no properties is nowhere.
+                    for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i)
+                        readInstance(element);
+                if (isText_ ? nextFullLine() : !rest_.empty())
+                    fail("there is more than the header speaks of");
+                mesh_.add(part_);
+            }
+
+        private:
+            void readHeader()
+            {
+                text_.nextLine();
+                if (const std::string_view word = text_.next(); word != "ply" && word != "PLY")
+                    text_.fail("there is " + inQuotes(word) + ", not 'ply'");
+                std::string format;
+                for (std::vector<std::string> words; words != std::vector<std::string>{"end_header"};)
+                {
+                    if (!text_.nextLine())
+                        text_.fail("the header has no line 'end_header'");
+                    words.clear();
+                    for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
+                        words.emplace_back(word);
+                    if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+                        continue;
+                    if (words[0] == "format" && words.size() == 3 && format.empty())
+                        format = words[1];
+                    else if (words[0] == "element" && words.size() == 3)
+                        addElement(words[1], words[2]);
+                    else if (words[0] == "property" && !elements_.empty())
+                        elements_.back().properties.push_back(propertyOf(words, elements_.back()));
+                    else if (words[0] != "end_header" || words.size() > 1)
+                        text_.fail("there is a line " + inQuotes(words[0]) + " that makes no sense there");
+                }
+                isText_ = format == "ascii";
+                isBigEndian_ = format == "binary_big_endian";
+                if (!isText_ && !isBigEndian_ && format != "binary_little_endian")
+                    text_.fail("the format is " + inQuotes(format) +
+                               ", neither ascii nor binary_little_endian nor binary_big_endian");
+                checkElements();
+                rest_ = text_.getRest();
+            }
+
+            void addElement(const std::string &name, const std::string &count)
+            {
+                long long number;
+                // Each takes at least a byte.
+                if (!parseWhole(count, number) || number < 0 || static_cast<std::size_t>(number) > content_.size())
+                    text_.fail("it says that it has " + inQuotes(count) + " of " + inQuotes(name) + ", in " +
+                               std::to_string(content_.size()) + " bytes");
+                if (name == "tristrips" && number > 0)
+                    text_.fail("there are triangle strips, which are not supported: it needs faces");
+                elements_.push_back({name, static_cast<std::size_t>(number), {}});
+            }
+
+            Property propertyOf(const std::vector<std::string> &words, const Element &element) const
+            {
+                const bool isList = words.size() == 5 && words[1] == "list";
+                if (words.size() != 3 && !isList)
+                    text_.fail("there is a property that is neither a value nor a list");
+                const auto typeNamed = [this](const std::string &name)
+                {
+                    const auto found = TYPES.find(name);
+                    if (found == TYPES.end())
+                        text_.fail("there is a property of type " + inQuotes(name));
+                    return found->second;
+                };
+                const auto use = USES.find(element.name + " " + words.back());
+                const Property property{typeNamed(words[words.size() - 2]), isList ? typeNamed(words[2]) : Type(),
+                                        use == USES.end() ? NOTHING : use->second};
+                if (isList && !property.lengthType.isInteger)
+                    text_.fail("there is a list whose length is no whole number but a " + words[2]);
+                if (property.use == NOTHING)
+                    return property;
+                if (isList != (property.use == INDICES) || (isList && !property.type.isInteger))
+                    text_.fail("the property " + inQuotes(words.back()) + " is not a " +
+                               (property.use == INDICES ? "list of whole numbers" : "number"));
+                if (element.has(property.use))
+                    text_.fail("there is a second property " + inQuotes(words.back()));
+                return property;
+            }
+
+            /** One element of vertices, then one of faces between them */
+            void checkElements()
+            {
+                std::string order;
+                for (const Element &element : elements_)
+                    if (element.name == "vertex" || element.name == "face")
+                        order += element.name + " ";
+                if (order != "vertex face ")
+                    text_.fail("there is not one element 'vertex', and then one 'face'");
+                for (const Element &element : elements_)
+                {
+                    if (element.name == "vertex" && !(element.has(X) && element.has(Y) && element.has(Z)))
+                        text_.fail("the element 'vertex' has not the properties 'x', 'y' and 'z'");
+                    if (element.name == "face" && !element.has(INDICES))
+                        text_.fail("the element 'face' has no list 'vertex_indices'");
+                    if (element.name == "vertex")
+                        part_.hasNormals = element.has(NORMAL);
+                }
+            }
+
+            /** Go to the next line that is not empty. \return whether there is one */
+            bool nextFullLine()
+            {
+                while (text_.nextLine())
+                    if (text_.getLine().find_first_not_of(" \t\v\f") != std::string_view::npos)
+                        return true;
+                return false;
+            }
+
+            void readInstance(const Element &element)
+            {
+                if (isText_ && !nextFullLine())
+                    fail("it ends before the last " + inQuotes(element.name));
+                double values[NOTHING + 1] = {};
+                corners_.clear();
+                for (const Property &property : element.properties)
+                {
+                    double count = 1.0;
+                    if (property.lengthType.size > 0)
+                        count = value(property.lengthType);
+                    if (!(count >= 0.0 && count == std::floor(count)))
+                        fail("there is a list of length " + std::to_string(count));
+                    for (; count > 0.0; --count)
+                    {
+                        values[property.use] = value(property.type);
+                        if (property.use == INDICES)
+                            corners_.push_back(vertexAt(values[INDICES]));
+                    }
+                }
+                if (isText_ && !text_.next().empty())
+                    fail("there are more numbers than the element " + inQuotes(element.name) + " and its lists need");
+                if (element.name == "vertex")
+                    addVertex(values);
+                else if (element.name == "face")
+                    part_.addPolygon(corners_, mesh_.work);
+            }
+
+            double value(const Type &type)
+            {
+                if (isText_)
+                {
+                    const std::string_view word = text_.next();
+                    if (word.empty())
+                        fail("there are fewer numbers than the element and its lists need");
+                    return text_.toNumber(word);
+                }
+                if (rest_.size() < type.size)
+                    fail("it ends before the elements that the header speaks of, or within a list");
+                char bytes[sizeof(double)];
+                std::memcpy(bytes, rest_.data(), type.size);
+                if (isBigEndian_)
+                    std::reverse(bytes, bytes + type.size);
+                rest_.remove_prefix(type.size);
+                return type.convert(bytes);
+            }
+
+            std::uint32_t vertexAt(double index) const
+            {
+                if (!(index >= 0.0 && index < static_cast<double>(part_.size()) && index == std::floor(index)))
+                    fail("there is the index " + std::to_string(index) + " of one of " + std::to_string(part_.size()) +
+                         " vertices");
+                return static_cast<std::uint32_t>(index);
+            }
+
+            void addVertex(const double *values)
+            {
+                MeshPart::Vertex vertex{Eigen::Map<const Eigen::Vector3d>(values)};
+                if (!(vertex.point.cwiseAbs().maxCoeff() <= MOST_COORDINATE))
+                    fail("there is a vertex whose coordinates are not finite numbers of at most 1e9");
+                vertex.normal = Eigen::Map<const Eigen::Vector3d>(values + NORMAL).cast<float>();
+                vertex.texture.head<2>() = Eigen::Map<const Eigen::Vector2d>(values + TEXTURE).cast<float>();
+                part_.addVertex(vertex);
+            }
+
+            /** Complain about a line, or what is before a byte. */
+            [[noreturn]] void fail(const std::string &complaint) const
+            {
+                if (isText_)
+                    text_.fail(complaint);
+                throw std::runtime_error("byte " + std::to_string(content_.size() - rest_.size()) + ": " + complaint);
+            }
+
+            std::string_view content_, rest_;
+            MeshText text_;
+            MeshCollector &mesh_;
+            MeshPart part_;
+            std::vector<Element> elements_;
+            std::vector<std::uint32_t> corners_;
+            bool isText_{true}, isBigEndian_{false};
+        };
+    }
+
+    void readPly(std::string_view content, MeshCollector &mesh)
+    {
+        PlyReader(content, mesh).run();
+    }
+}
