@@ -2,10 +2,9 @@
 #include "MeshText.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/constants/constants.hpp>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <pugixml.hpp>
 #include <stdexcept>
 
@@ -13,62 +12,50 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::size_t MOST_NODES = 100000, MOST_LEVELS = 1000, MOST_CONTROLLERS = 3;
+        using Node = pugi::xml_node;
+        using Names = std::vector<std::string_view>;
+
+        constexpr std::size_t MOST_NODES = 100000, MOST_LEVELS = 1000;
+        const Names COUNTED{"triangles", "polylist", "polygons"},
+            UNCOUNTED{"tristrips", "trifans", "lines", "linestrips"};
+        constexpr const char *SEMANTICS[] = {"POSITION", "NORMAL", "TEXCOORD"};
+
+        bool isOneOf(const Names &names, std::string_view name)
+        {
+            return std::find(names.begin(), names.end(), name) != names.end();
+        }
+
+        std::string_view valueOf(const Node &node, const char *attribute)
+        {
+            return node.attribute(attribute).value();
+        }
 
         /** The values of a <source>, and how to find those of an index */
         struct Source
         {
             std::vector<double> values;
             std::size_t count, stride, offset, size;
-
-            Eigen::Vector3d at(std::size_t index) const
-            {
-                Eigen::Vector3d point = Eigen::Vector3d::Zero();
-                for (std::size_t i = 0; i < size; ++i)
-                    point[static_cast<Eigen::Index>(i)] = values[offset + index * stride + i];
-                return point;
-            }
         };
 
         /** A source, and which of the indices of a corner is of it */
         struct Input
         {
             const Source *source{nullptr};
-            std::size_t offset{0};
+            std::size_t offset{0}, set{0};
         };
 
-        struct Inputs
+        /** Those of each semantic */
+        using Inputs = std::array<Input, 3>;
+
+        /** A node whose parents have the frame */
+        struct Place
         {
-            Input position, normal, texture;
-            /** The lowest set of textures counts. */
-            std::size_t textureSet{std::numeric_limits<std::size_t>::max()};
-            /** The number of indices of each corner */
-            std::size_t stride{1};
+            Node node;
+            Eigen::Affine3d frame;
+            std::size_t level;
         };
 
-        using Elements = std::multimap<std::pair<std::string_view, std::string_view>, pugi::xml_node>;
-
-        /** Finds all elements that have some attribute, by their name and its value. */
-        class AttributeWalker : public pugi::xml_tree_walker
-        {
-        public:
-            AttributeWalker(const char *attribute, Elements &elements) : attribute_(attribute), elements_(elements)
-            {
-            }
-
-            bool for_each(pugi::xml_node &node) override
-            {
-                if (const pugi::xml_attribute attribute = node.attribute(attribute_))
-                    elements_.emplace(std::make_pair(node.name(), attribute.value()), node);
-                return true;
-            }
-
-        private:
-            const char *attribute_;
-            Elements &elements_;
-        };
-
-        class ColladaReader
+        class ColladaReader : private pugi::xml_tree_walker
         {
         public:
             ColladaReader(std::string_view content, MeshCollector &mesh) : content_(content), mesh_(mesh)
@@ -79,414 +66,348 @@ namespace ompl_certificates
             {
                 if (const auto result = document_.load_buffer(content_.data(), content_.size()); !result)
                     fail(result.offset, std::string("it is not XML: ") + result.description());
-                const pugi::xml_node root = document_.child("COLLADA");
+                const Node root = document_.child("COLLADA");
                 if (!root)
                     throw std::runtime_error("it has no element <COLLADA>");
-                AttributeWalker ids("id", ids_), names("name", names_);
-                document_.traverse(ids);
-                document_.traverse(names);
-                for (const pugi::xml_node &library : root.children("library_geometries"))
-                    for (const pugi::xml_node &geometry : library.children("geometry"))
-                        partsOf(geometry);
+                document_.traverse(*this);
                 const Eigen::Affine3d frame = frameOf(root.child("asset"));
-                if (const pugi::xml_node scene = sceneOf(root))
-                    return placeNodes(scene, frame);
-                for (auto &[geometry, parts] : parts_)
-                    for (MeshPart &part : parts)
-                        mesh_.add(part, frame);
+                const Node instance = root.child("scene").child("instance_visual_scene");
+                const Node scene = instance ? require(instance, "url", "visual_scene")
+                                            : root.child("library_visual_scenes").child("visual_scene");
+                // Without a scene the geometries are where they are.
+                for (const Node &library : root.children("library_geometries"))
+                    for (const Node &geometry : library.children("geometry"))
+                        for (MeshPart &part : partsOf(geometry))
+                            if (!scene)
+                                mesh_.add(part, frame);
+                if (scene)
+                    placeNodes(scene, frame);
             }
 
         private:
             [[noreturn]] void fail(std::ptrdiff_t offset, const std::string &complaint) const
             {
-                const auto end = std::min<std::size_t>(static_cast<std::size_t>(offset), content_.size());
-                const auto ends = std::count(content_.begin(), content_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-                throw std::runtime_error("line " + std::to_string(ends + 1) + ": " + complaint);
+                const std::string_view before = content_.substr(0, static_cast<std::size_t>(offset));
+                throw std::runtime_error("line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
+                                         ": " + complaint);
             }
 
-            [[noreturn]] void fail(const pugi::xml_node &element, const std::string &complaint) const
+            [[noreturn]] void fail(const Node &node, const std::string &complaint) const
             {
-                fail(element.offset_debug(), std::string("<") + element.name() + "> " + complaint);
+                fail(node.offset_debug(), std::string("<") + node.name() + "> " + complaint);
             }
 
-            /** The element of some name that an attribute refers to, if it is there */
-            pugi::xml_node find(const pugi::xml_node &from, const char *attribute, std::string_view name) const
+            bool for_each(Node &node) override
             {
-                const std::string_view url = from.attribute(attribute).value();
-                if (url.substr(0, 1) != "#")
+                if (node.attribute("id"))
+                    ids_.emplace(std::make_pair(node.name(), valueOf(node, "id")), node);
+                return true;
+            }
+
+            /** The element of that name whose id the attribute gives, if it is there */
+            Node find(const Node &from, const char *attribute, std::string_view name) const
+            {
+                const std::string_view url = valueOf(from, attribute);
+                const auto [first, last] = ids_.equal_range({name, url.substr(url.empty() ? 0 : 1)});
+                if (url.substr(0, 1) != "#" || first == last)
                     return {};
-                const auto [first, last] = ids_.equal_range({name, url.substr(1)});
-                if (first != last && std::next(first) != last)
-                    fail(from, "is of " + inQuotes(url) + ", and there are two <" + std::string(name) + "> of this id");
-                return first != last ? first->second : pugi::xml_node();
+                if (std::next(first) != last)
+                    fail(from, "is of " + inQuotes(url) + ", but there are two <" + std::string(name) + "> of that id");
+                return first->second;
             }
 
-            pugi::xml_node require(const pugi::xml_node &from, const char *attribute, std::string_view name) const
+            Node require(const Node &from, const char *attribute, const std::string &name) const
             {
-                const pugi::xml_node found = find(from, attribute, name);
+                const Node found = find(from, attribute, name);
                 if (!found)
-                    fail(from, "is of " + inQuotes(from.attribute(attribute).value()) + ", a <" + std::string(name) +
-                                   "> that is not there");
+                    fail(from,
+                         "is of the <" + name + "> " + inQuotes(valueOf(from, attribute)) + ", which is not there");
                 return found;
             }
 
-            std::size_t toWhole(const pugi::xml_node &element, std::string_view word, const std::string &what) const
+            std::size_t wholeAttribute(const Node &node, const std::string &name, std::size_t otherwise) const
             {
-                long long number;
-                // Whatever is counted takes a byte.
-                if (!parseWhole(word, number) || number < 0 || static_cast<std::size_t>(number) > content_.size())
-                    fail(element, "has the " + what + " " + inQuotes(word) + ", not a whole number that makes sense");
-                return static_cast<std::size_t>(number);
+                const pugi::xml_attribute attribute = node.attribute(name.c_str());
+                // What is counted takes a byte each.
+                if (attribute && (!parseNumber(attribute.value(), otherwise) || otherwise > content_.size()))
+                    fail(node, "has the " + name + " " + inQuotes(attribute.value()) + ", not a number that it can be");
+                return otherwise;
             }
 
-            std::size_t wholeAttribute(const pugi::xml_node &element, const char *name, std::size_t otherwise) const
+            template <typename Number>
+            std::vector<Number> numbersOf(const Node &node) const
             {
-                const pugi::xml_attribute attribute = element.attribute(name);
-                return attribute ? toWhole(element, attribute.value(), name) : otherwise;
-            }
-
-            template <typename Visit>
-            static void forEachWord(const pugi::xml_node &element, const Visit &visit)
-            {
-                for (const pugi::xml_node &child : element.children())
+                std::vector<Number> numbers;
+                for (const Node &child : node.children())
                     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
                         for (MeshText text(child.value()); text.nextLine();)
                             for (std::string_view word = text.next(); !word.empty(); word = text.next())
-                                visit(word);
-            }
-
-            std::vector<double> numbersOf(const pugi::xml_node &element) const
-            {
-                std::vector<double> numbers;
-                forEachWord(element,
-                            [&](std::string_view word)
-                            {
                                 if (!parseNumber(word, numbers.emplace_back()))
-                                    fail(element, "has " + inQuotes(word) + ", which is not a number");
-                            });
+                                    fail(node, "has " + inQuotes(word) + ", which is not a number for it");
                 return numbers;
             }
 
-            std::vector<std::size_t> wholesOf(const pugi::xml_node &element) const
+            /** What a geometry is made of, which is read once */
+            std::vector<MeshPart> &partsOf(const Node &geometry)
             {
-                std::vector<std::size_t> numbers;
-                forEachWord(element,
-                            [&](std::string_view word) { numbers.push_back(toWhole(element, word, "number")); });
-                return numbers;
+                const auto [entry, isNew] = parts_.try_emplace(geometry);
+                const Node mesh = geometry.child("mesh");
+                if (mesh.next_sibling("mesh") || mesh.child("vertices").next_sibling("vertices"))
+                    fail(geometry, "has several <mesh> or <vertices>");
+                for (const Node &primitive : mesh.children())
+                    if (isNew && (isOneOf(COUNTED, primitive.name()) || isOneOf(UNCOUNTED, primitive.name())))
+                        readPrimitive(primitive, entry->second);
+                return entry->second;
             }
 
-            const Source &sourceOf(const pugi::xml_node &input)
+            void readPrimitive(const Node &primitive, std::vector<MeshPart> &parts)
             {
-                const pugi::xml_node element = require(input, "source", "source");
+                Inputs inputs;
+                const std::size_t stride = primitive.child("p") ? readInputs(primitive, inputs) : 1;
+                MeshPart part;
+                part.hasNormals = inputs[1].source != nullptr;
+                std::size_t faces = 0;
+                for (const Node &list : primitive.children("p"))
+                    faces += addFaces(primitive, cornersOf(list, inputs, stride), part);
+                // Of strips and lines some programs state another count.
+                if (const std::size_t count = wholeAttribute(primitive, "count", 0);
+                    count != faces && isOneOf(COUNTED, primitive.name()))
+                    fail(primitive, "has " + std::to_string(faces) + " faces, not " + std::to_string(count));
+                if (!part.vertices.empty())
+                    parts.push_back(std::move(part));
+            }
+
+            /** \return the number of indices of each corner */
+            std::size_t readInputs(const Node &primitive, Inputs &inputs)
+            {
+                std::size_t stride = 1, vertices = 0;
+                for (const Node &input : primitive.children("input"))
+                {
+                    const std::size_t offset = wholeAttribute(input, "offset", 0);
+                    stride = std::max(stride, offset + 1);
+                    addInput(input, offset, inputs);
+                    if (valueOf(input, "semantic") != "VERTEX")
+                        continue;
+                    ++vertices;
+                    for (const Node &shared : require(input, "source", "vertices").children("input"))
+                        addInput(shared, offset, inputs);
+                }
+                if (vertices != 1 || !inputs[0].source)
+                    fail(primitive, "has not one input VERTEX of an input POSITION");
+                return stride;
+            }
+
+            /** Of several sets of textures the lowest counts. */
+            void addInput(const Node &input, std::size_t offset, Inputs &inputs)
+            {
+                const std::size_t set = wholeAttribute(input, "set", 0);
+                for (std::size_t i = 0; i < inputs.size(); ++i)
+                    if (valueOf(input, "semantic") == SEMANTICS[i])
+                    {
+                        if (i == 0 && inputs[0].source)
+                            fail(input, "is a second POSITION");
+                        if (!inputs[i].source || set < inputs[i].set)
+                            inputs[i] = {&sourceOf(input, i == 0), offset, set};
+                    }
+            }
+
+            const Source &sourceOf(const Node &input, bool isOfPoints)
+            {
+                const Node element = require(input, "source", "source"),
+                           accessor = element.child("technique_common").child("accessor");
+                std::string names;
+                std::size_t parameters = 0;
+                for (const Node &parameter : accessor.children("param"))
+                {
+                    names.append(valueOf(parameter, "name")).append(" ");
+                    ++parameters;
+                    if (valueOf(parameter, "type") == "float4x4")
+                        fail(accessor, "is of matrices");
+                }
+                if (isOfPoints && names.substr(0, 6) != "X Y Z ")
+                    fail(element, "is of positions without X, Y and Z");
                 const auto [entry, isNew] = sources_.try_emplace(element);
                 Source &source = entry->second;
                 if (!isNew)
                     return source;
-                const pugi::xml_node accessor = element.child("technique_common").child("accessor");
-                const pugi::xml_node array = require(accessor ? accessor : element, "source", "float_array");
-                source.values = numbersOf(array);
-                if (const std::size_t count = wholeAttribute(array, "count", 0); count != source.values.size())
-                    fail(array, "has " + std::to_string(source.values.size()) + " numbers, not " +
-                                    std::to_string(count));
-                source.count = wholeAttribute(accessor, "count", 0);
-                source.stride = wholeAttribute(accessor, "stride", 1);
-                source.offset = wholeAttribute(accessor, "offset", 0);
-                std::size_t parameters = 0;
-                std::string names;
-                for (const pugi::xml_node &parameter : accessor.children("param"))
-                {
-                    ++parameters;
-                    names.append(parameter.attribute("name").value()).append(" ");
-                    if (std::string_view(parameter.attribute("type").value()) == "float4x4")
-                        fail(accessor, "is of matrices");
-                }
-                source.size = std::min<std::size_t>(parameters, 3);
-                if (source.count > 0 && source.offset + (source.count - 1) * source.stride +
-                                                std::max<std::size_t>(parameters, 1) > source.values.size())
+                const Node array = require(accessor ? accessor : element, "source", "float_array");
+                source = {numbersOf<double>(array), wholeAttribute(accessor, "count", 0),
+                          wholeAttribute(accessor, "stride", 1), wholeAttribute(accessor, "offset", 0),
+                          std::min<std::size_t>(parameters, 3)};
+                if (wholeAttribute(array, "count", 0) != source.values.size())
+                    fail(array, "has " + std::to_string(source.values.size()) + " numbers, not its count");
+                const std::size_t last = source.offset + (source.count - 1) * source.stride + parameters;
+                if (source.count > 0 && last > source.values.size())
                     fail(accessor, "goes beyond the values of its <float_array>");
-                if (std::string_view(input.attribute("semantic").value()) == "POSITION" && names.rfind("X Y Z ", 0) != 0)
-                    fail(accessor, "is of positions without X, Y and Z");
                 return source;
             }
 
-            void addInput(const pugi::xml_node &input, std::size_t offset, Inputs &inputs)
+            std::vector<MeshPart::Vertex> cornersOf(const Node &list, const Inputs &inputs, std::size_t stride) const
             {
-                const std::string_view semantic = input.attribute("semantic").value();
-                if (semantic == "POSITION" && inputs.position.source)
-                    fail(input, "is a second POSITION");
-                if (semantic == "POSITION")
-                    inputs.position = {&sourceOf(input), offset};
-                if (semantic == "NORMAL" && !inputs.normal.source)
-                    inputs.normal = {&sourceOf(input), offset};
-                if (const std::size_t set = wholeAttribute(input, "set", 0);
-                    semantic == "TEXCOORD" && set < inputs.textureSet)
+                const auto indices = numbersOf<std::uint32_t>(list);
+                if (indices.size() % stride != 0)
+                    fail(list, "has " + std::to_string(indices.size()) + " numbers, for corners of " +
+                                   std::to_string(stride));
+                std::vector<MeshPart::Vertex> corners;
+                for (std::size_t i = 0; i < indices.size(); i += stride)
                 {
-                    inputs.texture = {&sourceOf(input), offset};
-                    inputs.textureSet = set;
-                }
-            }
-
-            Inputs inputsOf(const pugi::xml_node &primitive)
-            {
-                Inputs inputs;
-                std::size_t vertices = 0;
-                for (const pugi::xml_node &input : primitive.children("input"))
-                {
-                    const std::size_t offset = wholeAttribute(input, "offset", 0);
-                    inputs.stride = std::max(inputs.stride, offset + 1);
-                    if (std::string_view(input.attribute("semantic").value()) != "VERTEX")
-                    {
-                        addInput(input, offset, inputs);
-                        continue;
-                    }
-                    ++vertices;
-                    for (const pugi::xml_node &shared : require(input, "source", "vertices").children("input"))
-                        addInput(shared, offset, inputs);
-                }
-                if (vertices != 1 || !inputs.position.source)
-                    fail(primitive, "has not one input VERTEX with an input POSITION");
-                return inputs;
-            }
-
-            std::vector<MeshPart::Vertex> cornersOf(const pugi::xml_node &list, const Inputs &inputs) const
-            {
-                const std::vector<std::size_t> indices = wholesOf(list);
-                if (indices.size() % inputs.stride != 0)
-                    fail(list, "has " + std::to_string(indices.size()) + " numbers, but each corner has " +
-                                   std::to_string(inputs.stride));
-                std::vector<MeshPart::Vertex> corners(indices.size() / inputs.stride);
-                for (std::size_t i = 0; i < corners.size(); ++i)
-                {
-                    const auto at = [&](const Input &input) -> Eigen::Vector3d
-                    {
-                        if (!input.source)
-                            return Eigen::Vector3d::Zero();
-                        const std::size_t index = indices[i * inputs.stride + input.offset];
-                        if (index >= input.source->count)
-                            fail(list, "has the index " + std::to_string(index) + " of one of " +
-                                           std::to_string(input.source->count));
-                        return input.source->at(index);
-                    };
-                    corners[i] = {at(inputs.position), at(inputs.normal).cast<float>(), at(inputs.texture).cast<float>()};
-                    if (!(corners[i].point.cwiseAbs().maxCoeff() <= MOST_COORDINATE))
-                        fail(list, "has a vertex whose coordinates are not finite numbers of at most 1e9");
+                    Eigen::Matrix3d columns = Eigen::Matrix3d::Zero();
+                    for (std::size_t k = 0; k < inputs.size(); ++k)
+                        if (const Source *source = inputs[k].source)
+                        {
+                            const std::size_t index = indices[i + inputs[k].offset];
+                            if (index >= source->count)
+                                fail(list, "has the index " + std::to_string(index) + " of one of " +
+                                               std::to_string(source->count) + " in " + SEMANTICS[k]);
+                            std::copy_n(source->values.data() + source->offset + index * source->stride, source->size,
+                                        columns.col(static_cast<Eigen::Index>(k)).data());
+                        }
+                    if (!isPoint(columns.col(0)))
+                        fail(list, NO_POINT);
+                    corners.push_back({columns.col(0), columns.col(1).cast<float>(), columns.col(2).cast<float>()});
                 }
                 return corners;
             }
 
-            std::vector<MeshPart> &partsOf(const pugi::xml_node &geometry)
-            {
-                const auto [entry, isNew] = parts_.try_emplace(geometry);
-                const pugi::xml_node mesh = geometry.child("mesh");
-                if (isNew && (mesh.next_sibling("mesh") || mesh.child("vertices").next_sibling("vertices")))
-                    fail(geometry, "has several <mesh> or <vertices>");
-                if (isNew)
-                    for (const pugi::xml_node &primitive : mesh.children())
-                        for (const char *name : {"triangles", "polylist", "polygons", "tristrips", "trifans", "lines", "linestrips"})
-                            if (std::string_view(primitive.name()) == name)
-                                readPrimitive(primitive, entry->second);
-                return entry->second;
-            }
-
-            void readPrimitive(const pugi::xml_node &primitive, std::vector<MeshPart> &parts)
-            {
-                const std::string_view kind = primitive.name();
-                const Inputs inputs = primitive.child("p") ? inputsOf(primitive) : Inputs();
-                MeshPart part;
-                part.hasNormals = inputs.normal.source != nullptr;
-                std::size_t faces = 0;
-                for (const pugi::xml_node &list : primitive.children("p"))
-                    faces += addFaces(primitive, cornersOf(list, inputs), part);
-                // Of strips and lines some programs state another count.
-                if (const std::size_t count = wholeAttribute(primitive, "count", 0);
-                    count != faces && (kind == "triangles" || kind == "polylist" || kind == "polygons"))
-                    fail(primitive, "has " + std::to_string(faces) + " faces, not " + std::to_string(count));
-                if (part.size() > 0)
-                    parts.push_back(std::move(part));
-            }
-
             /** Add the faces of one <p>. \return their number */
-            std::size_t addFaces(const pugi::xml_node &primitive, const std::vector<MeshPart::Vertex> &corners,
-                                 MeshPart &part)
+            std::size_t addFaces(const Node &primitive, const std::vector<MeshPart::Vertex> &corners, MeshPart &part)
             {
                 const std::string_view kind = primitive.name();
-                const auto addFace = [&](const std::vector<std::size_t> &numbers)
+                std::vector<std::uint32_t> face, sizes;
+                std::size_t end = 0;
+                if (kind == "polylist")
+                    sizes = numbersOf<std::uint32_t>(primitive.child("vcount"));
+                else if (kind == "triangles")
+                    sizes.assign(corners.size() / 3, 3);
+                else if (kind == "polygons")
+                    sizes.assign(1, static_cast<std::uint32_t>(corners.size()));
+                for (const std::uint32_t size : sizes)
                 {
-                    std::vector<std::uint32_t> face;
-                    for (const std::size_t number : numbers)
-                        face.push_back(part.addVertex(corners[number]));
+                    face.clear();
+                    for (std::size_t last = end + size; end < last && end < corners.size(); ++end)
+                        face.push_back(part.add(corners[end]));
+                    if (face.size() < size)
+                        fail(primitive, "has fewer corners than its faces need");
                     part.addPolygon(face, mesh_.work);
-                };
+                }
+                if (isOneOf(COUNTED, kind) && end != corners.size())
+                    fail(primitive, "has more corners than its faces need");
                 if (kind == "lines" || kind == "linestrips")
                     for (const MeshPart::Vertex &corner : corners)
-                        part.use(part.addVertex(corner), MeshPart::LINE);
-                for (std::size_t i = 2; kind == "trifans" && i < corners.size(); ++i)
-                    addFace({0, i - 1, i});
-                for (std::size_t i = 2; kind == "tristrips" && i < corners.size(); ++i)
-                    addFace({i - 2 + i % 2, i - 1 - i % 2, i});
-                std::vector<std::size_t> sizes;
-                if (kind == "triangles")
-                    sizes.assign(corners.size() / 3, 3);
-                if (kind == "polylist")
-                    sizes = wholesOf(primitive.child("vcount"));
-                if (kind == "polygons")
-                    sizes.assign(1, corners.size());
-                std::size_t end = 0;
-                for (const std::size_t size : sizes)
-                {
-                    std::vector<std::size_t> numbers(std::min(size, corners.size() - end));
-                    std::iota(numbers.begin(), numbers.end(), end);
-                    addFace(numbers);
-                    if ((end += size) > corners.size())
-                        break;
-                }
-                if (!sizes.empty() && end != corners.size())
-                    fail(primitive, "has " + std::to_string(corners.size()) + " corners, other than its faces need");
+                        part.loose.push_back(part.add(corner));
+                else if (!isOneOf(COUNTED, kind))
+                    for (std::size_t i = 2; i < corners.size(); ++i)
+                    {
+                        const bool isFan = kind == "trifans";
+                        part.add(corners[isFan ? 0 : i - 2 + i % 2]);
+                        part.add(corners[isFan ? i - 1 : i - 1 - i % 2]);
+                        part.add(corners[i]);
+                        part.closeTriangle();
+                    }
                 return sizes.size();
             }
 
-            /** The scene that the file names, or else its first one, if it has any */
-            pugi::xml_node sceneOf(const pugi::xml_node &root) const
-            {
-                if (const pugi::xml_node instance = root.child("scene").child("instance_visual_scene"))
-                    return require(instance, "url", "visual_scene");
-                return root.child("library_visual_scenes").child("visual_scene");
-            }
-
             /** From the file's frame to meters, with the y axis up */
-            Eigen::Affine3d frameOf(const pugi::xml_node &asset) const
+            Eigen::Affine3d frameOf(const Node &asset) const
             {
-                Eigen::Affine3d frame = Eigen::Affine3d::Identity();
-                const pugi::xml_node unit = asset.child("unit"), axis = asset.child("up_axis");
-                if (const pugi::xml_attribute meter = unit.attribute("meter"))
-                {
-                    double scale;
-                    if (!parseNumber(meter.value(), scale) || !(scale > 0.0))
-                        fail(unit, "is of " + inQuotes(meter.value()) + " meters");
-                    frame.scale(scale);
-                }
-                std::string up = "Y_UP";
-                forEachWord(axis, [&up](std::string_view word) { up = word; });
-                const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
-                                      z = Eigen::Vector3d::UnitZ();
+                const Node unit = asset.child("unit"), axis = asset.child("up_axis");
+                double meters = 1.0;
+                if (unit.attribute("meter") && !(parseNumber(valueOf(unit, "meter"), meters) && meters > 0.0))
+                    fail(unit, "is of " + inQuotes(valueOf(unit, "meter")) + " meters");
+                const std::string text = axis ? axis.text().get() : "Y_UP";
+                const std::string up = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()), 4);
                 Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
                 if (up == "X_UP")
-                    rotation << y, -x, z;
+                    rotation << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
                 else if (up == "Z_UP")
-                    rotation << x, -z, y;
+                    rotation << 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0;
                 else if (up != "Y_UP")
-                    fail(axis, "is " + inQuotes(up));
-                return Eigen::Affine3d(frame.matrix() * Eigen::Affine3d(rotation).matrix());
+                    fail(axis, "is " + inQuotes(text));
+                Eigen::Affine3d frame = Eigen::Affine3d::Identity();
+                frame.linear() = meters * rotation;
+                return frame;
             }
 
-            Eigen::Affine3d transformOf(const pugi::xml_node &node) const
+            Eigen::Affine3d transformOf(const Node &node) const
             {
+                static const std::map<std::string_view, std::size_t> counts{
+                    {"matrix", 16}, {"rotate", 4}, {"scale", 3}, {"translate", 3}, {"skew", 0}, {"lookat", 0}};
                 Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-                for (const pugi::xml_node &step : node.children())
+                for (const Node &step : node.children())
                 {
-                    const std::string_view name = step.name();
-                    if (name == "skew" || name == "lookat")
-                        fail(step, "is not supported");
-                    const std::size_t count = name == "matrix" ? 16
-                                              : name == "rotate" ? 4
-                                              : name == "translate" || name == "scale" ? 3
-                                              : 0;
-                    if (count == 0)
+                    const auto count = counts.find(step.name());
+                    if (count == counts.end())
                         continue;
-                    const std::vector<double> numbers = numbersOf(step);
-                    if (numbers.size() != count)
-                        fail(step, "has " + std::to_string(numbers.size()) + " numbers, not " + std::to_string(count));
+                    if (count->second == 0)
+                        fail(step, "is not supported");
+                    const auto numbers = numbersOf<double>(step);
+                    if (numbers.size() != count->second)
+                        fail(step, "has " + std::to_string(numbers.size()) + " numbers, not " +
+                                       std::to_string(count->second));
                     const Eigen::Vector3d first(numbers.data());
-                    if (name == "matrix")
-                        transform = transform * Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
-                    else if (name == "translate")
+                    if (count->first == "matrix")
+                        transform =
+                            transform * Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
+                    else if (count->first == "translate")
                         transform.translate(first);
-                    else if (name == "scale")
+                    else if (count->first == "scale")
                         transform.scale(first);
-                    else if (!first.isZero(0.0))
+                    else if (first.norm() > 0.0)
                         transform.rotate(Eigen::AngleAxisd(numbers[3] * boost::math::constants::degree<double>(),
                                                            first.normalized()));
                 }
                 return transform;
             }
 
-            struct Place
-            {
-                pugi::xml_node node;
-                Eigen::Affine3d frame;
-                std::size_t level;
-            };
-
-            /** The order is Assimp's: of the nodes below a node the last one comes first. */
-            void placeNodes(const pugi::xml_node &scene, const Eigen::Affine3d &frame)
+            /** In the order of Assimp: of the nodes below a node the last one comes first. */
+            void placeNodes(const Node &scene, const Eigen::Affine3d &frame)
             {
                 std::vector<Place> open{{scene, frame, 0}};
-                std::size_t count = 0;
-                const auto countOne = [&](const pugi::xml_node &node)
-                {
-                    if (++count > MOST_NODES)
-                        fail(node, "makes more than " + std::to_string(MOST_NODES) + " nodes and geometries");
-                };
-                while (!open.empty())
+                for (std::size_t count = 0; !open.empty();)
                 {
                     const auto [node, parent, level] = open.back();
                     open.pop_back();
                     if (level > MOST_LEVELS)
-                        fail(node, "is nested in more than " + std::to_string(MOST_LEVELS) +
-                                       " levels, or an instance of itself");
+                        fail(node, "is nested in more than " + std::to_string(MOST_LEVELS) + " levels, or in a ring");
                     const Eigen::Affine3d transform = parent * transformOf(node);
-                    for (const char *name : {"instance_geometry", "instance_controller"})
-                        for (const pugi::xml_node &instance : node.children(name))
+                    for (const std::string name : {"instance_geometry", "instance_controller", "node", "instance_node"})
+                        for (const Node &child : node.children(name.c_str()))
                         {
-                            countOne(instance);
-                            for (MeshPart &part : partsOf(geometryOf(instance)))
-                                mesh_.add(part, transform);
-                        }
-                    for (const char *name : {"node", "instance_node"})
-                        for (const pugi::xml_node &child : node.children(name))
-                        {
-                            countOne(child);
-                            open.push_back({name[0] == 'n' ? child : nodeOf(child), transform, level + 1});
+                            if (++count > MOST_NODES)
+                                fail(child, "is one of more than " + std::to_string(MOST_NODES));
+                            if (name == "node" || name == "instance_node")
+                                open.push_back({name == "node" ? child : nodeOf(child), transform, level + 1});
+                            else
+                                for (MeshPart &part : partsOf(geometryOf(child)))
+                                    mesh_.add(part, transform);
                         }
                 }
             }
 
-            /** A node may be named by its id or, in some files, by its name. */
-            pugi::xml_node nodeOf(const pugi::xml_node &instance) const
+            /** Scenes are nodes as well. */
+            Node nodeOf(const Node &instance) const
             {
-                for (const char *name : {"node", "visual_scene"})
-                    if (const pugi::xml_node node = find(instance, "url", name))
-                        return node;
-                const std::string_view url = instance.attribute("url").value();
-                const auto named = names_.find({"node", url.substr(url.empty() ? 0 : 1)});
-                return named != names_.end() ? named->second : require(instance, "url", "node");
+                const Node scene = find(instance, "url", "visual_scene");
+                return scene ? scene : require(instance, "url", "node");
             }
 
-            /** The geometry of an instance, or what its skin or morph is made of */
-            pugi::xml_node geometryOf(const pugi::xml_node &instance) const
+            /** The geometry of an instance, which may be that of a skin, or of the skin of a morph */
+            Node geometryOf(const Node &instance) const
             {
-                pugi::xml_node from = instance;
-                const char *attribute = "url";
-                for (std::size_t i = 0; i < MOST_CONTROLLERS; ++i)
-                {
-                    if (const pugi::xml_node geometry = find(from, attribute, "geometry"))
-                        return geometry;
-                    const pugi::xml_node controller = find(from, attribute, "controller");
-                    if (!controller)
-                        break;
-                    from = controller.child("skin") ? controller.child("skin") : controller.child("morph");
-                    attribute = "source";
-                }
-                return require(from, attribute, "geometry");
+                Node from = instance;
+                for (const char *attribute : {"url", "source"})
+                    if (const Node controller = find(from, attribute, "controller"))
+                        from = controller.child("skin") ? controller.child("skin") : controller.child("morph");
+                return require(from, from == instance ? "url" : "source", "geometry");
             }
 
             std::string_view content_;
             MeshCollector &mesh_;
             pugi::xml_document document_;
-            /** The elements by their name and id, or their name and name */
-            Elements ids_, names_;
-            std::map<pugi::xml_node, Source> sources_;
-            std::map<pugi::xml_node, std::vector<MeshPart>> parts_;
+            /** The elements by their names and ids */
+            std::multimap<std::pair<std::string_view, std::string_view>, Node> ids_;
+            std::map<Node, Source> sources_;
+            std::map<Node, std::vector<MeshPart>> parts_;
         };
     }
 

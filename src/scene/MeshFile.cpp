@@ -1,13 +1,11 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include "MeshReaders.h"
+#include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <ompl/util/Exception.h>
 
@@ -17,11 +15,7 @@ namespace ompl_certificates
 
     namespace
     {
-        struct Kind
-        {
-            void (*read)(std::string_view content, MeshCollector &mesh);
-            std::uintmax_t mostMegabytes;
-        };
+        constexpr std::uintmax_t MOST_BYTES = 512U << 20U;
 
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
         {
@@ -32,44 +26,24 @@ namespace ompl_certificates
             throw ompl::Exception(file.empty() ? "''" : file, line);
         }
 
+        using Reader = void (*)(std::string_view content, MeshCollector &mesh);
+
         /** By the extension of the name of a file that may be a mesh */
-        const Kind &kindOf(const std::string &file)
+        Reader readerOf(const std::string &file)
         {
-            static const std::map<std::string, Kind> kinds{
-                {".dae", {readCollada, 128}}, {".stl", {readStl, 512}}, {".obj", {readObj, 512}}, {".ply", {readPly, 512}}};
-            std::error_code error;
-            if (fs::is_directory(file, error))
-                fail(file, "is a directory, not a mesh");
+            static const std::map<std::string, Reader> readers{
+                {".dae", readCollada}, {".stl", readStl}, {".obj", readObj}, {".ply", readPly}};
             std::string extension = fs::path(file).extension().string();
             std::transform(extension.begin(), extension.end(), extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            const auto found = kinds.find(extension);
-            if (found == kinds.end())
-                fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");
-            return found->second;
-        }
-
-        std::string readContent(const std::string &file, std::uintmax_t mostMegabytes)
-        {
-            errno = 0;
             std::error_code error;
+            const auto found = readers.find(extension);
+            if (found == readers.end() && !fs::is_directory(file, error))
+                fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");
             // Opening a pipe would wait for who writes to it.
-            if (fs::exists(file, error) && !fs::is_regular_file(file, error))
+            if (found == readers.end() || (fs::exists(file, error) && !fs::is_regular_file(file, error)))
                 fail(file, "is not a regular file");
-            std::ifstream stream(file, std::ios::binary);
-            if (!stream)
-                fail(file,
-                     std::string("cannot be read") + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-            const std::uintmax_t bytes = fs::file_size(file, error);
-            if (error)
-                fail(file, "is not a regular file");
-            if (bytes > mostMegabytes << 20U)
-                fail(file, "is larger than " + std::to_string(mostMegabytes) + " MB");
-            if (bytes == 0)
-                fail(file, "is empty");
-            std::string content(bytes, ' ');
-            stream.read(content.data(), static_cast<std::streamsize>(bytes));
-            return content;
+            return found->second;
         }
 
         Body makeBody(unsigned int dimension, TriangleMeshPtr mesh)
@@ -80,12 +54,14 @@ namespace ompl_certificates
 
     MeshFile::MeshFile(const std::string &file) : name_(file)
     {
-        const Kind &kind = kindOf(file);
-        const std::string content = readContent(file, kind.mostMegabytes);
+        const Reader read = readerOf(file);
+        const std::string content = readTextFile(file, MOST_BYTES);
+        if (content.empty())
+            fail(file, "is empty");
         try
         {
             MeshCollector mesh;
-            kind.read(content, mesh);
+            read(content, mesh);
             mean_ = mesh.getMean();
             mesh_ = mesh.takeMesh();
         }

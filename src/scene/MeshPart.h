@@ -11,27 +11,30 @@
 
 namespace ompl_certificates
 {
-    /** \brief The most triangles that a file of meshes may have, and the most corners of its polygons */
-    constexpr std::size_t MOST_TRIANGLES = 5000000, MOST_CORNERS = 3 * MOST_TRIANGLES;
+    /** \brief Whether a file of meshes may have such a point: its coordinates are finite numbers of at most 1e9 */
+    inline bool isPoint(const Eigen::Vector3d &point)
+    {
+        return (point.array().abs() <= 1e9).all();
+    }
 
-    /** \brief The largest coordinate that a file of meshes may have */
-    constexpr double MOST_COORDINATE = 1e9;
+    /** \brief What is wrong with a file that has other points */
+    constexpr const char *NO_POINT = "a vertex has a coordinate that is not a finite number of at most 1e9";
 
     /** \brief A hash of a point, the same for equal ones */
     struct PointHash
     {
-        template <typename T>
-        std::size_t operator()(const std::array<T, 3> &point) const
+        template <typename Number>
+        std::size_t operator()(const std::array<Number, 3> &point) const
         {
             std::size_t hash = 0;
-            for (const T coordinate : point)
-                hash = (hash ^ std::hash<T>()(coordinate)) * 0x9E3779B97F4A7C15U;
+            for (const Number coordinate : point)
+                hash = (hash ^ std::hash<Number>()(coordinate)) * 0x9E3779B97F4A7C15U;
             return hash ^ hash >> 32U;
         }
     };
 
     /** \brief A part of a mesh file that has vertices of its own: an OBJ group, the solid of an STL file, or a primitive
-        of COLLADA. Its polygons are cut into triangles. */
+        of COLLADA */
     class MeshPart
     {
     public:
@@ -43,51 +46,28 @@ namespace ompl_certificates
             Eigen::Vector3f texture{Eigen::Vector3f::Zero()};
         };
 
-        /** \brief What the primitives of a vertex are */
-        enum Kind : unsigned char
-        {
-            POINT = 1,
-            LINE = 2,
-            TRIANGLE = 4
-        };
-
         /** \brief Whether normals are given. Otherwise each triangle gives its own to its vertices. */
         bool hasNormals{false};
 
-        /** \brief Add a vertex, and return its number. */
-        std::uint32_t addVertex(const Vertex &vertex);
+        /** \brief All vertices */
+        std::vector<Vertex> vertices;
 
-        /** \brief Add a triangle between vertices. */
-        void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+        /** \brief Their triangles */
+        std::vector<TriangleMesh::Triangle> triangles;
 
-        /** \brief Add a polygon between vertices, which may be concave; with two or one it is a line or a point.
+        /** \brief The vertices of lines and points */
+        std::vector<std::uint32_t> loose;
+
+        /** \brief Add a vertex. \return its number */
+        std::uint32_t add(const Vertex &vertex);
+
+        /** \brief Add a triangle between the last three vertices. */
+        void closeTriangle();
+
+        /** \brief Add a polygon, which may be concave, cut into triangles; with two corners or one it is a line or a point.
             \param work counts the steps of cutting polygons in the whole file
             \throws std::runtime_error if polygons need too many steps */
         void addPolygon(const std::vector<std::uint32_t> &corners, std::size_t &work);
-
-        /** \brief Say what \e vertex is used for, other than as a corner of a polygon. */
-        void use(std::uint32_t vertex, Kind kind)
-        {
-            kinds_[vertex] |= kind;
-        }
-
-        /** \brief The number of vertices */
-        std::size_t size() const
-        {
-            return vertices_.size();
-        }
-
-        /** \brief A vertex's place */
-        const Eigen::Vector3d &getPoint(std::uint32_t vertex) const
-        {
-            return vertices_[vertex].point;
-        }
-
-        /** \brief The triangles between the vertices */
-        const std::vector<TriangleMesh::Triangle> &getTriangles() const
-        {
-            return triangles_;
-        }
 
         /** \brief The vertices that Assimp, whose mean OMPL.app takes, keeps after joining equal ones: those at one place,
             as floats, whose normals and textures are nearly the same. Asked for once all is added. */
@@ -95,12 +75,8 @@ namespace ompl_certificates
 
     private:
         void makeNormals();
-        void addDistinct(Kind kind);
+        void addDistinct(const std::vector<std::uint32_t> &used, bool comparesNormals);
 
-        std::vector<Vertex> vertices_;
-        /** For each vertex a sum of kinds */
-        std::vector<unsigned char> kinds_;
-        std::vector<TriangleMesh::Triangle> triangles_;
         std::vector<std::uint32_t> distinct_;
     };
 
@@ -109,7 +85,7 @@ namespace ompl_certificates
     {
     public:
         /** \brief Add \e part, moved by \e transform.
-            \throws std::runtime_error if a coordinate is too large, or if there are too many vertices or triangles */
+            \throws std::runtime_error if a coordinate becomes too large, or if there is too much */
         void add(MeshPart &part, const Eigen::Affine3d &transform = Eigen::Affine3d::Identity());
 
         /** \brief All triangles; equal vertices are one. Once, at the end.

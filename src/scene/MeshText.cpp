@@ -3,8 +3,6 @@
 #include "MeshPart.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 
 namespace ompl_certificates
@@ -16,15 +14,6 @@ namespace ompl_certificates
         bool isBlank(char c)
         {
             return c == ' ' || (c >= '\t' && c <= '\r');
-        }
-
-        template <typename Number>
-        bool parse(std::string_view word, Number &number)
-        {
-            if (word.size() > 1 && word[0] == '+' && word[1] != '-')
-                word.remove_prefix(1);
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-            return error == std::errc() && end == word.data() + word.size();
         }
     }
 
@@ -62,8 +51,8 @@ namespace ompl_certificates
             auto end = std::find_if(begin, line_.end(), isBlank);
             if (isObj_ && end == line_.end() && end != begin && end[-1] == '\\')
                 --end;
-            std::string_view word = line_.substr(static_cast<std::size_t>(begin - line_.begin()),
-                                                       static_cast<std::size_t>(end - begin));
+            std::string_view word =
+                line_.substr(static_cast<std::size_t>(begin - line_.begin()), static_cast<std::size_t>(end - begin));
             line_.remove_prefix(static_cast<std::size_t>(end - line_.begin()));
             if (const std::size_t comment = word.find('#'); isObj_ && comment != std::string_view::npos)
             {
@@ -87,39 +76,21 @@ namespace ompl_certificates
         return number;
     }
 
-    double MeshText::toCoordinate(std::string_view word) const
-    {
-        const double number = toNumber(word);
-        if (!(std::abs(number) <= MOST_COORDINATE))
-            fail("there is the coordinate " + inQuotes(word) + ", not a finite number of at most 1e9");
-        return number;
-    }
-
     Eigen::Vector3d MeshText::point()
     {
         Eigen::Vector3d point;
         for (double &coordinate : point)
-            coordinate = toCoordinate(next());
+        {
+            const std::string_view word = next();
+            coordinate = toNumber(word);
+            if (!isPoint(Eigen::Vector3d::Constant(coordinate)))
+                fail("there is " + inQuotes(word) + ", not a finite number of at most 1e9");
+        }
         return point;
     }
 
     void MeshText::fail(const std::string &complaint) const
     {
         throw std::runtime_error("line " + std::to_string(number_) + ": " + complaint);
-    }
-
-    bool parseNumber(std::string_view word, double &number)
-    {
-        return parse(word, number);
-    }
-
-    bool parseWhole(std::string_view word, long long &number)
-    {
-        return parse(word, number);
-    }
-
-    std::string inQuotes(std::string_view word)
-    {
-        return "'" + std::string(word.substr(0, 30)) + "'";
     }
 }

@@ -2,13 +2,13 @@
 #define OMPL_CERTIFICATES_SCENE_MESH_TEXT_
 
 #include <Eigen/Core>
-#include <cstddef>
+#include <charconv>
 #include <string>
 #include <string_view>
 
 namespace ompl_certificates
 {
-    /** \brief The words of a mesh file, line by line. Errors are std::runtime_errors that name the line. */
+    /** \brief The words of a mesh file, line by line */
     class MeshText
     {
     public:
@@ -33,16 +33,16 @@ namespace ompl_certificates
             return rest_;
         }
 
-        /** \brief A word as a number, which may be infinite or none, as in normals */
+        /** \brief A word as a number, which may be infinite or none, as in normals
+            \throws std::runtime_error that names the line if it is not one */
         double toNumber(std::string_view word) const;
 
-        /** \brief A word as a coordinate: a number whose magnitude is at most MOST_COORDINATE */
-        double toCoordinate(std::string_view word) const;
-
-        /** \brief The next three words as coordinates */
+        /** \brief The next three words as coordinates
+            \throws std::runtime_error that names the line if they are no numbers, or no coordinates */
         Eigen::Vector3d point();
 
-        /** \brief Complain about the line. */
+        /** \brief Complain about the line.
+            \throws std::runtime_error always */
         [[noreturn]] void fail(const std::string &complaint) const;
 
     private:
@@ -51,16 +51,21 @@ namespace ompl_certificates
         bool isObj_;
     };
 
-    /** \brief A word as a number, which may be infinite or none
-        \return whether it is one */
-    bool parseNumber(std::string_view word, double &number);
-
-    /** \brief A word as a whole number, which may have a sign
-        \return whether it is one */
-    bool parseWhole(std::string_view word, long long &number);
+    /** \brief Read \e word, which may begin with a plus. \return whether it is a number */
+    template <typename Number>
+    bool parseNumber(std::string_view word, Number &number)
+    {
+        if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+            word.remove_prefix(1);
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        return error == std::errc() && end == word.data() + word.size();
+    }
 
     /** \brief \e word in quotes, cut off if it is long */
-    std::string inQuotes(std::string_view word);
+    inline std::string inQuotes(std::string_view word)
+    {
+        return "'" + std::string(word.substr(0, 30)) + "'";
+    }
 }
 
 #endif

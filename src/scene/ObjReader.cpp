@@ -53,8 +53,8 @@ namespace ompl_certificates
                     text_.fail("a vertex has " + std::to_string(3 + more) + " numbers");
                 if (more == 1)
                     point /= last;
-                if (!(point.cwiseAbs().maxCoeff() <= MOST_COORDINATE))
-                    text_.fail("a vertex has a weight that makes it infinite or too large");
+                if (!isPoint(point))
+                    text_.fail(NO_POINT);
                 points_.push_back(point);
             }
 
@@ -73,12 +73,11 @@ namespace ompl_certificates
             {
                 corners_.clear();
                 for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
-                    corners_.push_back(part_.addVertex(vertex(word)));
+                    corners_.push_back(part_.add(vertex(word)));
                 if (keyword == 'f')
                     part_.addPolygon(corners_, mesh_.work);
                 else
-                    for (const std::uint32_t corner : corners_)
-                        part_.use(corner, keyword == 'l' ? MeshPart::LINE : MeshPart::POINT);
+                    part_.loose.insert(part_.loose.end(), corners_.begin(), corners_.end());
             }
 
             /** A corner: the indices of vertex, texture and normal, as 1, 1/2, 1//3 or 1/2/3 */
@@ -115,33 +114,29 @@ namespace ompl_certificates
             std::size_t index(std::string_view word, std::size_t count) const
             {
                 long long number;
-                if (!parseWhole(word, number))
+                if (!parseNumber(word, number))
                     text_.fail("there is " + inQuotes(word) + ", not the index of a vertex");
                 return static_cast<std::size_t>(number < 0 ? static_cast<long long>(count) + number : number - 1);
             }
 
-            /** When vertices are no longer joined with those before */
+            /** A new part begins where vertices are no longer joined with those before: with a new object, another group, or
+                another material than faces had before. */
             void changePart(std::string_view keyword, const std::string &name)
             {
-                if (keyword == "o")
+                bool isNew = keyword == "o" && objects_.insert(name).second;
+                if (keyword == "g" && name != group_)
                 {
-                    if (objects_.insert(name).second)
-                        beginPart();
-                    return;
+                    isNew = true;
+                    objects_.insert(group_ = name);
                 }
-                std::string &current = keyword == "g" ? group_ : material_;
-                if (current == name)
+                if (keyword == "usemtl" && name != material_)
+                {
+                    isNew = hasMaterial_;
+                    hasMaterial_ = true;
+                    material_ = name;
+                }
+                if (!isNew)
                     return;
-                current = name;
-                if (keyword == "g")
-                    objects_.insert(name);
-                if (keyword == "g" || hasMaterial_)
-                    beginPart();
-                hasMaterial_ = !material_.empty();
-            }
-
-            void beginPart()
-            {
                 mesh_.add(part_);
                 part_ = MeshPart();
                 hasMaterial_ = !material_.empty();

@@ -21,7 +21,8 @@ namespace ompl_certificates
         template <typename Number>
         Type typeOf()
         {
-            return {sizeof(Number), std::is_integral_v<Number>, [](const char *bytes)
+            return {sizeof(Number), std::is_integral_v<Number>,
+                    [](const char *bytes)
                     {
                         Number number;
                         std::memcpy(&number, bytes, sizeof(number));
@@ -40,34 +41,9 @@ namespace ompl_certificates
             {"double", typeOf<double>()},        {"float64", typeOf<double>()},
         };
 
-        /** What a property is for: the numbers of a vertex, the vertices of a face, or nothing */
-        enum Use : std::size_t
-        {
-            X,
-            Y,
-            Z,
-            NORMAL,
-            TEXTURE = NORMAL + 3,
-            INDICES = TEXTURE + 2,
-            NOTHING
-        };
-
-        const std::map<std::string, std::size_t> USES{
-            {"vertex x", X},
-            {"vertex y", Y},
-            {"vertex z", Z},
-            {"vertex nx", NORMAL},
-            {"vertex ny", NORMAL + 1},
-            {"vertex nz", NORMAL + 2},
-            {"vertex s", TEXTURE},
-            {"vertex t", TEXTURE + 1},
-            {"vertex u", TEXTURE},
-            {"vertex v", TEXTURE + 1},
-            {"vertex texture_u", TEXTURE},
-            {"vertex texture_v", TEXTURE + 1},
-            {"face vertex_indices", INDICES},
-            {"face vertex_index", INDICES},
-        };
+        /** The properties of vertices that count. In a face the list of its vertices does; all others are for nothing. */
+        const std::vector<std::string> USES{"x", "y", "z", "nx", "ny", "nz", "s", "t", "u", "v"};
+        constexpr std::size_t NORMAL = 3, TEXTURE = 6, INDICES = 10, NOTHING = 11;
 
         struct Property
         {
@@ -112,18 +88,18 @@ namespace ompl_certificates
         private:
             void readHeader()
             {
-                text_.nextLine();
-                if (const std::string_view word = text_.next(); word != "ply" && word != "PLY")
-                    text_.fail("there is " + inQuotes(word) + ", not 'ply'");
-                std::string format;
-                for (std::vector<std::string> words; words != std::vector<std::string>{"end_header"};)
+                std::string format, order;
+                std::vector<std::string> words;
+                for (bool isFirst = true; isFirst || words.empty() || words[0] != "end_header"; isFirst = false)
                 {
                     if (!text_.nextLine())
                         text_.fail("the header has no line 'end_header'");
                     words.clear();
                     for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
                         words.emplace_back(word);
-                    if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+                    if (isFirst && (words.size() != 1 || (words[0] != "ply" && words[0] != "PLY")))
+                        text_.fail("the first line is not 'ply'");
+                    if (isFirst || words.empty() || words[0] == "comment" || words[0] == "obj_info")
                         continue;
                     if (words[0] == "format" && words.size() == 3 && format.empty())
                         format = words[1];
@@ -139,20 +115,31 @@ namespace ompl_certificates
                 if (!isText_ && !isBigEndian_ && format != "binary_little_endian")
                     text_.fail("the format is " + inQuotes(format) +
                                ", neither ascii nor binary_little_endian nor binary_big_endian");
-                checkElements();
+                for (const Element &element : elements_)
+                {
+                    if (element.name == "vertex" || element.name == "face")
+                        order += element.name + " ";
+                    if (element.name == "vertex" && !(element.has(0) && element.has(1) && element.has(2)))
+                        text_.fail("the element 'vertex' has not the properties 'x', 'y' and 'z'");
+                    if (element.name == "face" && !element.has(INDICES))
+                        text_.fail("the element 'face' has no list 'vertex_indices'");
+                    part_.hasNormals = part_.hasNormals || element.has(NORMAL);
+                }
+                if (order != "vertex face ")
+                    text_.fail("there is not one element 'vertex', and then one 'face'");
                 rest_ = text_.getRest();
             }
 
             void addElement(const std::string &name, const std::string &count)
             {
-                long long number;
+                std::size_t number;
                 // Each takes at least a byte.
-                if (!parseWhole(count, number) || number < 0 || static_cast<std::size_t>(number) > content_.size())
-                    text_.fail("it says that it has " + inQuotes(count) + " of " + inQuotes(name) + ", in " +
+                if (!parseNumber(count, number) || number > content_.size())
+                    text_.fail("there are said to be " + inQuotes(count) + " of " + inQuotes(name) + ", in " +
                                std::to_string(content_.size()) + " bytes");
                 if (name == "tristrips" && number > 0)
-                    text_.fail("there are triangle strips, which are not supported: it needs faces");
-                elements_.push_back({name, static_cast<std::size_t>(number), {}});
+                    text_.fail("there are triangle strips, which are not supported");
+                elements_.push_back({name, number, {}});
             }
 
             Property propertyOf(const std::vector<std::string> &words, const Element &element) const
@@ -160,46 +147,25 @@ namespace ompl_certificates
                 const bool isList = words.size() == 5 && words[1] == "list";
                 if (words.size() != 3 && !isList)
                     text_.fail("there is a property that is neither a value nor a list");
-                const auto typeNamed = [this](const std::string &name)
-                {
-                    const auto found = TYPES.find(name);
-                    if (found == TYPES.end())
-                        text_.fail("there is a property of type " + inQuotes(name));
-                    return found->second;
-                };
-                const auto use = USES.find(element.name + " " + words.back());
-                const Property property{typeNamed(words[words.size() - 2]), isList ? typeNamed(words[2]) : Type(),
-                                        use == USES.end() ? NOTHING : use->second};
+                const std::string &type = words[words.size() - 2], &length = isList ? words[2] : type;
+                if (TYPES.count(type) == 0 || TYPES.count(length) == 0)
+                    text_.fail("there is a property of type " + inQuotes(TYPES.count(type) == 0 ? type : length));
+                Property property{TYPES.at(type), isList ? TYPES.at(length) : Type(), NOTHING};
                 if (isList && !property.lengthType.isInteger)
-                    text_.fail("there is a list whose length is no whole number but a " + words[2]);
+                    text_.fail("there is a list whose length is no whole number but a " + length);
+                const auto use = std::find(USES.begin(), USES.end(), words.back());
+                if (element.name == "vertex" && use != USES.end())
+                    property.use = static_cast<std::size_t>(use - USES.begin());
+                if (element.name == "face" && (words.back() == "vertex_indices" || words.back() == "vertex_index"))
+                    property.use = INDICES;
                 if (property.use == NOTHING)
                     return property;
                 if (isList != (property.use == INDICES) || (isList && !property.type.isInteger))
-                    text_.fail("the property " + inQuotes(words.back()) + " is not a " +
+                    text_.fail("the property " + inQuotes(words.back()) + " is no " +
                                (property.use == INDICES ? "list of whole numbers" : "number"));
                 if (element.has(property.use))
                     text_.fail("there is a second property " + inQuotes(words.back()));
                 return property;
-            }
-
-            /** One element of vertices, then one of faces between them */
-            void checkElements()
-            {
-                std::string order;
-                for (const Element &element : elements_)
-                    if (element.name == "vertex" || element.name == "face")
-                        order += element.name + " ";
-                if (order != "vertex face ")
-                    text_.fail("there is not one element 'vertex', and then one 'face'");
-                for (const Element &element : elements_)
-                {
-                    if (element.name == "vertex" && !(element.has(X) && element.has(Y) && element.has(Z)))
-                        text_.fail("the element 'vertex' has not the properties 'x', 'y' and 'z'");
-                    if (element.name == "face" && !element.has(INDICES))
-                        text_.fail("the element 'face' has no list 'vertex_indices'");
-                    if (element.name == "vertex")
-                        part_.hasNormals = element.has(NORMAL);
-                }
             }
 
             /** Go to the next line that is not empty. \return whether there is one */
@@ -216,27 +182,35 @@ namespace ompl_certificates
                 if (isText_ && !nextFullLine())
                     fail("it ends before the last " + inQuotes(element.name));
                 double values[NOTHING + 1] = {};
-                corners_.clear();
+                std::vector<std::uint32_t> corners;
                 for (const Property &property : element.properties)
                 {
-                    double count = 1.0;
-                    if (property.lengthType.size > 0)
-                        count = value(property.lengthType);
+                    double count = property.lengthType.size > 0 ? value(property.lengthType) : 1.0;
                     if (!(count >= 0.0 && count == std::floor(count)))
                         fail("there is a list of length " + std::to_string(count));
                     for (; count > 0.0; --count)
                     {
-                        values[property.use] = value(property.type);
-                        if (property.use == INDICES)
-                            corners_.push_back(vertexAt(values[INDICES]));
+                        const double index = values[property.use] = value(property.type);
+                        if (property.use != INDICES)
+                            continue;
+                        if (!(index >= 0.0 && index < static_cast<double>(part_.vertices.size()) &&
+                              index == std::floor(index)))
+                            fail("there is the index " + std::to_string(index) + " of one of " +
+                                 std::to_string(part_.vertices.size()) + " vertices");
+                        corners.push_back(static_cast<std::uint32_t>(index));
                     }
                 }
                 if (isText_ && !text_.next().empty())
                     fail("there are more numbers than the element " + inQuotes(element.name) + " and its lists need");
-                if (element.name == "vertex")
-                    addVertex(values);
-                else if (element.name == "face")
-                    part_.addPolygon(corners_, mesh_.work);
+                if (element.name == "face")
+                    part_.addPolygon(corners, mesh_.work);
+                if (element.name != "vertex")
+                    return;
+                const Eigen::Vector3d point(values), normal(values + NORMAL),
+                    texture(values[TEXTURE] + values[TEXTURE + 2], values[TEXTURE + 1] + values[TEXTURE + 3], 0.0);
+                if (!isPoint(point))
+                    fail(NO_POINT);
+                part_.add({point, normal.cast<float>(), texture.cast<float>()});
             }
 
             double value(const Type &type)
@@ -258,24 +232,6 @@ namespace ompl_certificates
                 return type.convert(bytes);
             }
 
-            std::uint32_t vertexAt(double index) const
-            {
-                if (!(index >= 0.0 && index < static_cast<double>(part_.size()) && index == std::floor(index)))
-                    fail("there is the index " + std::to_string(index) + " of one of " + std::to_string(part_.size()) +
-                         " vertices");
-                return static_cast<std::uint32_t>(index);
-            }
-
-            void addVertex(const double *values)
-            {
-                MeshPart::Vertex vertex{Eigen::Map<const Eigen::Vector3d>(values)};
-                if (!(vertex.point.cwiseAbs().maxCoeff() <= MOST_COORDINATE))
-                    fail("there is a vertex whose coordinates are not finite numbers of at most 1e9");
-                vertex.normal = Eigen::Map<const Eigen::Vector3d>(values + NORMAL).cast<float>();
-                vertex.texture.head<2>() = Eigen::Map<const Eigen::Vector2d>(values + TEXTURE).cast<float>();
-                part_.addVertex(vertex);
-            }
-
             /** Complain about a line, or what is before a byte. */
             [[noreturn]] void fail(const std::string &complaint) const
             {
@@ -289,7 +245,6 @@ namespace ompl_certificates
             MeshCollector &mesh_;
             MeshPart part_;
             std::vector<Element> elements_;
-            std::vector<std::uint32_t> corners_;
             bool isText_{true}, isBigEndian_{false};
         };
     }

@@ -12,81 +12,60 @@ namespace ompl_certificates
     {
         constexpr std::size_t HEADER = 80, BEGIN = 84, FACET = 50;
 
-        class TextReader
+        /** The next word, wherever it is, in small letters */
+        std::string nextWord(MeshText &text)
         {
-        public:
-            TextReader(std::string_view content, MeshCollector &mesh) : text_(content), mesh_(mesh)
-            {
-            }
+            std::string word(text.next());
+            while (word.empty() && text.nextLine())
+                word = text.next();
+            std::transform(word.begin(), word.end(), word.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            return word;
+        }
 
-            void run()
-            {
-                for (std::string word = next(); !word.empty(); word = next())
-                {
-                    if (word != "solid")
-                        text_.fail("there is " + inQuotes(word) + " where a solid should begin");
-                    // What follows in the line is a name.
-                    text_.nextLine();
-                    MeshPart part;
-                    part.hasNormals = true;
-                    for (word = next(); word == "facet"; word = next())
-                        readFacet(part);
-                    if (word != "endsolid")
-                        text_.fail("there is " + inQuotes(word) + " where a facet should begin, or a solid end");
-                    text_.nextLine();
-                    mesh_.add(part);
-                }
-            }
-
-        private:
-            /** The next word, wherever it is, in small letters */
-            std::string next()
-            {
-                std::string_view word = text_.next();
-                while (word.empty() && text_.nextLine())
-                    word = text_.next();
-                std::string lower(word);
-                std::transform(lower.begin(), lower.end(), lower.begin(),
-                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-                return lower;
-            }
-
-            void require(const char *word)
-            {
-                if (const std::string found = next(); found != word)
-                    text_.fail("there is " + inQuotes(found) + " where '" + word + "' should be");
-            }
-
-            void readFacet(MeshPart &part)
-            {
-                MeshPart::Vertex vertex;
-                require("normal");
-                for (float &coordinate : vertex.normal)
-                    coordinate = static_cast<float>(text_.toNumber(text_.next()));
-                require("outer");
-                require("loop");
-                for (int corner = 0; corner < 3; ++corner)
-                {
-                    require("vertex");
-                    vertex.point = text_.point();
-                    part.addVertex(vertex);
-                }
-                require("endloop");
-                require("endfacet");
-                const auto end = static_cast<std::uint32_t>(part.size());
-                part.addTriangle(end - 3, end - 2, end - 1);
-            }
-
-            MeshText text_;
-            MeshCollector &mesh_;
-        };
-
-        /** Little-endian, as the machines that this is built for */
-        std::uint32_t facetsOf(std::string_view content)
+        void require(MeshText &text, const char *word)
         {
-            std::uint32_t count;
-            std::memcpy(&count, &content[HEADER], sizeof(count));
-            return count;
+            if (const std::string found = nextWord(text); found != word)
+                text.fail("there is " + inQuotes(found) + " where '" + word + "' should be");
+        }
+
+        /** A facet after the first word */
+        void readFacet(MeshText &text, MeshPart &part)
+        {
+            MeshPart::Vertex vertex;
+            require(text, "normal");
+            for (float &coordinate : vertex.normal)
+                coordinate = static_cast<float>(text.toNumber(text.next()));
+            require(text, "outer");
+            require(text, "loop");
+            for (int corner = 0; corner < 3; ++corner)
+            {
+                require(text, "vertex");
+                vertex.point = text.point();
+                part.add(vertex);
+            }
+            require(text, "endloop");
+            require(text, "endfacet");
+            part.closeTriangle();
+        }
+
+        void readText(std::string_view content, MeshCollector &mesh)
+        {
+            MeshText text(content);
+            for (std::string word = nextWord(text); !word.empty(); word = nextWord(text))
+            {
+                if (word != "solid")
+                    text.fail("there is " + inQuotes(word) + " where a solid should begin");
+                MeshPart part;
+                part.hasNormals = true;
+                // What follows in the line is a name.
+                for (text.nextLine(), word = nextWord(text); word == "facet"; word = nextWord(text))
+                    readFacet(text, part);
+                if (word != "endsolid")
+                    text.fail("there is " + inQuotes(word) + " where a facet should begin, or a solid end");
+                text.nextLine();
+                mesh.add(part);
+            }
         }
 
         void readBinary(std::string_view content, MeshCollector &mesh)
@@ -95,21 +74,15 @@ namespace ompl_certificates
             part.hasNormals = true;
             for (std::size_t begin = BEGIN; begin < content.size(); begin += FACET)
             {
-                float numbers[12];
-                std::memcpy(numbers, &content[begin], sizeof(numbers));
-                MeshPart::Vertex vertex;
-                vertex.normal = Eigen::Map<const Eigen::Vector3f>(numbers);
-                for (std::size_t corner = 1; corner <= 3; ++corner)
+                Eigen::Matrix<float, 3, 4> columns;
+                std::memcpy(columns.data(), &content[begin], sizeof(float) * 12);
+                for (Eigen::Index corner = 1; corner <= 3; ++corner)
                 {
-                    vertex.point = Eigen::Map<const Eigen::Vector3f>(numbers + 3 * corner).cast<double>();
-                    if (!(vertex.point.cwiseAbs().maxCoeff() <= MOST_COORDINATE))
-                        throw std::runtime_error("byte " + std::to_string(begin) + ": facet " +
-                                                 std::to_string((begin - BEGIN) / FACET) +
-                                                 " has a coordinate that is not a finite number of at most 1e9");
-                    part.addVertex(vertex);
+                    part.add({columns.col(corner).cast<double>(), columns.col(0)});
+                    if (!isPoint(part.vertices.back().point))
+                        throw std::runtime_error("byte " + std::to_string(begin) + ": " + NO_POINT);
                 }
-                const auto end = static_cast<std::uint32_t>(part.size());
-                part.addTriangle(end - 3, end - 2, end - 1);
+                part.closeTriangle();
             }
             mesh.add(part);
         }
@@ -117,9 +90,12 @@ namespace ompl_certificates
 
     void readStl(std::string_view content, MeshCollector &mesh)
     {
-        if (content.size() >= BEGIN && content.size() == BEGIN + FACET * facetsOf(content))
+        std::uint32_t facets = 0;
+        if (content.size() >= BEGIN)
+            std::memcpy(&facets, &content[HEADER], sizeof(facets));
+        if (content.size() == BEGIN + FACET * facets)
             readBinary(content, mesh);
         else
-            TextReader(content, mesh).run();
+            readText(content, mesh);
     }
 }
