@@ -18,6 +18,7 @@ namespace ompl_certificates
         constexpr std::size_t MOST_NODES = 100000, MOST_LEVELS = 1000;
         const Names COUNTED{"triangles", "polylist", "polygons"},
             UNCOUNTED{"tristrips", "trifans", "lines", "linestrips"};
+        constexpr const char *LIBRARY = "library_nodes";
         constexpr const char *SEMANTICS[] = {"POSITION", "NORMAL", "TEXCOORD"};
 
         bool isOneOf(const Names &names, std::string_view name)
@@ -99,8 +100,9 @@ namespace ompl_certificates
 
             bool for_each(Node &node) override
             {
+                const bool isOfLibrary = std::string_view(node.parent().name()) == LIBRARY;
                 if (node.attribute("id"))
-                    ids_.emplace(std::make_pair(node.name(), valueOf(node, "id")), node);
+                    ids_.emplace(std::make_pair(isOfLibrary ? LIBRARY : node.name(), valueOf(node, "id")), node);
                 return true;
             }
 
@@ -384,11 +386,13 @@ namespace ompl_certificates
                 }
             }
 
-            /** Scenes are nodes as well. */
+            /** A node of the library, or else any other, or a scene */
             Node nodeOf(const Node &instance) const
             {
-                const Node scene = find(instance, "url", "visual_scene");
-                return scene ? scene : require(instance, "url", "node");
+                for (const char *name : {LIBRARY, "visual_scene"})
+                    if (const Node node = find(instance, "url", name))
+                        return node;
+                return require(instance, "url", "node");
             }
 
             /** The geometry of an instance, which may be that of a skin, or of the skin of a morph */

@@ -19,11 +19,7 @@ namespace ompl_certificates
 
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
         {
-            std::string line = complaint;
-            for (char &c : line)
-                if (static_cast<unsigned char>(c) < ' ')
-                    c = ' ';
-            throw ompl::Exception(file.empty() ? "''" : file, line);
+            throw ompl::Exception(file.empty() ? "''" : file, complaint);
         }
 
         using Reader = void (*)(std::string_view content, MeshCollector &mesh);

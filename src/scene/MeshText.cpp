@@ -93,4 +93,12 @@ namespace ompl_certificates
     {
         throw std::runtime_error("line " + std::to_string(number_) + ": " + complaint);
     }
+
+    std::string inQuotes(std::string_view word)
+    {
+        std::string shown(word.substr(0, 30));
+        std::replace_if(
+            shown.begin(), shown.end(), [](unsigned char c) { return c < ' '; }, '?');
+        return "'" + shown + "'";
+    }
 }

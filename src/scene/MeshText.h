@@ -61,11 +61,8 @@ namespace ompl_certificates
         return error == std::errc() && end == word.data() + word.size();
     }
 
-    /** \brief \e word in quotes, cut off if it is long */
-    inline std::string inQuotes(std::string_view word)
-    {
-        return "'" + std::string(word.substr(0, 30)) + "'";
-    }
+    /** \brief \e word in quotes, cut off if it is long, with ? for what cannot be printed */
+    std::string inQuotes(std::string_view word);
 }
 
 #endif

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 namespace ompl_certificates
@@ -65,6 +67,13 @@ namespace ompl_certificates
                                    [use](const Property &property) { return property.use == use; });
             }
         };
+
+        std::string shown(double number)
+        {
+            std::ostringstream stream;
+            stream << std::setprecision(15) << number;
+            return stream.str();
+        }
 
         class PlyReader
         {
@@ -187,7 +196,7 @@ namespace ompl_certificates
                 {
                     double count = property.lengthType.size > 0 ? value(property.lengthType) : 1.0;
                     if (!(count >= 0.0 && count == std::floor(count)))
-                        fail("there is a list of length " + std::to_string(count));
+                        fail("there is a list of length " + shown(count));
                     for (; count > 0.0; --count)
                     {
                         const double index = values[property.use] = value(property.type);
@@ -195,7 +204,7 @@ namespace ompl_certificates
                             continue;
                         if (!(index >= 0.0 && index < static_cast<double>(part_.vertices.size()) &&
                               index == std::floor(index)))
-                            fail("there is the index " + std::to_string(index) + " of one of " +
+                            fail("there is the index " + shown(index) + " of one of " +
                                  std::to_string(part_.vertices.size()) + " vertices");
                         corners.push_back(static_cast<std::uint32_t>(index));
                     }

@@ -55,7 +55,8 @@ namespace ompl_certificates
             for (std::string word = nextWord(text); !word.empty(); word = nextWord(text))
             {
                 if (word != "solid")
-                    text.fail("there is " + inQuotes(word) + " where a solid should begin");
+                    text.fail("there is " + inQuotes(word) +
+                              " where a solid should begin, and a binary file has another size");
                 MeshPart part;
                 part.hasNormals = true;
                 // What follows in the line is a name.
