@@ -131,7 +131,7 @@ namespace ompl_certificates
     void MeshPart::addDistinct(const std::vector<std::uint32_t> &used, bool comparesNormals)
     {
         // The first vertex of each place, and for each vertex the next one there
-        std::unordered_map<std::array<float, 3>, std::uint32_t, PointHash> first;
+        std::map<std::array<float, 3>, std::uint32_t> first;
         std::vector<std::uint32_t> next(vertices.size(), NONE);
         // What is not a number is the same as all.
         const auto areSame = [&](const Vertex &a, const Vertex &b)

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace ompl_certificates
@@ -19,19 +19,6 @@ namespace ompl_certificates
 
     /** \brief What is wrong with a file that has other points */
     constexpr const char *NO_POINT = "a vertex has a coordinate that is not a finite number of at most 1e9";
-
-    /** \brief A hash of a point, the same for equal ones */
-    struct PointHash
-    {
-        template <typename Number>
-        std::size_t operator()(const std::array<Number, 3> &point) const
-        {
-            std::size_t hash = 0;
-            for (const Number coordinate : point)
-                hash = (hash ^ std::hash<Number>()(coordinate)) * 0x9E3779B97F4A7C15U;
-            return hash ^ hash >> 32U;
-        }
-    };
 
     /** \brief A part of a mesh file that has vertices of its own: an OBJ group, the solid of an STL file, or a primitive
         of COLLADA */
@@ -106,7 +93,7 @@ namespace ompl_certificates
 
         std::vector<Eigen::Vector3d> vertices_;
         std::vector<TriangleMesh::Triangle> triangles_;
-        std::unordered_map<std::array<double, 3>, std::uint32_t, PointHash> numbers_;
+        std::map<std::array<double, 3>, std::uint32_t> numbers_;
         Eigen::Vector3d sum_{Eigen::Vector3d::Zero()};
         std::size_t count_{0}, placed_{0};
     };

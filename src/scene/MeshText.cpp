@@ -96,7 +96,7 @@ namespace ompl_certificates
 
     std::string inQuotes(std::string_view word)
     {
-        std::string shown(word.substr(0, 30));
+        std::string shown(word.substr(0, 40));
         std::replace_if(
             shown.begin(), shown.end(), [](unsigned char c) { return c < ' '; }, '?');
         return "'" + shown + "'";

@@ -97,84 +97,77 @@ namespace ompl_certificates
         private:
             void readHeader()
             {
-                std::string format, order;
-                std::vector<std::string> words;
-                for (bool isFirst = true; isFirst || words.empty() || words[0] != "end_header"; isFirst = false)
+                if (!text_.nextLine() || (text_.getLine() != "ply" && text_.getLine() != "PLY"))
+                    text_.fail("the first line is not 'ply'");
+                std::string format;
+                for (std::vector<std::string> words{"ply"}; words[0] != "end_header";)
                 {
-                    if (!text_.nextLine())
+                    if (!nextFullLine())
                         text_.fail("the header has no line 'end_header'");
+                    const std::string_view line = text_.getLine();
                     words.clear();
                     for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
                         words.emplace_back(word);
-                    if (isFirst && (words.size() != 1 || (words[0] != "ply" && words[0] != "PLY")))
-                        text_.fail("the first line is not 'ply'");
-                    if (isFirst || words.empty() || words[0] == "comment" || words[0] == "obj_info")
-                        continue;
                     if (words[0] == "format" && words.size() == 3 && format.empty())
                         format = words[1];
-                    else if (words[0] == "element" && words.size() == 3)
-                        addElement(words[1], words[2]);
-                    else if (words[0] == "property" && !elements_.empty())
-                        elements_.back().properties.push_back(propertyOf(words, elements_.back()));
-                    else if (words[0] != "end_header" || words.size() > 1)
-                        text_.fail("there is a line " + inQuotes(words[0]) + " that makes no sense there");
+                    else if (words[0] != "end_header" && words[0] != "comment" && words[0] != "obj_info" &&
+                             !addElement(words) && !addProperty(words))
+                        text_.fail("there is " + inQuotes(line) + ", which makes no sense in this header");
                 }
                 isText_ = format == "ascii";
                 isBigEndian_ = format == "binary_big_endian";
                 if (!isText_ && !isBigEndian_ && format != "binary_little_endian")
                     text_.fail("the format is " + inQuotes(format) +
                                ", neither ascii nor binary_little_endian nor binary_big_endian");
+                std::string order;
                 for (const Element &element : elements_)
-                {
-                    if (element.name == "vertex" || element.name == "face")
-                        order += element.name + " ";
-                    if (element.name == "vertex" && !(element.has(0) && element.has(1) && element.has(2)))
-                        text_.fail("the element 'vertex' has not the properties 'x', 'y' and 'z'");
-                    if (element.name == "face" && !element.has(INDICES))
-                        text_.fail("the element 'face' has no list 'vertex_indices'");
-                    part_.hasNormals = part_.hasNormals || element.has(NORMAL);
-                }
+                    if (element.name == "face")
+                        order += element.has(INDICES) ? "face " : "";
+                    else if (element.name == "vertex")
+                    {
+                        order += element.has(0) && element.has(1) && element.has(2) ? "vertex " : "";
+                        part_.hasNormals = element.has(NORMAL);
+                    }
                 if (order != "vertex face ")
-                    text_.fail("there is not one element 'vertex', and then one 'face'");
+                    text_.fail(
+                        "there is not one element 'vertex', with x, y and z, and then one 'face', with a list of "
+                        "whole numbers 'vertex_indices'");
                 rest_ = text_.getRest();
             }
 
-            void addElement(const std::string &name, const std::string &count)
+            /** \return whether \e words are an element, of which there can be so many. Triangle strips are not supported. */
+            bool addElement(const std::vector<std::string> &words)
             {
-                std::size_t number;
+                std::size_t count;
                 // Each takes at least a byte.
-                if (!parseNumber(count, number) || number > content_.size())
-                    text_.fail("there are said to be " + inQuotes(count) + " of " + inQuotes(name) + ", in " +
-                               std::to_string(content_.size()) + " bytes");
-                if (name == "tristrips" && number > 0)
-                    text_.fail("there are triangle strips, which are not supported");
-                elements_.push_back({name, number, {}});
+                if (words[0] != "element" || words.size() != 3 || !parseNumber(words[2], count) ||
+                    count > content_.size() || (words[1] == "tristrips" && count > 0))
+                    return false;
+                elements_.push_back({words[1], count, {}});
+                return true;
             }
 
-            Property propertyOf(const std::vector<std::string> &words, const Element &element) const
+            /** \return whether \e words are a property that the last element does not have yet */
+            bool addProperty(const std::vector<std::string> &words)
             {
                 const bool isList = words.size() == 5 && words[1] == "list";
-                if (words.size() != 3 && !isList)
-                    text_.fail("there is a property that is neither a value nor a list");
-                const std::string &type = words[words.size() - 2], &length = isList ? words[2] : type;
-                if (TYPES.count(type) == 0 || TYPES.count(length) == 0)
-                    text_.fail("there is a property of type " + inQuotes(TYPES.count(type) == 0 ? type : length));
-                Property property{TYPES.at(type), isList ? TYPES.at(length) : Type(), NOTHING};
-                if (isList && !property.lengthType.isInteger)
-                    text_.fail("there is a list whose length is no whole number but a " + length);
-                const auto use = std::find(USES.begin(), USES.end(), words.back());
-                if (element.name == "vertex" && use != USES.end())
-                    property.use = static_cast<std::size_t>(use - USES.begin());
-                if (element.name == "face" && (words.back() == "vertex_indices" || words.back() == "vertex_index"))
-                    property.use = INDICES;
-                if (property.use == NOTHING)
-                    return property;
-                if (isList != (property.use == INDICES) || (isList && !property.type.isInteger))
-                    text_.fail("the property " + inQuotes(words.back()) + " is no " +
-                               (property.use == INDICES ? "list of whole numbers" : "number"));
-                if (element.has(property.use))
-                    text_.fail("there is a second property " + inQuotes(words.back()));
-                return property;
+                if (words[0] != "property" || elements_.empty() || (words.size() != 3 && !isList))
+                    return false;
+                const auto type = TYPES.find(words[words.size() - 2]), length = TYPES.find(words[isList ? 2 : 1]);
+                if (type == TYPES.end() || length == TYPES.end() || (isList && !length->second.isInteger))
+                    return false;
+                Element &element = elements_.back();
+                std::size_t use = NOTHING;
+                const auto found = std::find(USES.begin(), USES.end(), words.back());
+                if (element.name == "vertex" && !isList && found != USES.end())
+                    use = static_cast<std::size_t>(found - USES.begin());
+                if (element.name == "face" && isList && type->second.isInteger &&
+                    (words.back() == "vertex_indices" || words.back() == "vertex_index"))
+                    use = INDICES;
+                if (use != NOTHING && element.has(use))
+                    return false;
+                element.properties.push_back({type->second, isList ? length->second : Type(), use});
+                return true;
             }
 
             /** Go to the next line that is not empty. \return whether there is one */
