@@ -246,9 +246,11 @@ namespace ompl_certificates
                 return source;
             }
 
-            std::vector<MeshPart::Vertex> cornersOf(const Node &list, const Inputs &inputs, std::size_t stride) const
+            std::vector<MeshPart::Vertex> cornersOf(const Node &list, const Inputs &inputs, std::size_t stride)
             {
                 const auto indices = numbersOf<std::uint32_t>(list);
+                if ((corners_ += indices.size() / stride) > MOST_CORNERS)
+                    fail(list, "is of more than " + std::to_string(MOST_CORNERS) + " corners");
                 if (indices.size() % stride != 0)
                     fail(list, "has " + std::to_string(indices.size()) + " numbers, for corners of " +
                                    std::to_string(stride));
@@ -413,6 +415,7 @@ namespace ompl_certificates
             /** The elements by their names and ids */
             std::multimap<std::pair<std::string_view, std::string_view>, Node> ids_;
             std::map<Node, Source> sources_;
+            std::size_t corners_{0};
             std::map<Node, std::vector<MeshPart>> parts_;
         };
     }

@@ -7,12 +7,18 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::size_t MOST_TRIANGLES = 5000000, MOST_VERTICES = 3 * MOST_TRIANGLES, MOST_STEPS = 300000000;
+        constexpr std::size_t MOST_STEPS = 300000000;
         constexpr std::uint32_t NONE = 0xFFFFFFFFU;
         /** Of vertices at one place no more than so many are compared: else a fan of n triangles would take n² steps. */
         constexpr unsigned int MOST_COMPARED = 300;
         /** Assimp takes normals and textures whose squared distance is no larger for the same. */
         constexpr float SAME = 1e-5F * 1e-5F;
+
+        void checkAtMost(std::size_t most, std::size_t count, const char *what)
+        {
+            if (count > most)
+                throw std::runtime_error("it has more than " + std::to_string(most) + " " + what);
+        }
 
         /** Twice the signed area of a triangle in the plane */
         double area(const Eigen::Vector2d &a, const Eigen::Vector2d &b, const Eigen::Vector2d &c)
@@ -51,6 +57,7 @@ namespace ompl_certificates
 
     std::uint32_t MeshPart::add(const Vertex &vertex)
     {
+        checkAtMost(MOST_CORNERS, vertices.size() + 1, "corners");
         vertices.push_back(vertex);
         return static_cast<std::uint32_t>(vertices.size() - 1);
     }
@@ -158,10 +165,8 @@ namespace ompl_certificates
 
     void MeshCollector::add(MeshPart &part, const Eigen::Affine3d &transform)
     {
-        if ((placed_ += part.vertices.size()) > MOST_VERTICES)
-            throw std::runtime_error("it has more than " + std::to_string(MOST_VERTICES) + " vertices");
-        if (triangles_.size() + part.triangles.size() > MOST_TRIANGLES)
-            throw std::runtime_error("it has more than " + std::to_string(MOST_TRIANGLES) + " triangles");
+        checkAtMost(MOST_CORNERS, placed_ += part.vertices.size(), "corners");
+        checkAtMost(MOST_TRIANGLES, triangles_.size() + part.triangles.size(), "triangles");
         std::vector<std::uint32_t> numbers(part.vertices.size(), NONE);
         for (TriangleMesh::Triangle triangle : part.triangles)
         {

@@ -11,6 +11,9 @@
 
 namespace ompl_certificates
 {
+    /** \brief The most triangles that a file of meshes may have, and the most corners of its faces */
+    constexpr std::size_t MOST_TRIANGLES = 5000000, MOST_CORNERS = 3 * MOST_TRIANGLES;
+
     /** \brief Whether a file of meshes may have such a point: its coordinates are finite numbers of at most 1e9 */
     inline bool isPoint(const Eigen::Vector3d &point)
     {
@@ -45,7 +48,8 @@ namespace ompl_certificates
         /** \brief The vertices of lines and points */
         std::vector<std::uint32_t> loose;
 
-        /** \brief Add a vertex. \return its number */
+        /** \brief Add a vertex. \return its number
+            \throws std::runtime_error if there are too many */
         std::uint32_t add(const Vertex &vertex);
 
         /** \brief Add a triangle between the last three vertices. */

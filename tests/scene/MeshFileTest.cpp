@@ -319,7 +319,7 @@ namespace ompl_certificates
             {"b.stl", binaryStl(3, 3)},
             {"a.dae", collada("<node><instance_geometry url=\"#g\"/></node>")}};
         for (const auto &[name, content] : files)
-            for (std::size_t length = 0; length <= content.size(); ++length)
+            for (std::size_t length = 0; length <= content.size(); length += 1 + content.size() / 200)
             {
                 const std::string file = folder.write(name, content.substr(0, length));
                 try
@@ -334,6 +334,20 @@ namespace ompl_certificates
                     EXPECT_EQ(std::string(exception.what()).compare(0, file.size(), file), 0) << exception.what();
                 }
             }
+    }
+
+    /** As version 0.1.0 did, for the trees of triangles to stay what they are */
+    TEST(MeshFile, CutsConvexPolygonsIntoFans)
+    {
+        const Folder folder;
+        using Triangles = std::vector<TriangleMesh::Triangle>;
+        const std::string points = "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 3 0\nv -1 1 0\n";
+        // Vertices are numbered as they are used.
+        EXPECT_EQ(MeshFile(folder.write("a.obj", points + "f 1 2 3 4")).getMesh()->getTriangles(),
+                  (Triangles{{0, 1, 2}, {0, 2, 3}}));
+        const MeshFile five(folder.write("a.obj", points + "f 1 2 3 4 5"));
+        EXPECT_EQ(five.getMesh()->getTriangles(), (Triangles{{0, 1, 2}, {0, 2, 3}, {3, 4, 0}}));
+        EXPECT_EQ(five.getMesh()->getVertices().front(), Eigen::Vector3d(-1, 1, 0));
     }
 
     TEST(MeshFile, CutsConcavePolygons)
