@@ -12,7 +12,7 @@ inputs=${3:--1}  # -1: as many as there is time for
 corpora=(tests/fuzz/corpus/*/)
 scripts/build_sanitized.sh $(basename -a "${corpora[@]}" | sed s/^/fuzz_/)
 
-# Leaks inside Assimp and Boost that exceptions cause are theirs and end with the program; they are not looked for.
+# Leaks inside Boost that exceptions cause are its own and end with the program; they are not looked for.
 export ASAN_OPTIONS=detect_leaks=0:quarantine_size_mb=16
 failed=0
 for corpus in "${corpora[@]}"; do

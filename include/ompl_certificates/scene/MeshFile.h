@@ -8,21 +8,19 @@
 
 namespace ompl_certificates
 {
-    /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY, read by Assimp.
-
-        Bones, animations and materials are left out. What Assimp would misread, read beyond, or take hours or all memory
-        for is refused; other files that a file names are not opened.
+    /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY.
 
         All meshes of the file are taken together, where its nodes place them. COLLADA files are brought to meters, by the
-        unit that they state, and to the y axis up, as Assimp and OMPL.app do it; files of the other kinds are taken as
-        they are. Polygons are cut into triangles; lines and points are left out. Open meshes, triangles given twice and
-        triangles without area are normal. Coordinates are read with the precision of a float, some seven digits. */
+        unit that they state, and to the y axis up, as OMPL.app does it; files of the other kinds are taken as they are.
+        Polygons are cut into triangles; lines and points, bones, animations and materials are left out. Open meshes,
+        triangles given twice and triangles without area are normal. Other files that a file names are not opened. */
     class MeshFile
     {
     public:
         /** \brief Read \e file. Takes some milliseconds, and about a second for a million triangles.
-            \throws ompl::Exception that names the file and the reason if it cannot be read, is not a mesh, has no
-            triangle or more than 5 million, or a coordinate that is not finite or beyond 1e9 */
+            \throws ompl::Exception that names the file, the line, byte or element, and the reason if it cannot be read,
+            is not a mesh, is not what its counts say, has no triangle or more than 5 million, or a coordinate that is not
+            finite or beyond 1e9 */
         explicit MeshFile(const std::string &file);
 
         /** \brief The file */
@@ -38,8 +36,8 @@ namespace ompl_certificates
         }
 
         /** \brief The mean of the file's vertices, in the file's own frame: what OMPL.app takes for the reference point
-            of a robot. A vertex counts as often as Assimp keeps it after joining identical ones: once for each normal
-            and texture coordinate that it has. */
+            of a robot. A vertex counts once for each normal and texture coordinate that it has in a part of the
+            file, those of lines and points too: as often as Assimp, by which OMPL.app reads files, keeps it. */
         const Eigen::Vector3d &getMean() const
         {
             return mean_;

@@ -1,0 +1,330 @@
+#include "ompl_certificates/scene/MeshFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+#define SOURCE OMPL_CERTIFICATES_SOURCE_DIR
+#define SHARED OMPL_CERTIFICATES_SHARED_DIR
+
+        /** What version 0.1.0 read, by Assimp, in single precision */
+        struct Pin
+        {
+            const char *file;
+            std::size_t triangles;
+            Eigen::Vector3d low, high;
+            double area;
+            Eigen::Vector3d mean;
+        };
+
+        const Pin PINS[] = {
+            {SHARED "/robots/panda/meshes/collision/finger.obj",
+             32,
+             {-0.0104795, -0.00013264301, 0.000131696},
+             {0.0104948, 0.026403399, 0.053849001},
+             0.0049878227,
+             {-0.0009881568258, 0.01145530439, 0.03204665469}},
+            {SHARED "/robots/panda/meshes/collision/hand.obj",
+             200,
+             {-0.031635899, -0.10399, -0.0259248},
+             {0.031615801, 0.100426, 0.065962203},
+             0.050603572,
+             {0.0003510436413, 0.007786851716, 0.02289890265}},
+            {SHARED "/robots/panda/meshes/collision/link0.obj",
+             200,
+             {-0.154079, -0.094613701, -3.24928e-05},
+             {0.071566999, 0.0946704, 0.140003},
+             0.12042596,
+             {-0.05446824488, -0.001088465782, 0.05495790486}},
+            {SHARED "/robots/panda/meshes/collision/link1.obj",
+             300,
+             {-0.054986998, -0.129373, -0.192004},
+             {0.055161201, 0.055192299, 0.054973099},
+             0.11622345,
+             {-0.0005335113154, -0.06689729564, -0.02451539293}},
+            {SHARED "/robots/panda/meshes/collision/link2.obj",
+             300,
+             {-0.0551534, -0.19401, -0.0550966},
+             {0.054984901, 0.05522, 0.129489},
+             0.11707193,
+             {-0.0001715709605, -0.0233491332, 0.06780449957}},
+            {SHARED "/robots/panda/meshes/collision/link3.obj",
+             300,
+             {-0.054645799, -0.054917201, -0.121018},
+             {0.13756099, 0.111203, 0.055156399},
+             0.095957499,
+             {0.03384181553, 0.0283163593, -0.03197424253}},
+            {SHARED "/robots/panda/meshes/collision/link4.obj",
+             300,
+             {-0.13760699, -0.055149701, -0.055206601},
+             {0.055139501, 0.124009, 0.111052},
+             0.097209106,
+             {-0.04733739694, 0.03364326389, 0.02926823415}},
+            {SHARED "/robots/panda/meshes/collision/link5.obj",
+             300,
+             {-0.055016499, -0.0551279, -0.26455399},
+             {0.055083401, 0.129904, 0.052168299},
+             0.13458646,
+             {-0.001303259043, 0.0522733239, -0.0943767468}},
+            {SHARED "/robots/panda/meshes/collision/link6.obj",
+             1308,
+             {-0.047922, -0.051208999, -0.044241998},
+             {0.13230901, 0.081648, 0.056396},
+             0.098727488,
+             {0.05911087351, 0.02374156384, 0.01075094396}},
+            {SHARED "/robots/panda/meshes/collision/link7.obj",
+             200,
+             {-0.0440346, -0.044029601, 0.051990502},
+             {0.0813061, 0.0811873, 0.106837},
+             0.033430764,
+             {0.0196675205, 0.01939906765, 0.08312459011}},
+            {SHARED "/robots/ur5/meshes/robotiq/inner_finger_fine.STL",
+             2428,
+             {-0.0078019127, -0.011, -0.012514706},
+             {0.023901427, 0.011, 0.043999959},
+             0.006496795,
+             {0.005848108551, -5.284919292e-06, 0.01028004562}},
+            {SHARED "/robots/ur5/meshes/robotiq/inner_knuckle_fine.STL",
+             2048,
+             {-0.0059930445, -0.0195, -0.0059930445},
+             {0.040578354, 0.0195, 0.051490065},
+             0.0058696417,
+             {0.02222474361, -8.268265039e-06, 0.02924815845}},
+            {SHARED "/robots/ur5/meshes/robotiq/outer_finger_fine.STL",
+             1916,
+             {-0.00598886, -0.0135, -0.0059985854},
+             {0.0088834073, 0.0135, 0.053420618},
+             0.0049332736,
+             {0.001397327201, 5.951829396e-06, 0.02354388596}},
+            {SHARED "/robots/ur5/meshes/robotiq/outer_knuckle_fine.STL",
+             1244,
+             {-0.0074992022, -0.012, -0.0079325819},
+             {0.038289022, 0.012, 0.014523625},
+             0.0028270167,
+             {0.02226593802, 5.06478433e-06, 0.004276298685}},
+            {SHARED "/robots/ur5/meshes/robotiq/robotiq_85_base_link_fine.STL",
+             40112,
+             {-0.04244335, -0.037500001, -0.003},
+             {0.04244335, 0.037500001, 0.097887501},
+             0.046415943,
+             {0.0002134221762, -3.10295642e-07, 0.0650301922}},
+            {SHARED "/robots/ur5/meshes/robotiq_fts300.stl",
+             43473,
+             {-0.037499517, -0.041499466, -0.037499517},
+             {0.03782592, 1.3331802e-09, 0.037499517},
+             0.038138348,
+             {-0.002263112785, -0.02051765274, -0.0151810384}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/base.stl",
+             578,
+             {-0.073579438, -0.11000011, -0.0030023994},
+             {0.073633276, 0.073551424, 0.021000296},
+             0.046738792,
+             {-0.0004827261926, -0.008962980403, 0.006550564255}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/forearm.stl",
+             1050,
+             {-0.057912249, -0.057176098, -0.057985537},
+             {0.058534015, 0.054510679, 0.43127942},
+             0.16701687,
+             {-0.0003105606928, -0.004255606104, 0.2218099336}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/shoulder.stl",
+             674,
+             {-0.059404015, -0.059746362, -0.065200157},
+             {0.059500158, 0.070501298, 0.068459682},
+             0.098582699,
+             {-0.001133906049, 0.01301502605, 0.02020579359}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/upperarm.stl",
+             1176,
+             {-0.059892438, -0.065199986, -0.059746139},
+             {0.059479937, 0.068597332, 0.48489883},
+             0.30908163,
+             {2.426838554e-05, 0.01608126016, 0.2138823918}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/wrist1.stl",
+             702,
+             {-0.038600087, 0.0474994, -0.057176117},
+             {0.038889777, 0.13250028, 0.047499947},
+             0.045924774,
+             {-0.0001491895179, 0.08587786205, -0.01938696073}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/wrist2.stl",
+             702,
+             {-0.03888968, -0.057188112, 0.049149841},
+             {0.038694344, 0.047499988, 0.13338256},
+             0.045916869,
+             {-6.036333687e-05, -0.02007936434, 0.08715148306}},
+            {SHARED "/robots/ur5/meshes/ur5/collision/wrist3.stl",
+             446,
+             {-0.037515704, 0.047324743, -0.037515666},
+             {0.037515719, 0.081825055, 0.042999987},
+             0.019201762,
+             {-0.0001856895596, 0.07233743942, 0.003614188233}},
+            {SHARED "/scenes/omplapp/2D/Barriers_easy_env.dae",
+             632,
+             {0, -440.22998, -17.374377},
+             {661.02229, 0.48741247, 0},
+             477687.79,
+             {324.6198917, -235.7558722, -8.443968292}},
+            {SHARED "/scenes/omplapp/2D/Barriers_easy_robot.dae",
+             100,
+             {23.567982, -197.56241, -15.904541},
+             {58.002327, -131.9929, -0.83699411},
+             13673.482,
+             {35.20266471, -169.4155805, -8.378028332}},
+            {SHARED "/scenes/omplapp/2D/Maze_planar_env.dae",
+             1892,
+             {-55.000001, -55.000001, 0},
+             {55.000001, 55.000001, 10.62992},
+             50454.711,
+             {-2.362647628, 2.086500605, 3.878498808}},
+            {SHARED "/scenes/omplapp/2D/Passage_planar_env.dae",
+             136,
+             {-55.000001, -55.000001, 0},
+             {55.000001, 55.000001, 7.8740202},
+             24326.22,
+             {-0.5161226739, 3.012307056, 4.615804938}},
+            {SHARED "/scenes/omplapp/2D/RandomPolygons_planar_env.dae",
+             1644,
+             {-55.000001, -55.00069, -0.00069150515},
+             {55.000001, 54.999306, 7.8733284},
+             50737.629,
+             {4.886815703, 0.7693753511, 4.165536535}},
+            {SHARED "/scenes/omplapp/2D/StraightC_planar_robot.dae",
+             56,
+             {-13.500419, -3.0807831, 0},
+             {13.498581, 3.0842172, 7.8740202},
+             1406.4552,
+             {0.09438470034, -0.3610015299, 4.082825283}},
+            {SHARED "/scenes/omplapp/2D/car1_planar_robot.dae",
+             28,
+             {-2.4749999, -1.25, 0},
+             {2.5250002, 1.25, 7.8740202},
+             374.25483,
+             {0.02500013262, 0, 3.937010095}},
+            {SHARED "/scenes/omplapp/2D/car2_planar_robot.dae",
+             40,
+             {-1.99, -2, 0},
+             {2.0099999, 2, 7.8740202},
+             324.83861,
+             {0.009999968112, -0.1499999966, 3.937010095}},
+            {SHARED "/scenes/omplapp/2D/hook_planar_robot.dae",
+             76,
+             {-6.0537942, -2.2809251, 0},
+             {6.0682058, 2.2870749, 7.8740202},
+             519.40484,
+             {-0.9084487814, -0.2404706835, 4.515982167}},
+            {SHARED "/scenes/omplapp/3D/Apartment_env.dae",
+             37114,
+             {-73.762871, -179.59482, -0.028321028},
+             {295.77344, 168.26017, 90},
+             1449223.7,
+             {124.7113215, -20.65222618, 25.93467817}},
+            {SHARED "/scenes/omplapp/3D/Apartment_robot.dae",
+             3364,
+             {-48.684132, -130.00591, 7.6245823},
+             {-25.584133, -70.665911, 62.434583},
+             22610.477,
+             {-31.19242277, -99.84864994, 36.45922272}},
+            {SHARED "/scenes/omplapp/3D/Twistycool_env.dae",
+             176,
+             {14.460449, -24.25, -504.8551},
+             {457.96045, 321.25, -72.855087},
+             2065442.3,
+             {178.1848683, 64.39598357, -285.3025351}},
+            {SHARED "/scenes/omplapp/3D/Twistycool_robot.dae",
+             56,
+             {251.12329, 142.75, -322.66289},
+             {308.3516, 196.75, -274.15678},
+             13101.25,
+             {270.4043441, 160.65625, -297.8236657}},
+            {SHARED "/scenes/omplapp/3D/bugtrap_env.dae",
+             5212,
+             {3.0369401, -17.486099, -13.2669},
+             {29.9925, 17.572599, 13.2669},
+             11673.048,
+             {16.61222758, -2.464995029, 0.004651036962}},
+            {SHARED "/scenes/omplapp/3D/bugtrap_robot.dae",
+             264,
+             {11.420229, -1.9162114, -5.3326089},
+             {22.953069, 3.6771334, -3.9039949},
+             223.89495,
+             {17.18135465, 0.8941111839, -4.618301956}},
+            {SHARED "/scenes/omplapp/3D/cubicles_env.dae",
+             626,
+             {-508.88171, -230.12882, -123.75},
+             {319.61829, 531.87118, 101},
+             5219566.4,
+             {-31.648588, 110.9860169, 25.03145336}},
+            {SHARED "/scenes/omplapp/3D/cubicles_robot.dae",
+             40,
+             {-27.199741, -87.356021, 55.692313},
+             {19.482298, -8.4614637, 85.024379},
+             20801.948,
+             {-4.958012684, -40.62011262, 70.56500621}},
+            {SOURCE "/demos/scenes/canyon_quadrotor.obj",
+             276,
+             {-2.5, -2.5, -0.30000001},
+             {2.5, 2.5, 0.30000001},
+             31.765861,
+             {0, 0, 0.1263157914}},
+            {SOURCE "/demos/scenes/knots_gear.obj", 576, {-1.5, -1.5, -0.2}, {1.5, 1.5, 0.2}, 16.084076, {0, 0, 0}},
+            {SOURCE "/demos/scenes/knots_knot.obj",
+             2560,
+             {-2.5997, -3.0732999, -1.2409999},
+             {3.25, 3.0732999, 1.2409999},
+             49.20055,
+             {-7.831258699e-07, 0, 0}},
+            {SOURCE "/demos/scenes/maze_cart.obj",
+             20,
+             {-0.2, -0.2, 0.1},
+             {0.69999999, 0.60000002, 1.2000001},
+             4.5800002,
+             {0.1999999955, 0.1666666741, 0.6500000246}},
+            {SOURCE "/demos/scenes/maze_walls.obj",
+             576,
+             {-0.1, -0.1, 0},
+             {20.1, 16.1, 1},
+             426.24022,
+             {9.941420145, 8.412426086, 0.5}},
+        };
+
+        std::string nameOf(const testing::TestParamInfo<Pin> &info)
+        {
+            std::string name = std::filesystem::path(info.param.file).filename().string();
+            std::replace_if(
+                name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+            return name;
+        }
+
+        class MeshPins : public testing::TestWithParam<Pin>
+        {
+        };
+    }
+
+    /** Triangles, bounds and area stay, and so does the mean: the states of OMPL.app's .cfg files refer to it. */
+    TEST_P(MeshPins, AreAsTheyWere)
+    {
+        const Pin &pin = GetParam();
+        if (!std::filesystem::exists(pin.file))
+            GTEST_SKIP() << pin.file << " is not there";
+        const MeshFile file(pin.file);
+        const TriangleMesh &mesh = *file.getMesh();
+        const double size = (pin.high - pin.low).norm();
+        double area = 0.0;
+        for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+        {
+            const auto [a, b, c] = mesh.getCorners(i);
+            area += 0.5 * (b - a).cross(c - a).norm();
+        }
+        EXPECT_EQ(mesh.getTriangles().size(), pin.triangles);
+        EXPECT_LT((mesh.getBounds().min() - pin.low).norm(), 1e-6 * size);
+        EXPECT_LT((mesh.getBounds().max() - pin.high).norm(), 1e-6 * size);
+        EXPECT_NEAR(area, pin.area, 2e-6 * pin.area);
+        EXPECT_LT((file.getMean() - pin.mean).norm(), 1e-6 * size)
+            << file.getMean().transpose() << " is not " << pin.mean.transpose();
+    }
+
+    INSTANTIATE_TEST_SUITE_P(Of, MeshPins, testing::ValuesIn(PINS), nameOf);
+}
