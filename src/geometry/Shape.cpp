@@ -77,9 +77,7 @@ namespace ompl_certificates
                 }
                 triangles.emplace_back(corners[0], corners[1], corners[2]);
             }
-            // Not OBBRSS: only of a box of this kind FCL takes a primitive's extents as they are, and does not fit them anew
-            // in each check.
-            auto model = std::make_shared<fcl::BVHModel<fcl::OBBd>>();
+            auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
             model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
             model->addSubModel(vertices, triangles);
             if (model->endModel() != fcl::BVH_OK)

@@ -156,8 +156,8 @@ namespace ompl_certificates
             "scene planner method motion seed solved approximate cost simplified_cost iterations tree checks seconds ");
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),
-                  "robot_poses certified_free certified_colliding exact exact_colliding "
-                  "clearance_queries pair_poses pair_exact motions motion_samples "
+                  "robot_poses certified_free certified_colliding asked asked_colliding by_clearances by_contact exact "
+                  "clearance_queries contact_tests exact_calls pair_poses pair_exact motions motion_samples "
                   "motion_samples_skipped certificates ");
         EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest simplifying ");
         EXPECT_TRUE(json["seconds"]["nearest"].is_null());

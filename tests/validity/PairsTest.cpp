@@ -168,7 +168,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             team->interpolate(from.get(), to.get(), time, at.get());
             place(at.get());
             const PoseVerdict verdict =
-                pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), counts);
+                pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), 0.0, counts);
             ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
             const double byBalls =

@@ -157,14 +157,14 @@ TEST_P(PlanarRounding, ChangesNoVerdictAndThrowsInNoCheck)
         exactFrom = from.reals();
         exactTo = to.reals();
         const bool isValid = exact.isValid(exactTo.get());
-        const bool motion = exact.standard().getSpaceInformation()->checkMotion(exactFrom.get(), exactTo.get());
+        const bool motion = exact.reference().getSpaceInformation()->checkMotion(exactFrom.get(), exactTo.get());
         for (const auto &setup : rounded.setups)
         {
             SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
             ASSERT_EQ(setup->getTeamChecker()->isValid(to.get()), isValid);
             ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), motion);
             EXPECT_NEAR(setup->getTeamChecker()->clearance(to.get()),
-                        exact.standard().getTeamChecker()->clearance(exactTo.get()), 1e-9);
+                        exact.reference().getTeamChecker()->clearance(exactTo.get()), 1e-9);
         }
         const bool isProved = isValid && continuous.getSpaceInformation()->checkMotion(from.get(), to.get());
         EXPECT_LE(isProved, motion);

@@ -45,9 +45,11 @@ namespace
 
 TEST_P(StaleReferences, FromBeforeClearChangeNoVerdict)
 {
-    for (std::size_t method = 1; method < here_->setups.size(); ++method)
+    for (std::size_t method = 0; method < here_->setups.size(); ++method)
     {
         const auto checker = here_->setups[method]->getCertificateChecker();
+        if (!checker)
+            continue;
         ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
         for (const auto &state : states_)
             checker->isValid(state.get());

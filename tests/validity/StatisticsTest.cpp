@@ -198,22 +198,3 @@ TEST(Statistics, SumOverThreads)
     EXPECT_EQ(statistics.getCounts().motionSamplesSkipped, 6000U);
     EXPECT_EQ(statistics.getCounts().motions, 0U);
 }
-
-TEST(Statistics, CountEnclosedTimeOnce)
-{
-    Statistics statistics;
-    {
-        const Statistics::Timer outer(statistics);
-        EXPECT_FALSE(outer.isEnclosed());
-        const Statistics::Timer inner(statistics);
-        EXPECT_TRUE(inner.isEnclosed());
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    EXPECT_GE(statistics.getCheckingSeconds(), 0.02);
-    const double once = statistics.getCheckingSeconds();
-    {
-        const Statistics::Timer again(statistics);
-        EXPECT_FALSE(again.isEnclosed());
-    }
-    EXPECT_GE(statistics.getCheckingSeconds(), once);
-}

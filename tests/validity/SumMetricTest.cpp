@@ -119,7 +119,7 @@ namespace
             SCOPED_TRACE("seed " + std::to_string(seed));
             states += compareTrees<Planner>(seed);
         }
-        EXPECT_GT(states, scaled(60));
+        EXPECT_GT(states, scaled(30));
     }
 
     template <typename Planner>
