@@ -11,11 +11,11 @@
 #include "common/PlannerList.h"
 #include "common/ProgressBar.h"
 
+#include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/CertificateFile.h"
 #include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "ompl_certificates/scene/ScenePicture.h"
 
 #include <cstdio>
 #include <iostream>

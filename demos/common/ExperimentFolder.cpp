@@ -1,6 +1,6 @@
 #include "common/ExperimentFolder.h"
 
-#include "ompl_certificates/scene/ScenePicture.h"
+#include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "common/Interrupt.h"
 #include "common/Suggestion.h"
 
-#include "ompl_certificates/team/PlannerNeighbors.h"
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 
 #include <algorithm>
 #include <cmath>

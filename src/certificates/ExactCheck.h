@@ -3,7 +3,7 @@
 
 #include "ompl_certificates/certificates/CheckCounts.h"
 #include "ompl_certificates/certificates/SwitchingPolicy.h"
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <chrono>
 

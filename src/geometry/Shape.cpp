@@ -2,7 +2,7 @@
 
 #include "ompl_certificates/geometry/Pose.h"
 
-#include "Prisms.h"
+#include "obstacles/Prisms.h"
 #include "TriangleDistance.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "MeshBuilder.h"
 #include "SeededRandom.h"
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ompl_certificates/validity/RobotPairs.h"
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include "BodyClearance.h"
 #include "certificates/ExactCheck.h"

@@ -1,10 +1,10 @@
 #include "common/PlannerFactory.h"
 
-#include "ompl_certificates/geometry/FclObstacles.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/team/PlannerNeighbors.h"
-#include "ompl_certificates/validity/TeamSetup.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>

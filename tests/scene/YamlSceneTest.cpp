@@ -1,4 +1,4 @@
-#include "ompl_certificates/geometry/CarWithTrailer.h"
+#include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/scene/TextFile.h"
 #include "ompl_certificates/scene/YamlScene.h"
 

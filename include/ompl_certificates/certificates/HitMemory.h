@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_CERTIFICATES_HIT_MEMORY_
 
 #include "ompl_certificates/geometry/Ball.h"
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <array>
 #include <atomic>

@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 
 #include "ompl_certificates/certificates/Certificate.h"
-#include "ompl_certificates/geometry/Robot.h"
+#include "ompl_certificates/robots/Robot.h"
 
 #include <atomic>
 #include <ompl/base/StateSpace.h>

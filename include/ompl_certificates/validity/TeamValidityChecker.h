@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 
-#include "ompl_certificates/geometry/ObstacleChange.h"
+#include "ompl_certificates/obstacles/ObstacleChange.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 #include "ompl_certificates/validity/RobotPairs.h"
 #include "ompl_certificates/validity/Statistics.h"
