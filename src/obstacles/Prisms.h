@@ -11,9 +11,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief FCL's convex polytope for a hull; a polygon becomes a prism of the given height about the plane z = 0. */
-    std::shared_ptr<fcl::CollisionGeometryd> makeConvex(const ConvexHull &hull, double prismHeight);
-
     /** \brief A planar primitive as upright prisms of one height about the plane z = 0, to be checked against planar meshes,
         which have true heights: a capsule takes a box and two cylinders. */
     class Prism

@@ -5,8 +5,8 @@
 #include "ompl_certificates/certificates/CheckCounts.h"
 #include "ompl_certificates/certificates/HitMemory.h"
 #include "ompl_certificates/certificates/SwitchingPolicy.h"
+#include "ompl_certificates/geometry/TravelBound.h"
 #include "ompl_certificates/obstacles/ObstacleChange.h"
-#include "ompl_certificates/robots/Robot.h"
 
 #include <algorithm>
 #include <array>

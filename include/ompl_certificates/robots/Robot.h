@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_ROBOTS_ROBOT_
 
 #include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/TravelBound.h"
 
 #include <memory>
 #include <ompl/base/StateSpace.h>
@@ -10,20 +11,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief How fast a body moves along a motion whose time runs from 0 to 1: a point at distance d from the origin
-        of the body's frame travels at most (linear + angular * d) * dt in any stretch of length dt. */
-    struct TravelBound
-    {
-        double linear{0.0};
-        double angular{0.0};
-
-        /** \brief The bound for the center of a ball at distance \e distance from the origin of the body's frame */
-        double at(double distance) const
-        {
-            return linear + angular * distance;
-        }
-    };
-
     /** \brief One member of a team: its component of the team's state space, and the bodies that it moves.
 
         Derive from this class to bring an own kind of robot, such as an arm: say where each body is for a state, and

@@ -1,10 +1,11 @@
 #ifndef OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 #define OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 
-#include "ompl_certificates/certificates/Certificate.h"
 #include "ompl_certificates/robots/Robot.h"
 
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <ompl/base/StateSpace.h>
 #include <vector>
 
@@ -21,19 +22,25 @@ namespace ompl_certificates
     class TeamStateSpace : public ompl::base::CompoundStateSpace
     {
     public:
+        /** \brief Which certificate a state refers to: a number that the validity checker knows the meaning of */
+        using Reference = std::uint32_t;
+
+        /** \brief Refers to no certificate */
+        static constexpr Reference NO_REFERENCE = std::numeric_limits<Reference>::max();
+
         /** \brief A state of the team: the robots' states, and a certificate reference for each robot. */
         class StateType : public ompl::base::CompoundStateSpace::StateType
         {
         public:
-            /** \brief The certificate that proved robot \e robot free, or NO_CERTIFICATE */
-            CertificateIndex getReference(unsigned int robot) const
+            /** \brief The certificate that proved robot \e robot free, or NO_REFERENCE */
+            Reference getReference(unsigned int robot) const
             {
                 return references_[robot].load(std::memory_order_relaxed);
             }
 
             /** \brief Remember that \e certificate proved robot \e robot free. Part of the state's cache, not of its value, so
                 it may be called on a constant state and from many threads at once. */
-            void setReference(unsigned int robot, CertificateIndex certificate) const
+            void setReference(unsigned int robot, Reference certificate) const
             {
                 references_[robot].store(certificate, std::memory_order_relaxed);
             }
@@ -55,7 +62,7 @@ namespace ompl_certificates
             }
 
             const TeamStateSpace *space_{nullptr};
-            std::atomic<CertificateIndex> *references_{nullptr};
+            std::atomic<Reference> *references_{nullptr};
         };
 
         /** \brief How the robots' weighted distances make up the team's */
