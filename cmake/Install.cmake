@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE PATTERN "pictures" EXCLUDE)
-install(TARGETS ompl_certificates EXPORT ompl_certificatesTargets)
+install(TARGETS ompl_certificates ompl_certificates_neighbors EXPORT ompl_certificatesTargets)
 install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 
 if(TARGET ompl_certificates_scene)

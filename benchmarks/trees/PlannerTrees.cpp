@@ -11,6 +11,7 @@
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/neighbors/PlannerNeighbors.h"
 #include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <benchmark/benchmark.h>
 #include <chrono>

@@ -18,16 +18,16 @@ namespace ompl_certificates
         constexpr double SAME_ROTATION = 1e-9;
     }
 
-    ExactDistance::ExactDistance(const ob::StateSpace &space) : isTeam_(isEuclideanTeam(space))
+    ExactDistance::ExactDistance(const ob::StateSpace &space) : isEuclidean_(isEuclidean(space))
     {
-        if (!isTeam_)
+        if (!isEuclidean_)
         {
             terms_.push_back(termOf(space, 1.0, {}));
             return;
         }
-        const auto &team = *space.as<ob::CompoundStateSpace>();
-        for (unsigned int robot = 0; robot < team.getSubspaceCount(); ++robot)
-            terms_.push_back(termOf(*team.getSubspace(robot), team.getSubspaceWeight(robot), {robot}));
+        const auto &compound = *space.as<ob::CompoundStateSpace>();
+        for (unsigned int i = 0; i < compound.getSubspaceCount(); ++i)
+            terms_.push_back(termOf(*compound.getSubspace(i), compound.getSubspaceWeight(i), {i}));
     }
 
     ExactDistance::Term ExactDistance::termOf(const ob::StateSpace &space, double weight,
@@ -122,7 +122,7 @@ namespace ompl_certificates
 
     double ExactDistance::operator()(const double *row, const double *other) const
     {
-        if (!isTeam_)
+        if (!isEuclidean_)
             return distance(terms_[0], row, other);
         double squares = 0.0;
         for (const Term &term : terms_)

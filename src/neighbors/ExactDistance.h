@@ -11,7 +11,7 @@ namespace ompl_certificates
     class ExactDistance
     {
     public:
-        /** \brief The distance of \e space: a team's, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of such */
+        /** \brief The distance of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of such */
         explicit ExactDistance(const ompl::base::StateSpace &space);
 
         /** \brief Whether every part of the space is of a class whose distance this class knows */
@@ -57,9 +57,9 @@ namespace ompl_certificates
         static void copy(const Term &term, const ompl::base::State *state, double *row);
         static double distance(const Term &term, const double *row, const double *other);
 
-        /** One term for each robot in a team with the Euclidean metric; else one */
+        /** One term for each component of a Euclidean SearchableStateSpace; else one */
         std::vector<Term> terms_;
-        bool isTeam_, known_{true};
+        bool isEuclidean_, known_{true};
         unsigned int size_{0};
     };
 }

@@ -77,13 +77,13 @@ namespace ompl_certificates
     FlatMetric::FlatMetric(const ob::StateSpace &space)
     {
         std::vector<unsigned int> path;
-        if (isEuclideanTeam(space))
+        if (isEuclidean(space))
         {
-            const auto &team = *space.as<ob::CompoundStateSpace>();
-            for (path.push_back(0); path[0] < team.getSubspaceCount(); ++path[0])
+            const auto &compound = *space.as<ob::CompoundStateSpace>();
+            for (path.push_back(0); path[0] < compound.getSubspaceCount(); ++path[0])
             {
                 Group group;
-                collect(*team.getSubspace(path[0]), team.getSubspaceWeight(path[0]), path, group);
+                collect(*compound.getSubspace(path[0]), compound.getSubspaceWeight(path[0]), path, group);
                 groups_.push_back(std::move(group));
             }
         }

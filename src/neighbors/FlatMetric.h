@@ -9,16 +9,15 @@ namespace ompl_certificates
 {
     /** \brief States as rows of floats, and lower bounds of their distance.
 
-        The distance of a team with the Euclidean metric is the root of the sum of the squares of the robots' distances. A
-        robot's, and that of a team with the metric SUM, is the weighted sum of those in R^n, SO(2) and SO(3) that it is
-        compounded of. Weights are multiplied into the coordinates of R^n and SO(2); a rotation is the unit quaternion of
-        a fixed half of the sphere. Floats, because twice as many are compared at once, and the exact distance decides
-        anyway; see threshold(). */
+        The distance of a Euclidean SearchableStateSpace is the root of the sum of the squares of its components' distances,
+        and a component's is the weighted sum of those in R^n, SO(2) and SO(3) that it is compounded of. Weights are multiplied
+        into the coordinates of R^n and SO(2); a rotation is the unit quaternion of a fixed half of the sphere. Floats,
+        because twice as many are compared at once, and the exact distance decides anyway; see threshold(). */
     class FlatMetric
     {
     public:
-        /** \brief The metric of \e space: a team's, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of such. Of a space of
-            another class nothing is known; as part of a compound it counts as 0. */
+        /** \brief The metric of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of such. Of
+            a space of another class nothing is known; as part of a compound it counts as 0. */
         explicit FlatMetric(const ompl::base::StateSpace &space);
 
         /** \brief The number of coordinates; 0 if nothing is known of the space */
@@ -88,7 +87,7 @@ namespace ompl_certificates
             std::vector<double> center;
         };
 
-        /** Parts whose distances add up: of a robot, or of a whole team */
+        /** Parts whose distances add up: of a component, or of a whole space */
         using Group = std::vector<Part>;
 
         void collect(const ompl::base::StateSpace &space, double weight, std::vector<unsigned int> &path, Group &group);

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_NEIGHBORS_SPACE_CLASS_
 #define OMPL_CERTIFICATES_NEIGHBORS_SPACE_CLASS_
 
-#include "ompl_certificates/team/TeamStateSpace.h"
+#include "ompl_certificates/neighbors/SearchableStateSpace.h"
 
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -17,16 +17,23 @@ namespace ompl_certificates
         return typeid(space) == typeid(Space);
     }
 
-    /** \brief Whether the distance of \e space is Euclidean over a team's robots */
-    inline bool isEuclideanTeam(const ompl::base::StateSpace &space)
+    /** \brief Whether \e space says that its distance is made up so */
+    inline bool isSearchable(const ompl::base::StateSpace &space, SearchableStateSpace::Composition composition)
     {
-        return isOfClass<TeamStateSpace>(space) && space.as<TeamStateSpace>()->getMetric() == TeamStateSpace::EUCLIDEAN;
+        const auto *searchable = dynamic_cast<const SearchableStateSpace *>(&space);
+        return searchable && searchable->getComposition() == composition;
+    }
+
+    /** \brief Whether the distance of \e space is the root of the sum of the squares of its subspaces' weighted distances */
+    inline bool isEuclidean(const ompl::base::StateSpace &space)
+    {
+        return isSearchable(space, SearchableStateSpace::Composition::EUCLIDEAN);
     }
 
     /** \brief Whether the distance of \e space is the weighted sum of its subspaces' */
     inline bool isCompound(const ompl::base::StateSpace &space)
     {
-        return (isOfClass<TeamStateSpace>(space) && !isEuclideanTeam(space)) ||
+        return isSearchable(space, SearchableStateSpace::Composition::SUM) ||
                isOfClass<ompl::base::CompoundStateSpace>(space) || isOfClass<ompl::base::SE2StateSpace>(space) ||
                isOfClass<ompl::base::SE3StateSpace>(space);
     }

@@ -96,6 +96,13 @@ namespace ompl_certificates
         return heights;
     }
 
+    TeamStateSpace::Composition TeamStateSpace::getComposition() const
+    {
+        if (typeid(*this) != typeid(TeamStateSpace))
+            return Composition::UNKNOWN;
+        return metric_ == SUM ? Composition::SUM : Composition::EUCLIDEAN;
+    }
+
     double TeamStateSpace::getMaximumExtent() const
     {
         if (metric_ == SUM)

@@ -1,6 +1,7 @@
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
 #include "support/Random.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #ifndef OMPL_CERTIFICATES_NEIGHBORS_PLANNER_KD_TREE_
 #define OMPL_CERTIFICATES_NEIGHBORS_PLANNER_KD_TREE_
 
+#include "ompl_certificates/neighbors/SearchableStateSpace.h"
 #include "ompl_certificates/neighbors/StateKdTree.h"
-#include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <functional>
 #include <limits>
@@ -77,8 +77,8 @@ namespace ompl_certificates
         }
     }
 
-    /** \brief A kd-tree for OMPL's planners. TeamSetup gives it to its planner; useKdTree() gives it to any, and in a
-        team's space a planner also takes it by itself:
+    /** \brief A kd-tree for OMPL's planners. useKdTree() gives it to any planner. In a SearchableStateSpace, such as a
+        team's, a planner also takes it by itself:
 
             planner->setNearestNeighbors<ompl_certificates::PlannerKdTree>();
 
@@ -88,7 +88,7 @@ namespace ompl_certificates
         If it is not told, it learns the space from the first state added. It steps aside where it cannot know what a
         distance is:
         - elements that do not show a state (the vertices of PRM, LazyPRM, SPARS and SPARStwo) and states of another space
-          than TeamStateSpace are left to GNAT, unless states and space are given to the constructor;
+          than SearchableStateSpace are left to GNAT, unless states and space are given to the constructor;
         - so are distance functions that are not the space's distance, which the first few elements show, and states that
           are not of the space (an angle out of its range, a coordinate that is not a number);
         - a distance that is not even symmetric is left to a linear search, as GNAT's answers would be wrong.
@@ -110,9 +110,9 @@ namespace ompl_certificates
         {
         }
 
-        /** \brief For states of \e space: a team, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these. Elements of other
-            spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do not show their
-            state need \e stateOf. */
+        /** \brief For states of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these.
+            Elements of other spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do
+            not show their state need \e stateOf. */
         explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
                                std::shared_ptr<ompl::NearestNeighbors<T>> other = nullptr)
           : space_(std::move(space))
@@ -234,8 +234,8 @@ namespace ompl_certificates
             const auto *state = stateOf(data);
             const ompl::base::StateSpace *space = space_.get();
             // CForest's planners believe to be in a space of its own, which wraps the true one.
-            if (const auto *teamState = dynamic_cast<const TeamStateSpace::StateType *>(state))
-                space = teamState->getSpace();
+            if (const auto *knowing = dynamic_cast<const SearchableStateSpace::StateType *>(state))
+                space = knowing->getSpace();
             if (state && space)
                 tree_ = std::make_unique<StateKdTree>(*space);
             if (tree_ && tree_->isUseful())

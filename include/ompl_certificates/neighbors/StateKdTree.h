@@ -14,7 +14,8 @@ namespace ompl_certificates
     class ExactDistance;
     class FlatMetric;
 
-    /** \brief A kd-tree over states of a team, or of R^n, SE(2), SE(3) and compounds of these: what PlannerKdTree is made of.
+    /** \brief A kd-tree over states of a SearchableStateSpace, or of R^n, SE(2), SE(3) and compounds of these: what
+        PlannerKdTree is made of.
 
         It numbers the states in the order in which they came and keeps copies of their coordinates, not the states. Its
         own bounds only rule states out, by a margin larger than rounding; a distance function of the caller's decides.

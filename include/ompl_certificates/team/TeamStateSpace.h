@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 #define OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 
+#include "ompl_certificates/neighbors/SearchableStateSpace.h"
 #include "ompl_certificates/robots/Robot.h"
 
 #include <atomic>
@@ -19,7 +20,7 @@ namespace ompl_certificates
         Every state carries, for each robot, a reference to a certificate that proved it free. References are hints:
         copyState(), cloneState() and interpolate() pass them on, sampling and deserialization clear them, and
         serialization, equality and distance ignore them. */
-    class TeamStateSpace : public ompl::base::CompoundStateSpace
+    class TeamStateSpace : public SearchableStateSpace
     {
     public:
         /** \brief Which certificate a state refers to: a number that the validity checker knows the meaning of */
@@ -29,7 +30,7 @@ namespace ompl_certificates
         static constexpr Reference NO_REFERENCE = std::numeric_limits<Reference>::max();
 
         /** \brief A state of the team: the robots' states, and a certificate reference for each robot. */
-        class StateType : public ompl::base::CompoundStateSpace::StateType
+        class StateType : public SearchableStateSpace::StateType
         {
         public:
             /** \brief The certificate that proved robot \e robot free, or NO_REFERENCE */
@@ -45,13 +46,6 @@ namespace ompl_certificates
                 references_[robot].store(certificate, std::memory_order_relaxed);
             }
 
-            /** \brief The space that allocated the state; for those who are handed states alone, as OMPL's
-                nearest-neighbour structures are. Valid as long as that space is. */
-            const TeamStateSpace *getSpace() const
-            {
-                return space_;
-            }
-
         private:
             friend class TeamStateSpace;
 
@@ -61,7 +55,6 @@ namespace ompl_certificates
                 return reinterpret_cast<const double *>(this + 1);
             }
 
-            const TeamStateSpace *space_{nullptr};
             std::atomic<Reference> *references_{nullptr};
         };
 
@@ -115,6 +108,8 @@ namespace ompl_certificates
 
         /** \brief Forget the certificate references of \e state */
         void clearReferences(const ompl::base::State *state) const;
+
+        Composition getComposition() const override;
 
         double getMaximumExtent() const override;
 
