@@ -83,7 +83,7 @@ namespace ompl_certificates
         return entries_.front().prism;
     }
 
-    const Broadphase &ObstaclePrisms::get(const std::vector<PlacedBody> &bodies, double height) const
+    const Broadphase &ObstaclePrisms::get(double height) const
     {
         height = std::exp2(std::ceil(std::log2(height)));
         const auto find = [height](const Entry *entry)
@@ -101,10 +101,8 @@ namespace ompl_certificates
         Entry &entry = entries_.emplace_front();
         entry.height = height;
         entry.next = first;
-        for (const auto &[body, pose] : bodies)
-            for (const auto &part : body.getParts())
-                if (!part.shape.getMesh())
-                    Prism(part.shape, height).addTo(entry.broadphase, pose * part.pose);
+        for (const auto &[shape, pose] : primitives_)
+            Prism(shape, height).addTo(entry.broadphase, pose);
         entry.broadphase.setup();
         first_.store(&entry, std::memory_order_release);
         return entry.broadphase;

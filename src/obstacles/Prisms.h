@@ -2,8 +2,7 @@
 #define OMPL_CERTIFICATES_OBSTACLES_PRISMS_
 
 #include "Broadphase.h"
-
-#include "ompl_certificates/geometry/Body.h"
+#include "PlacedShape.h"
 
 #include <atomic>
 #include <forward_list>
@@ -63,9 +62,15 @@ namespace ompl_certificates
     class ObstaclePrisms
     {
     public:
+        /** \brief Add an obstacle. Not once prisms were asked for. */
+        void add(const PlacedShape &primitive)
+        {
+            primitives_.push_back(primitive);
+        }
+
         /** \brief Prisms of the power of two that is at least \e height, made when first asked for: FCL's rounding grows with
             the height, and no verdict may depend on what was asked before. May be called from many threads at once. */
-        const Broadphase &get(const std::vector<PlacedBody> &bodies, double height) const;
+        const Broadphase &get(double height) const;
 
     private:
         struct Entry
@@ -75,6 +80,7 @@ namespace ompl_certificates
             const Entry *next;
         };
 
+        PlacedShapes primitives_;
         mutable std::mutex mutex_;
         mutable std::forward_list<Entry> entries_;
         mutable std::atomic<const Entry *> first_{nullptr};

@@ -2,8 +2,6 @@
 #define OMPL_CERTIFICATES_OBSTACLES_FCL_OBSTACLES_
 
 #include "ompl_certificates/geometry/Heights.h"
-#include "ompl_certificates/geometry/TriangleTree.h"
-#include "ompl_certificates/obstacles/ClearanceTree.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <fcl/narrowphase/collision_object.h>
@@ -12,9 +10,10 @@
 
 namespace ompl_certificates
 {
-    class Broadphase;
-    class ObstaclePrisms;
-    class RobotPrisms;
+    class ClearanceTree;
+    class ContactTest;
+    class FclCheck;
+    class MeshSurface;
 
     /** \brief Obstacles made of primitives and meshes, checked by FCL: a broadphase tree of their boxes and an exact check of
         each pair of shapes that the boxes do not separate.
@@ -79,10 +78,7 @@ namespace ompl_certificates
         }
 
         /** \brief True if there are at most 16 shapes and no meshes */
-        bool isClearanceCheap() const override
-        {
-            return clearances_.size() <= 16 && surface_.size() == 0;
-        }
+        bool isClearanceCheap() const override;
 
         /** \brief A checksum of the shapes, their poses and the heights, whatever their order. Linear in the size of it all. */
         std::uint64_t getFingerprint() const override;
@@ -94,52 +90,14 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Fill the broadphase and the clearance tree from bodies_ */
-        void build();
-
-        /** \brief Add what counts of a mesh at \e pose to surface_ */
-        void addTriangles(const TriangleMesh &mesh, const Pose &pose);
-
-        /** \brief Whether \e shape touches an obstacle of shapes_ */
-        bool collidesWithShapes(const Shape &shape, const Pose &partPose) const;
-
-        /** \brief collides() for a part of a planar body at \e partPose */
-        bool collidesInPlane(const Body::Part &part, const Pose &partPose) const;
-
-        /** \brief Fill outlines_ from surface_ */
-        void project();
-
-        /** \brief The tree that clearances are found in */
-        const TriangleTree &clearanceTriangles() const
-        {
-            return dimension_ == 2 ? outlines_ : surface_;
-        }
-
-        /** \brief What a quick test of \e body leaves to the exact check */
-        double marginOf(const Body &body) const
-        {
-            return tolerance_ + exactCheckTolerance(body.getReach());
-        }
-
         unsigned int dimension_;
         Heights heights_;
         std::vector<PlacedBody> bodies_;
 
-        /** \brief All shapes; in the plane the primitives, and the meshes are in the other one */
-        std::unique_ptr<Broadphase> shapes_;
-        std::unique_ptr<Broadphase> planarMeshes_;
-
-        /** \brief What planarMeshes_ have in common with the robots' heights */
-        Heights meshHeights_;
-        std::unique_ptr<RobotPrisms> robotPrisms_;
-        std::unique_ptr<ObstaclePrisms> obstaclePrisms_;
-        ClearanceTree clearances_;
-
-        /** \brief The triangles of the meshes; an ObstaclePart is a position in it */
-        TriangleTree surface_;
-
-        /** \brief In the plane: what the robots can touch of surface_, projected, by its position there */
-        TriangleTree outlines_;
+        std::unique_ptr<ClearanceTree> primitives_;
+        std::unique_ptr<MeshSurface> surface_;
+        std::unique_ptr<FclCheck> check_;
+        std::unique_ptr<ContactTest> contactTest_;
         double tolerance_{0.0};
     };
 }
