@@ -1,8 +1,10 @@
 #include "common/ExperimentGrid.h"
 
+#include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
 #include "scene/YamlNode.h"
 
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/RandomPolygonScene.h"
 #include "ompl_certificates/scene/TextFile.h"
 
@@ -273,7 +275,8 @@ namespace demos
 
     void ExperimentGrid::givePlanner(const Planner &planner, TeamSetup &setup) const
     {
-        const ob::PlannerPtr made = makePlanner(planner.plannerClass, setup.getSpaceInformation());
+        const ob::PlannerPtr made =
+            makePlanner(planner.plannerClass, setup.getSpaceInformation(), {interrupted, {}});
         for (const auto &[key, value] : planner.parameters)
             setParameter(*made, key, value);
         setup.setPlanner(made);

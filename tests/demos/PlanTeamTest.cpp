@@ -1,6 +1,6 @@
 #include "demos/Program.h"
 
-#include "common/PlannerFactory.h"
+#include "ompl_certificates/planning/Planners.h"
 
 #include <algorithm>
 #include <chrono>
@@ -403,6 +403,6 @@ TEST(ListPlanners, tellsOfEachInALine)
             EXPECT_TRUE(names.back() != "RRTstar" || optimizing) << line;
             EXPECT_TRUE(names.back() != "RRTConnect" || !optimizing) << line;
         }
-        EXPECT_EQ(names, demos::plannerNames());
+        EXPECT_EQ(names, ompl_certificates::plannerNames());
     }
 }

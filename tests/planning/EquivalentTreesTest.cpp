@@ -1,20 +1,15 @@
+#include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
 
 #include <gtest/gtest.h>
 #include <map>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/geometric/planners/est/EST.h>
-#include <ompl/geometric/planners/kpiece/KPIECE1.h>
-#include <ompl/geometric/planners/rrt/RRT.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 namespace
 {
@@ -25,19 +20,6 @@ namespace
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(seed);
         ompl::msg::setLogLevel(level);
-    }
-
-    ob::PlannerPtr makePlanner(const std::string &name, const ob::SpaceInformationPtr &si)
-    {
-        if (name == "RRT")
-            return std::make_shared<og::RRT>(si);
-        if (name == "RRTConnect")
-            return std::make_shared<og::RRTConnect>(si);
-        if (name == "RRTstar")
-            return std::make_shared<og::RRTstar>(si);
-        if (name == "EST")
-            return std::make_shared<og::EST>(si);
-        return std::make_shared<og::KPIECE1>(si);
     }
 
     /** What a planner has grown */

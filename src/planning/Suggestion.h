@@ -1,10 +1,10 @@
-#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_SUGGESTION_
-#define OMPL_CERTIFICATES_DEMOS_COMMON_SUGGESTION_
+#ifndef OMPL_CERTIFICATES_PLANNING_SUGGESTION_
+#define OMPL_CERTIFICATES_PLANNING_SUGGESTION_
 
 #include <string>
 #include <vector>
 
-namespace demos
+namespace ompl_certificates
 {
     /** \brief What a complaint about \e word ends with: "; did you mean NAME?" with the most similar of \e names, or
         nothing if none is similar. Names are similar that differ by case, by a few mistyped letters, or where one is the

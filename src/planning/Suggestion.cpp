@@ -1,9 +1,9 @@
-#include "common/Suggestion.h"
+#include "Suggestion.h"
 
 #include <algorithm>
 #include <cctype>
 
-namespace demos
+namespace ompl_certificates
 {
     namespace
     {
