@@ -14,10 +14,10 @@
 
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/CertificateFile.h"
 #include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <cstdio>
 #include <iostream>

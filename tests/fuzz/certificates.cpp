@@ -5,7 +5,7 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/RigidRobot.h"
-#include "ompl_certificates/scene/CertificateFile.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <boost/crc.hpp>
 #include <cstdlib>

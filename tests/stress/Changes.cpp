@@ -4,8 +4,8 @@
 
 #include "support/RandomStates.h"
 
-#include "ompl_certificates/scene/CertificateFile.h"
 #include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <filesystem>
 #include <ompl/util/Exception.h>

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdlib.h>
 #include <string>
 
@@ -40,6 +41,13 @@ namespace ompl_certificates
             {
                 std::ofstream(*this / name, std::ios::binary) << content;
                 return *this / name;
+            }
+
+            /** \brief What is in a file of this folder */
+            std::string read(const std::string &name) const
+            {
+                std::ifstream stream(*this / name, std::ios::binary);
+                return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
             }
 
         private:

@@ -1,5 +1,4 @@
-#include "ompl_certificates/scene/CertificateFile.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 #include "support/Checkers.h"
 #include "support/Folder.h"
 #include "support/RandomMeshes.h"
@@ -144,7 +143,7 @@ TEST_F(CertificateFile, IsRefusedWhereverItIsCutOrDamaged)
 {
     const auto obstacles = makeObstacles();
     saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
-    const std::string bytes = readTextFile(file_);
+    const std::string bytes = folder_.read("certificates");
     ASSERT_GT(bytes.size(), 500U);
     for (std::size_t length = 0; length < bytes.size(); length += length < 60 ? 1 : 97)
         expectRefused(obstacles, folder_.write("cut", bytes.substr(0, length)), "is ");
