@@ -1,4 +1,4 @@
-# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene]) finds it again.
+# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene pictures]) finds it again.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
@@ -9,7 +9,7 @@ install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATIO
 if(TARGET ompl_certificates_scene)
   install(DIRECTORY include/ompl_certificates/scene include/ompl_certificates/pictures
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates")
-  install(TARGETS ompl_certificates_scene EXPORT ompl_certificates_sceneTargets)
+  install(TARGETS ompl_certificates_scene ompl_certificates_pictures EXPORT ompl_certificates_sceneTargets)
   install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 endif()
 
