@@ -1,4 +1,4 @@
-#include "ompl_certificates/obstacles/ClearanceTree.h"
+#include "ClearanceTree.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,8 @@
 #ifndef OMPL_CERTIFICATES_OBSTACLES_CONTACT_TEST_
 #define OMPL_CERTIFICATES_OBSTACLES_CONTACT_TEST_
 
+#include "ClearanceTree.h"
 #include "MeshSurface.h"
-
-#include "ompl_certificates/obstacles/ClearanceTree.h"
 
 namespace ompl_certificates
 {

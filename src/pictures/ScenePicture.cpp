@@ -1,7 +1,7 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 
 #include "SceneView.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "scene/TextFile.h"
 
 #include <algorithm>
 #include <cmath>

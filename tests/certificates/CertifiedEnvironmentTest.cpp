@@ -1,6 +1,6 @@
 #include "support/RandomBodies.h"
 
-#include "ompl_certificates/certificates/CertifiedEnvironment.h"
+#include "certificates/CertifiedEnvironment.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "support/RandomBodies.h"
 
-#include "ompl_certificates/obstacles/ClearanceTree.h"
+#include "obstacles/ClearanceTree.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/scene/TextFile.h"
 #include "ompl_certificates/scene/YamlScene.h"
+#include "scene/TextFile.h"
 
 #include <algorithm>
 #include <csignal>

@@ -1,10 +1,9 @@
 #include "Changes.h"
-
 #include "Compare.h"
 
+#include "scene/TextFile.h"
 #include "support/RandomStates.h"
 
-#include "ompl_certificates/scene/TextFile.h"
 #include "ompl_certificates/validity/CertificateFile.h"
 
 #include <filesystem>

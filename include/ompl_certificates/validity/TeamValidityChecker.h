@@ -9,9 +9,12 @@
 
 #include <ompl/base/StateValidityChecker.h>
 #include <string>
+#include <vector>
 
 namespace ompl_certificates
 {
+    class SwitchingPolicy;
+
     /** \brief How a team is checked without certificates */
     enum class ExactCheck
     {
@@ -35,6 +38,8 @@ namespace ompl_certificates
             workspace or heights are not the team's */
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles,
                             ExactCheck exactCheck = ExactCheck::CONTACT_TEST_THEN_FCL);
+
+        ~TeamValidityChecker() override;
 
         bool isValid(const ompl::base::State *state) const override;
 
