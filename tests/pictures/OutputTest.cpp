@@ -3,6 +3,7 @@
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/YamlScene.h"
 #include "scene/TextFile.h"
+#include "support/Folder.h"
 
 #include <algorithm>
 #include <csignal>
@@ -29,32 +30,17 @@ namespace ompl_certificates
         class Output : public ::testing::Test
         {
         protected:
-            Output()
-              : folder_(fs::temp_directory_path() /
-                        ("ompl_certificates_" +
-                         std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())))
-            {
-                fs::remove_all(folder_);
-                fs::create_directories(folder_);
-            }
-
-            ~Output() override
-            {
-                fs::remove_all(folder_);
-            }
-
             std::string file(const std::string &name) const
             {
-                return (folder_ / name).string();
+                return folder_ / name;
             }
 
             std::size_t fileCount() const
             {
-                return static_cast<std::size_t>(
-                    std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+                return folder_.list().size();
             }
 
-            fs::path folder_;
+            const test::Folder folder_;
         };
 
         using Points = std::vector<std::pair<double, double>>;
@@ -239,7 +225,7 @@ namespace ompl_certificates
 
     TEST_F(Output, FilesThatCannotBeWrittenAreNamed)
     {
-        for (const std::string &name : {file("no/such/folder/a.txt"), folder_.string()})
+        for (const std::string &name : {file("no/such/folder/a.txt"), folder_.path()})
             try
             {
                 writeTextFile(name, "text");
@@ -265,7 +251,7 @@ namespace ompl_certificates
         EXPECT_EQ(fileCount(), 3u);
         // Access rights tell nothing of the last ones to root.
         for (const std::string &name :
-             {file("no/a.txt"), file("a.txt/b.txt"), folder_.string(), std::string(), std::string("/dev/full"),
+             {file("no/a.txt"), file("a.txt/b.txt"), folder_.path(), std::string(), std::string("/dev/full"),
               std::string("/proc/a.txt"), std::string("/proc/version")})
             try
             {
