@@ -7,9 +7,9 @@
 // certificate of one is the hint for the next. Each pose is asked once. Counters: free is the share of the poses that
 // are; asked is the share for which settling had to ask the obstacles.
 
+#include "certificates/CertifiedEnvironment.h"
+#include "certificates/SwitchingPolicy.h"
 #include "common/RandomWorld.h"
-#include "ompl_certificates/certificates/CertifiedEnvironment.h"
-#include "ompl_certificates/certificates/SwitchingPolicy.h"
 
 #include <benchmark/benchmark.h>
 #include <map>

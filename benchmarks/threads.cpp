@@ -6,8 +6,8 @@
 // (CPU), which grows by what threads wait for each other's cache lines.
 
 #include "common/RandomWorld.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 
 #include <benchmark/benchmark.h>
 #include <memory>

@@ -1,14 +1,15 @@
-# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene]) finds it again.
+# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene pictures]) finds it again.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
-install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE)
-install(TARGETS ompl_certificates EXPORT ompl_certificatesTargets)
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE PATTERN "pictures" EXCLUDE)
+install(TARGETS ompl_certificates ompl_certificates_neighbors EXPORT ompl_certificatesTargets)
 install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 
 if(TARGET ompl_certificates_scene)
-  install(DIRECTORY include/ompl_certificates/scene DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates")
-  install(TARGETS ompl_certificates_scene EXPORT ompl_certificates_sceneTargets)
+  install(DIRECTORY include/ompl_certificates/scene include/ompl_certificates/pictures
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates")
+  install(TARGETS ompl_certificates_scene ompl_certificates_pictures EXPORT ompl_certificates_sceneTargets)
   install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 endif()
 

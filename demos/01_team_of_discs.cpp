@@ -1,8 +1,8 @@
 // A team of two discs swaps places around a wall: an ordinary OMPL program, with our state space, validity checker and
 // motion validator.
 
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/validity/CertificateMotionValidator.h>
 #include <ompl_certificates/validity/SharedProjection.h>
 

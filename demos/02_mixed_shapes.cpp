@@ -1,10 +1,10 @@
 // A team of four kinds of robots: a disc, a box that turns, a capsule, and a car with a trailer. TeamSetup puts the
 // validity checker and the motion validator in place.
 
-#include <ompl_certificates/geometry/CarWithTrailer.h>
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
-#include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/CarWithTrailer.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

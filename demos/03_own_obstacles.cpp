@@ -1,9 +1,9 @@
 // Obstacles of an own kind: a field of round columns, given by a formula. Nothing but collides() and clearance() is
 // needed.
 
-#include <ompl_certificates/geometry/Obstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
-#include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/obstacles/Obstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/validity/UserParts.h>
 
 #include <cmath>

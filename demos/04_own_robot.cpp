@@ -1,9 +1,9 @@
 // A robot of an own kind: an arm of two links on a fixed base. It says where its bodies are and how far they can
 // travel.
 
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
-#include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/validity/UserParts.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // OMPL's benchmark, once for each method, and what it measured. benchmark_team does this for scenes in files.
 
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
-#include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRT.h>

@@ -3,10 +3,10 @@
 //
 //     06_mesh_team [FOLDER]        the folder of the meshes, else demos/scenes
 
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/scene/MeshFile.h>
-#include <ompl_certificates/validity/TeamSetup.h>
 
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

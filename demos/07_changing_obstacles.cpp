@@ -1,8 +1,8 @@
 // A crate is moved again and again, and the team plans anew: what is known of the other obstacles stays known.
 
-#include <ompl_certificates/geometry/ObstacleSet.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
-#include <ompl_certificates/validity/TeamSetup.h>
+#include <ompl_certificates/obstacles/ObstacleSet.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 
 #include <iostream>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

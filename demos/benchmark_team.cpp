@@ -6,8 +6,8 @@
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Outputs.h"
+#include "common/PlannerFactory.h"
 #include "common/PlannerList.h"
-#include "common/Suggestion.h"
 #include "common/TeamBenchmark.h"
 
 #include "ompl_certificates/scene/SceneFile.h"
@@ -195,7 +195,7 @@ namespace
         std::vector<Method> methods;
         for (const std::string &name : listOf("--methods", options.methods))
         {
-            if (const std::string why = demos::whyNotOneOf(name, demos::methodNames()); !why.empty())
+            if (const std::string why = demos::oneOf(demos::methodNames())(name); !why.empty())
                 throw ompl::Exception("--methods", why);
             methods.push_back(methodOf(name));
         }

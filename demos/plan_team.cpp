@@ -8,14 +8,16 @@
 #include "common/Limit.h"
 #include "common/Outputs.h"
 #include "common/PlannerChoice.h"
+#include "common/PlannerFactory.h"
 #include "common/PlannerList.h"
 #include "common/ProgressBar.h"
 
-#include "ompl_certificates/scene/CertificateFile.h"
+#include "ompl_certificates/pictures/ScenePicture.h"
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "ompl_certificates/scene/ScenePicture.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <cstdio>
 #include <iostream>
@@ -102,7 +104,7 @@ namespace
         {
             try
             {
-                demos::setParameter(*planner, key, value);
+                setParameter(*planner, key, value);
             }
             catch (const std::exception &e)
             {

@@ -1,6 +1,6 @@
 #include "common/LookupRecord.h"
 
-#include "ompl_certificates/team/PlannerKdTree.h"
+#include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <cmath>

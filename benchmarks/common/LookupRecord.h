@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_BENCHMARKS_COMMON_LOOKUP_RECORD_
 
 #include "ompl_certificates/certificates/CertificateTree.h"
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <cstdint>

@@ -1,27 +1,21 @@
 #include "common/PlanRun.h"
 
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/PlanReport.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <limits>
-#include <map>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/geometric/planners/est/EST.h>
-#include <ompl/geometric/planners/kpiece/KPIECE1.h>
-#include <ompl/geometric/planners/rrt/RRT.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 namespace benchmarks
 {
     namespace ob = ompl::base;
-    namespace og = ompl::geometric;
     using namespace ompl_certificates;
 
     namespace
@@ -44,12 +38,6 @@ namespace benchmarks
                 return false;
             }
         };
-
-        template <typename PlannerType>
-        ob::PlannerPtr make(const ob::SpaceInformationPtr &si)
-        {
-            return std::make_shared<PlannerType>(si);
-        }
 
         /** States, and what is done with them, as in OMPL's own compound space; distances as a user of OMPL would write
             them to have those of a team. */
@@ -114,18 +102,6 @@ namespace benchmarks
             return setup;
         }
 
-        using Allocator = ob::PlannerPtr (*)(const ob::SpaceInformationPtr &);
-
-        const std::map<std::string, Allocator> &allocators()
-        {
-            static const std::map<std::string, Allocator> table{{"EST", make<og::EST>},
-                                                                {"KPIECE1", make<og::KPIECE1>},
-                                                                {"RRT", make<og::RRT>},
-                                                                {"RRTConnect", make<og::RRTConnect>},
-                                                                {"RRTstar", make<og::RRTstar>}};
-            return table;
-        }
-
         void setSeed(std::uint_fast32_t seed)
         {
             // OMPL complains about every seed but the first, though new samplers obey the later ones.
@@ -137,29 +113,22 @@ namespace benchmarks
 
     const std::vector<std::string> &plannerNames()
     {
-        static const std::vector<std::string> names = []
-        {
-            std::vector<std::string> all;
-            for (const auto &entry : allocators())
-                all.push_back(entry.first);
-            return all;
-        }();
+        static const std::vector<std::string> names{"EST", "KPIECE1", "RRT", "RRTConnect", "RRTstar"};
         return names;
     }
 
     PlanResult run(const PlanTask &task)
     {
-        const auto allocator = allocators().find(task.planner);
-        if (allocator == allocators().end())
+        if (std::find(plannerNames().begin(), plannerNames().end(), task.planner) == plannerNames().end())
             throw ompl::Exception("There is no planner '" + task.planner + "' here");
         const TeamSetupPtr setup = task.stock ? makeStockSetup(task.scene) : task.scene.makeSetup(task.method);
         if (task.resolution > 0.0)
             setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
         const auto certificates = setup->getCertificateChecker();
-        const auto makePlanner = [&](std::uint_fast32_t seed)
+        const auto newPlanner = [&](std::uint_fast32_t seed)
         {
             setSeed(seed);
-            const ob::PlannerPtr planner = allocator->second(setup->getSpaceInformation());
+            const ob::PlannerPtr planner = makePlanner(task.planner, setup->getSpaceInformation());
             if (task.range > 0.0)
                 planner->params().setParam("range", std::to_string(task.range));
             setup->setPlanner(planner);
@@ -168,12 +137,12 @@ namespace benchmarks
         if (task.warm && certificates)
         {
             // Another seed: not the certificates of the very same states.
-            const ob::PlannerPtr before = makePlanner(task.seed + 1000);
+            const ob::PlannerPtr before = newPlanner(task.seed + 1000);
             setup->setup();
             before->solve(ob::IterationTerminationCondition(task.iterations));
             setup->getProblemDefinition()->clearSolutionPaths();
         }
-        const ob::PlannerPtr planner = makePlanner(task.seed);
+        const ob::PlannerPtr planner = newPlanner(task.seed);
         const bool sampleable = planner->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION;
         if (task.keepGoing && !sampleable)
             setup->setGoal(std::make_shared<NeverSatisfied>(setup->getSpaceInformation()));

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_BENCHMARKS_COMMON_RANDOM_WORLD_
 #define OMPL_CERTIFICATES_BENCHMARKS_COMMON_RANDOM_WORLD_
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <cmath>
 #include <random>

@@ -7,7 +7,7 @@
 
 #include "common/LookupRecord.h"
 #include "common/RandomWorld.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 
 #include <benchmark/benchmark.h>
 #include <boost/geometry.hpp>

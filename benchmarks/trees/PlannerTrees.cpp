@@ -8,9 +8,10 @@
 // counter nearest_ms is the part that the structure took. RRT* asks for the k nearest with k about 2^(D + 1) 3 log n, which
 // soon is every node of the tree, or for those in a radius (RADIUS).
 
-#include "ompl_certificates/geometry/RigidRobot.h"
-#include "ompl_certificates/team/PlannerKdTree.h"
-#include "ompl_certificates/team/PlannerNeighbors.h"
+#include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <benchmark/benchmark.h>
 #include <chrono>

@@ -1,6 +1,7 @@
 #include "common/CommandLine.h"
 
-#include "common/Suggestion.h"
+// How it tells of names that are not there is not part of the library's interface.
+#include "planning/Suggestion.h"
 
 #include <cmath>
 #include <iostream>
@@ -9,6 +10,8 @@
 #ifndef OMPL_CERTIFICATES_VERSION
 #define OMPL_CERTIFICATES_VERSION "of unknown version"
 #endif
+
+using namespace ompl_certificates;
 
 namespace demos
 {

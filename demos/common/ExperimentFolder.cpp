@@ -1,7 +1,8 @@
 #include "common/ExperimentFolder.h"
 
-#include "ompl_certificates/scene/ScenePicture.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "scene/TextFile.h"
+
+#include "ompl_certificates/pictures/ScenePicture.h"
 
 #include <algorithm>
 #include <filesystem>

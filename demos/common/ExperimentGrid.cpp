@@ -1,10 +1,12 @@
 #include "common/ExperimentGrid.h"
 
+#include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
+#include "scene/TextFile.h"
 #include "scene/YamlNode.h"
 
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/RandomPolygonScene.h"
-#include "ompl_certificates/scene/TextFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -273,7 +275,7 @@ namespace demos
 
     void ExperimentGrid::givePlanner(const Planner &planner, TeamSetup &setup) const
     {
-        const ob::PlannerPtr made = makePlanner(planner.plannerClass, setup.getSpaceInformation());
+        const ob::PlannerPtr made = makePlanner(planner.plannerClass, setup.getSpaceInformation(), {interrupted, {}});
         for (const auto &[key, value] : planner.parameters)
             setParameter(*made, key, value);
         setup.setPlanner(made);

@@ -1,6 +1,6 @@
 #include "common/Outputs.h"
 
-#include "ompl_certificates/scene/TextFile.h"
+#include "scene/TextFile.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,11 +1,17 @@
 #include "common/PlannerChoice.h"
 
+#include "common/Interrupt.h"
+
+#include "ompl_certificates/planning/Planners.h"
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
 #include <map>
 #include <ompl/util/Exception.h>
 #include <set>
+
+using namespace ompl_certificates;
 
 namespace demos
 {
@@ -69,9 +75,10 @@ namespace demos
     }
 
     ompl::base::PlannerPtr makePlanner(const PlannerChoice &choice, const ompl::base::SpaceInformationPtr &si,
-                                       const SolveEvent &afterSolve)
+                                       const std::function<void()> &afterSolve)
     {
-        const ompl::base::PlannerPtr planner = makePlanner(choice.planner, si, afterSolve);
+        const ompl::base::PlannerPtr planner =
+            ompl_certificates::makePlanner(choice.planner, si, {interrupted, afterSolve});
         for (const auto &[key, value] : choice.parameters)
             try
             {

@@ -1,10 +1,10 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
 
-#include "common/PlannerFactory.h"
-
 #include "ompl_certificates/scene/OmplAppScene.h"
 
+#include <functional>
+#include <ompl/base/Planner.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,10 +33,11 @@ namespace demos
     std::vector<PlannerChoice> choosePlanners(const ompl_certificates::Scene &scene,
                                               const std::vector<std::string> &names);
 
-    /** \brief The planner of that choice, with its parameters
+    /** \brief The planner of that choice, with its parameters. Its solve() ends when the program is interrupted.
+        \param afterSolve called as soon as solve() returns, before anybody looks at the solution
         \throws ompl::Exception as makePlanner() and setParameter() do */
     ompl::base::PlannerPtr makePlanner(const PlannerChoice &choice, const ompl::base::SpaceInformationPtr &si,
-                                       const SolveEvent &afterSolve = SolveEvent());
+                                       const std::function<void()> &afterSolve = {});
 }
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_SAMPLE_COUNTER_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_SAMPLE_COUNTER_
 
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 
 #include <cstdint>
 #include <ompl/base/MotionValidator.h>

@@ -1,6 +1,7 @@
 #include "common/TeamBenchmark.h"
 
 #include "common/Interrupt.h"
+#include "common/PlannerFactory.h"
 
 #include "ompl_certificates/team/TeamPathLength.h"
 

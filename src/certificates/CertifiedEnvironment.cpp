@@ -1,4 +1,4 @@
-#include "ompl_certificates/certificates/CertifiedEnvironment.h"
+#include "CertifiedEnvironment.h"
 
 #include "ExactCheck.h"
 

@@ -1,9 +1,10 @@
 #ifndef OMPL_CERTIFICATES_CERTIFICATES_EXACT_CHECK_
 #define OMPL_CERTIFICATES_CERTIFICATES_EXACT_CHECK_
 
+#include "SwitchingPolicy.h"
+
 #include "ompl_certificates/certificates/CheckCounts.h"
-#include "ompl_certificates/certificates/SwitchingPolicy.h"
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <chrono>
 

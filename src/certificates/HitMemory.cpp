@@ -1,4 +1,4 @@
-#include "ompl_certificates/certificates/HitMemory.h"
+#include "HitMemory.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ompl_certificates/certificates/SwitchingPolicy.h"
+#include "SwitchingPolicy.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "ompl_certificates/geometry/Body.h"
 
-#include "ompl_certificates/geometry/CoverBuilder.h"
+#include "CoverBuilder.h"
 
 #include <algorithm>
 #include <cmath>

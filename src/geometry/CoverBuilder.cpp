@@ -1,4 +1,4 @@
-#include "ompl_certificates/geometry/CoverBuilder.h"
+#include "CoverBuilder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "ompl_certificates/geometry/Shape.h"
 
-#include "ompl_certificates/geometry/Pose.h"
-
-#include "Prisms.h"
+#include "FclConvex.h"
 #include "TriangleDistance.h"
+
+#include "ompl_certificates/geometry/Pose.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "CfgFile.h"
 
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
 
 #include <algorithm>
 #include <boost/program_options/options_description.hpp>

@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include "MeshReaders.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
 
 #include <algorithm>
 #include <cctype>

@@ -2,8 +2,9 @@
 
 #include "MeshBuilder.h"
 #include "SeededRandom.h"
-#include "ompl_certificates/geometry/FclObstacles.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
+
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/OmplAppScene.h"
 
 #include "CfgFile.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/PathFile.h"
 
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
 
 #include <charconv>
 #include <ompl/base/SpaceInformation.h>

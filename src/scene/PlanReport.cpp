@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/PlanReport.h"
 
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ompl_certificates/scene/TextFile.h"
+#include "TextFile.h"
 
 #include <cerrno>
 #include <cstring>

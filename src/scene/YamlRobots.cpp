@@ -1,8 +1,8 @@
 #include "YamlRobots.h"
 
 #include "YamlShapes.h"
-#include "ompl_certificates/geometry/CarWithTrailer.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>

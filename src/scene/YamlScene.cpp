@@ -1,8 +1,8 @@
 #include "ompl_certificates/scene/YamlScene.h"
 
+#include "TextFile.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
-#include "ompl_certificates/scene/TextFile.h"
 
 #include <filesystem>
 #include <ompl/util/Exception.h>

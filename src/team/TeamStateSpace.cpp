@@ -96,6 +96,13 @@ namespace ompl_certificates
         return heights;
     }
 
+    TeamStateSpace::Composition TeamStateSpace::getComposition() const
+    {
+        if (typeid(*this) != typeid(TeamStateSpace))
+            return Composition::UNKNOWN;
+        return metric_ == SUM ? Composition::SUM : Composition::EUCLIDEAN;
+    }
+
     double TeamStateSpace::getMaximumExtent() const
     {
         if (metric_ == SUM)
@@ -140,7 +147,7 @@ namespace ompl_certificates
     void TeamStateSpace::clearReferences(const ob::State *state) const
     {
         for (unsigned int i = 0; i < componentCount_; ++i)
-            state->as<StateType>()->setReference(i, NO_CERTIFICATE);
+            state->as<StateType>()->setReference(i, NO_REFERENCE);
     }
 
     void TeamStateSpace::copyState(ob::State *destination, const ob::State *source) const
@@ -164,7 +171,7 @@ namespace ompl_certificates
     ob::State *TeamStateSpace::allocState() const
     {
         using VectorState = ob::RealVectorStateSpace::StateType;
-        using Reference = std::atomic<CertificateIndex>;
+        using AtomicReference = std::atomic<Reference>;
         static_assert(sizeof(StateType) % alignof(double) == 0 && alignof(VectorState) <= alignof(double) &&
                       sizeof(VectorState) % alignof(double) == 0);
         if (vectors_.size() != componentCount_)
@@ -173,17 +180,17 @@ namespace ompl_certificates
             std::count_if(vectors_.begin(), vectors_.end(), [](unsigned int dimension) { return dimension > 0; }));
         auto *memory = static_cast<unsigned char *>(
             ::operator new(sizeof(StateType) + vectorSum_ * sizeof(double) + vectors * sizeof(VectorState) +
-                           componentCount_ * (sizeof(ob::State *) + sizeof(Reference))));
+                           componentCount_ * (sizeof(ob::State *) + sizeof(AtomicReference))));
         const auto take = [&memory](std::size_t size) { return std::exchange(memory, memory + size); };
         auto *state = new (take(sizeof(StateType))) StateType();
         auto *values = reinterpret_cast<double *>(take(vectorSum_ * sizeof(double)));
         auto *vector = take(vectors * sizeof(VectorState));
         state->space_ = this;
         state->components = reinterpret_cast<ob::State **>(take(componentCount_ * sizeof(ob::State *)));
-        state->references_ = reinterpret_cast<Reference *>(take(componentCount_ * sizeof(Reference)));
+        state->references_ = reinterpret_cast<AtomicReference *>(take(componentCount_ * sizeof(AtomicReference)));
         for (unsigned int i = 0; i < componentCount_; ++i)
         {
-            new (state->references_ + i) Reference(NO_CERTIFICATE);
+            new (state->references_ + i) AtomicReference(NO_REFERENCE);
             if (vectors_[i] == 0)
             {
                 state->components[i] = components_[i]->allocState();

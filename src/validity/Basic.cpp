@@ -1,5 +1,7 @@
 #include "ompl_certificates/validity/Basic.h"
 
+#include "certificates/CertifiedEnvironment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,14 +15,18 @@ namespace ompl_certificates
     }
 
     Basic::Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
-      : CertificateChecker(si, obstacles), environment_(obstacles, limit_), policies_(getBodyCount())
+      : CertificateChecker(si, obstacles)
+      , environment_(std::make_unique<CertifiedEnvironment>(obstacles, limit_))
+      , policies_(getBodyCount())
     {
     }
+
+    Basic::~Basic() = default;
 
     void Basic::clear()
     {
         CertificateChecker::clear();
-        environment_.clear();
+        environment_->clear();
         for (auto &policy : policies_)
             policy.reset();
         limit_->give(getCertificateCount());
@@ -35,7 +41,7 @@ namespace ompl_certificates
             Certificate &certificate = certificates_[static_cast<CertificateIndex>(i)];
             certificate.clearance = change.clearance(certificate.point, certificate.clearance);
         }
-        environment_.change(change);
+        environment_->change(change);
     }
 
     std::size_t Basic::getCertificateCount() const
@@ -69,7 +75,7 @@ namespace ompl_certificates
                 const auto lookup = [&](const BallQuery &ball)
                 { return CertificateTree::cover(certificate, team, ball); };
                 PoseVerdict one;
-                if (!proveFree(query, environment_.getProofMargin(query), LEVELS,
+                if (!proveFree(query, environment_->getProofMargin(query), LEVELS,
                                CertifiedEnvironment::mostBalls(query), lookup, one))
                     return false;
                 verdict.reach = std::min(verdict.reach, one.reach);
@@ -99,7 +105,7 @@ namespace ompl_certificates
                 const PoseQuery query = queryOf(robot, body, poses, motion);
                 SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
                 SwitchingPolicy &policy = isAdaptive() ? policies_[getFirstBody(robot) + body] : indifferent;
-                const PoseVerdict one = environment_.ask(query, policy, counts);
+                const PoseVerdict one = environment_->ask(query, policy, counts);
                 whole.free = one.free;
                 whole.reach = std::min(whole.reach, one.reach);
                 by = std::max(by, one.by);

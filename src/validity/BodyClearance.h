@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_BODY_CLEARANCE_
 #define OMPL_CERTIFICATES_VALIDITY_BODY_CLEARANCE_
 
-#include "ompl_certificates/geometry/Obstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 
 namespace ompl_certificates
 {

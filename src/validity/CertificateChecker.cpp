@@ -1,9 +1,14 @@
 #include "ompl_certificates/validity/CertificateChecker.h"
 
 #include <ompl/util/Exception.h>
+#include <type_traits>
 
 namespace ompl_certificates
 {
+    static_assert(std::is_same_v<CertificateIndex, TeamStateSpace::Reference> &&
+                      NO_CERTIFICATE == TeamStateSpace::NO_REFERENCE,
+                  "States keep indices of certificates as they are");
+
     CertificateChecker::CertificateChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
       : TeamValidityChecker(si, obstacles)
     {

@@ -3,6 +3,7 @@
 
 #include "ThreadNumber.h"
 
+#include "ompl_certificates/certificates/Certificate.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <array>

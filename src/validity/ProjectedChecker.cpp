@@ -1,5 +1,7 @@
 #include "ompl_certificates/validity/ProjectedChecker.h"
 
+#include "certificates/CertifiedEnvironment.h"
+
 #include <algorithm>
 
 namespace ompl_certificates
@@ -12,6 +14,8 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < trees; ++i)
             environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles, limit_));
     }
+
+    ProjectedChecker::~ProjectedChecker() = default;
 
     void ProjectedChecker::clear()
     {

@@ -1,9 +1,10 @@
 #include "ompl_certificates/validity/RobotPairs.h"
 
-#include "ompl_certificates/geometry/FclObstacles.h"
-
 #include "BodyClearance.h"
+#include "certificates/CertifiedEnvironment.h"
 #include "certificates/ExactCheck.h"
+
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,14 @@ namespace ompl_certificates
                                : INF;
         }
     }
+
+    struct RobotPairs::BodyFrame
+    {
+        Body body;
+        CertifiedEnvironment environment;
+        /** \brief What pays with certificates, and without */
+        SwitchingPolicy policy, contactPolicy;
+    };
 
     RobotPairs::RobotPairs(const TeamStateSpace &team, std::shared_ptr<CertificateLimit> limit)
       : team_(team), limit_(std::move(limit))

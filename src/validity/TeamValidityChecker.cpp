@@ -141,6 +141,8 @@ namespace ompl_certificates
         return !findContact(state, counts, first, second);
     }
 
+    TeamValidityChecker::~TeamValidityChecker() = default;
+
     bool TeamValidityChecker::isValid(const ob::State *state) const
     {
         const WorldLock::Check check(worldLock_);

@@ -1,7 +1,7 @@
 #include "support/RandomBodies.h"
 
-#include "ompl_certificates/certificates/CertifiedEnvironment.h"
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "certificates/CertifiedEnvironment.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "support/Random.h"
 
-#include "ompl_certificates/certificates/HitMemory.h"
+#include "certificates/HitMemory.h"
 
 #include <gtest/gtest.h>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "ompl_certificates/certificates/SwitchingPolicy.h"
+#include "certificates/SwitchingPolicy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include <ompl_certificates/geometry/FclObstacles.h>
-#include <ompl_certificates/geometry/RigidRobot.h>
+#include <ompl_certificates/obstacles/FclObstacles.h>
+#include <ompl_certificates/planning/TeamSetup.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/TeamStateSpace.h>
 #include <ompl_certificates/validity/CertificateMotionValidator.h>
 #include <ompl_certificates/validity/SharedProjection.h>
-#include <ompl_certificates/validity/TeamSetup.h>
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision_object.h>

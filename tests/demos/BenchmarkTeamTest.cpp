@@ -35,7 +35,7 @@ namespace
 
 TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "first.yaml", easyScene());
     writeFile(folder / "second.yaml", easyScene());
     Program program("benchmark_team", {folder / "first.yaml", folder / "second.yaml", "--planners", "RRT,BITstar",
@@ -92,7 +92,7 @@ TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
 {
     for (const int signal : {SIGINT, SIGTERM})
     {
-        const TemporaryFolder folder;
+        const Folder folder;
         writeFile(folder / "scene.yaml", easyScene());
         // RRTstar takes all of its time, so at most a few of these runs are done when it is interrupted.
         Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTstar", "--methods", "shared",
@@ -115,7 +115,7 @@ TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
 
 TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "scene.yaml", easyScene());
     Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTConnect", "--methods", "shared",
                                        "--runs", "1", "--time", "0.5", "--log", "/dev/full"});
@@ -125,7 +125,7 @@ TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)
 
 TEST(BenchmarkTeam, writesALogToStandardOutput)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "scene.yaml", easyScene());
     Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTConnect", "--methods", "shared",
                                        "--runs", "1", "--time", "0.5", "--log", "-"});
@@ -137,7 +137,7 @@ TEST(BenchmarkTeam, writesALogToStandardOutput)
 
 TEST(BenchmarkTeam, suggestsWhatWasMeant)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "scene.yaml", easyScene());
     for (const auto &[option, word, meant] : {std::tuple{"--planners", "RRTConect", "RRTConnect"},
                                               {"--methods", "standart", "standard"},
@@ -152,7 +152,7 @@ TEST(BenchmarkTeam, suggestsWhatWasMeant)
 
 TEST(BenchmarkTeam, refusesBadInput)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "scene.yaml", easyScene());
     const std::string scene = folder / "scene.yaml", log = folder / "x.log";
     const std::vector<std::vector<std::string>> inputs{{},

@@ -67,7 +67,7 @@ planners:
 
 TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "grid.yaml", gridOf("500"));
     std::string errors;
     ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "whole", errors), 0) << errors;
@@ -117,7 +117,7 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
 
 TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "grid.yaml", gridOf("6000", "1"));
     const std::string out = folder / "out";
     {
@@ -151,7 +151,7 @@ TEST(Experiment, goesOnWhereItStoppedAndRepairsWhatIsDamaged)
 
 TEST(Experiment, runsOnlyTheTrialsThatWereAskedFor)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "grid.yaml", gridOf("50"));
     const std::vector<std::string> start{folder / "grid.yaml", "--out", folder / "out", "--only"};
     const auto runOnly = [&start](const std::string &part)
@@ -175,7 +175,7 @@ TEST(Experiment, runsOnlyTheTrialsThatWereAskedFor)
 
 TEST(Experiment, refusesTheFolderOfAnotherGrid)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "grid.yaml", gridOf("50", "1"));
     writeFile(folder / "other.yaml", gridOf("60", "1"));
     std::string errors;
@@ -193,7 +193,7 @@ TEST(Experiment, refusesTheFolderOfAnotherGrid)
 
 TEST(Experiment, losesNothingWhenNoMoreCanBeWritten)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     writeFile(folder / "grid.yaml", gridOf("500", "1"));
     const std::string out = folder / "out", program = OMPL_CERTIFICATES_BIN_DIR "/certificate_experiment";
     std::string errors;
@@ -211,7 +211,7 @@ TEST(Experiment, losesNothingWhenNoMoreCanBeWritten)
 
 TEST(Experiment, refusesBadGrids)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     const std::string good = gridOf("50");
     const auto with = [&good](const std::string &part, const std::string &other)
     {

@@ -16,7 +16,7 @@ namespace
 
     Answer shell(const std::string &command)
     {
-        const TemporaryFolder folder;
+        const Folder folder;
         const int status = std::system(("(" + command + ") > '" + (folder / "text") + "' 2>&1").c_str());
         return {WEXITSTATUS(status), contentOf(folder / "text")};
     }
@@ -46,7 +46,7 @@ planners:
             ASSERT_EQ(program.wait(), 0) << program.errors();
         }
 
-        TemporaryFolder folder_;
+        Folder folder_;
     };
 }
 

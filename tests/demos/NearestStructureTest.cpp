@@ -1,10 +1,9 @@
-#include "common/PlannerFactory.h"
-
-#include "ompl_certificates/geometry/FclObstacles.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/Planners.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/team/PlannerNeighbors.h"
-#include "ompl_certificates/validity/TeamSetup.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +50,7 @@ namespace
     {
         ompl::RNG::setSeed(3);
         const auto setup = discAndBoxAmongColumns(structure);
-        const ob::PlannerPtr planner = demos::makePlanner(name, setup->getSpaceInformation());
+        const ob::PlannerPtr planner = makePlanner(name, setup->getSpaceInformation());
         // Without an objective PRM ends when another thread finds that it may.
         if (name == "PRM")
             setup->setOptimizationObjective(
@@ -114,5 +113,5 @@ TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
     EXPECT_EQ(gnat.timed, gnat.nearestSeconds > 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(demos::plannerNames()),
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(plannerNames()),
                          [](const auto &planner) { return planner.param; });

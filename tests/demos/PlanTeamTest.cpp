@@ -1,6 +1,6 @@
 #include "demos/Program.h"
 
-#include "common/PlannerFactory.h"
+#include "ompl_certificates/planning/Planners.h"
 
 #include <algorithm>
 #include <chrono>
@@ -54,7 +54,7 @@ namespace
             return folder_ / "scene.yaml";
         }
 
-        TemporaryFolder folder_;
+        Folder folder_;
         std::string errors_;
         nlohmann::json report_;
     };
@@ -351,7 +351,7 @@ namespace
 
 TEST_P(PlanTeamBadInput, isOneLineAndExitCodeTwoAndNoFile)
 {
-    const TemporaryFolder folder;
+    const Folder folder;
     std::string wall = easyScene(), robot = easyScene();
     wall.replace(wall.find("start: [1, 5"), 12, "start: [5, 5");
     robot.replace(robot.find("unicycle"), 8, "submarine_");
@@ -403,6 +403,6 @@ TEST(ListPlanners, tellsOfEachInALine)
             EXPECT_TRUE(names.back() != "RRTstar" || optimizing) << line;
             EXPECT_TRUE(names.back() != "RRTConnect" || !optimizing) << line;
         }
-        EXPECT_EQ(names, demos::plannerNames());
+        EXPECT_EQ(names, ompl_certificates::plannerNames());
     }
 }

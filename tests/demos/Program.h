@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_TESTS_DEMOS_PROGRAM_
 #define OMPL_CERTIFICATES_TESTS_DEMOS_PROGRAM_
 
+#include "support/Folder.h"
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -13,43 +15,7 @@
 #include <unistd.h>
 #include <vector>
 
-/** \brief A folder for the files of one test, removed with it */
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "ompl_certificates_XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-
-    ~TemporaryFolder()
-    {
-        std::error_code error;
-        std::filesystem::remove_all(path_, error);
-    }
-
-    TemporaryFolder(const TemporaryFolder &) = delete;
-    TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-
-    /** \brief The path of a file in this folder */
-    std::string operator/(const std::string &name) const
-    {
-        return (path_ / name).string();
-    }
-
-    /** \brief The names of the files that are there */
-    std::vector<std::string> list() const
-    {
-        std::vector<std::string> names;
-        for (const auto &entry : std::filesystem::directory_iterator(path_))
-            names.push_back(entry.path().filename().string());
-        return names;
-    }
-
-private:
-    std::filesystem::path path_;
-};
+using ompl_certificates::test::Folder;
 
 inline std::string contentOf(const std::string &file)
 {
@@ -121,7 +87,7 @@ public:
     }
 
 private:
-    TemporaryFolder folder_;
+    Folder folder_;
     pid_t child_{0};
 };
 

@@ -2,10 +2,10 @@
 // are put right before the file is read, which the fuzzer would never guess.
 #include "FuzzFile.h"
 
-#include "ompl_certificates/geometry/FclObstacles.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
-#include "ompl_certificates/scene/CertificateFile.h"
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <boost/crc.hpp>
 #include <cstdlib>

@@ -1,5 +1,5 @@
+#include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "ompl_certificates/validity/TeamSetup.h"
 #include "support/Random.h"
 #include "support/RandomStates.h"
 

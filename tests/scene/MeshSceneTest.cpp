@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/MeshScene.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "scene/TextFile.h"
 #include "support/Folder.h"
 #include "support/Random.h"
 

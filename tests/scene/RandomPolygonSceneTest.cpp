@@ -1,5 +1,5 @@
 #include "ompl_certificates/scene/RandomPolygonScene.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "scene/TextFile.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "ompl_certificates/geometry/CarWithTrailer.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/scene/YamlScene.h"
+#include "scene/TextFile.h"
 
 #include <algorithm>
 #include <filesystem>

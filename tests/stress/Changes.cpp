@@ -1,11 +1,10 @@
 #include "Changes.h"
-
 #include "Compare.h"
 
+#include "scene/TextFile.h"
 #include "support/RandomStates.h"
 
-#include "ompl_certificates/scene/CertificateFile.h"
-#include "ompl_certificates/scene/TextFile.h"
+#include "ompl_certificates/validity/CertificateFile.h"
 
 #include <filesystem>
 #include <ompl/util/Exception.h>

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TESTS_STRESS_CHECKED_
 #define OMPL_CERTIFICATES_TESTS_STRESS_CHECKED_
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/validity/CertificateChecker.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 

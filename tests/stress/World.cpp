@@ -3,8 +3,8 @@
 #include "support/MeshObstacles.h"
 #include "support/RandomStates.h"
 
-#include "ompl_certificates/geometry/CarWithTrailer.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 
 namespace ompl_certificates
 {

@@ -6,7 +6,7 @@
 #include "support/Folder.h"
 #include "support/Random.h"
 
-#include "ompl_certificates/geometry/ObstacleSet.h"
+#include "ompl_certificates/obstacles/ObstacleSet.h"
 
 #include <memory>
 #include <vector>

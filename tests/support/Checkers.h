@@ -3,7 +3,7 @@
 
 #include "Teams.h"
 
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
 #define OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 namespace ompl_certificates
 {

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdlib.h>
 #include <string>
+#include <vector>
 
 namespace ompl_certificates
 {
@@ -29,6 +31,21 @@ namespace ompl_certificates
             Folder(const Folder &) = delete;
             Folder &operator=(const Folder &) = delete;
 
+            /** \brief The path of this folder */
+            std::string path() const
+            {
+                return path_.string();
+            }
+
+            /** \brief The names of the files that are there */
+            std::vector<std::string> list() const
+            {
+                std::vector<std::string> names;
+                for (const auto &entry : std::filesystem::directory_iterator(path_))
+                    names.push_back(entry.path().filename().string());
+                return names;
+            }
+
             /** \brief The path of a file in this folder */
             std::string operator/(const std::string &name) const
             {
@@ -40,6 +57,13 @@ namespace ompl_certificates
             {
                 std::ofstream(*this / name, std::ios::binary) << content;
                 return *this / name;
+            }
+
+            /** \brief What is in a file of this folder */
+            std::string read(const std::string &name) const
+            {
+                std::ifstream stream(*this / name, std::ios::binary);
+                return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
             }
 
         private:

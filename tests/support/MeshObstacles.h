@@ -4,7 +4,7 @@
 #include "RandomBodies.h"
 #include "RandomMeshes.h"
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 namespace ompl_certificates
 {

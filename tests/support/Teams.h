@@ -5,9 +5,9 @@
 #include "RandomMeshes.h"
 #include "RandomStates.h"
 
-#include "ompl_certificates/geometry/CarWithTrailer.h"
+#include "ompl_certificates/robots/CarWithTrailer.h"
 #include "support/DearObstacles.h"
-#include "ompl_certificates/geometry/RigidRobot.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <memory>

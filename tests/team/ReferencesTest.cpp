@@ -13,16 +13,18 @@ namespace
         return *state->as<TeamStateSpace::StateType>();
     }
 
-    void refer(const ob::State *state, CertificateIndex first)
+    void refer(const ob::State *state, TeamStateSpace::Reference first)
     {
         for (unsigned int i = 0; i < 3; ++i)
             typed(state).setReference(i, first + i);
     }
 
-    void expectReferences(const ob::State *state, CertificateIndex first)
+    void expectReferences(const ob::State *state, TeamStateSpace::Reference first)
     {
         for (unsigned int i = 0; i < 3; ++i)
-            EXPECT_EQ(typed(state).getReference(i), first == NO_CERTIFICATE ? NO_CERTIFICATE : first + i) << i;
+            EXPECT_EQ(typed(state).getReference(i),
+                      first == TeamStateSpace::NO_REFERENCE ? TeamStateSpace::NO_REFERENCE : first + i)
+                << i;
     }
 
     class References : public testing::TestWithParam<unsigned int>
@@ -52,7 +54,7 @@ namespace
 
 TEST_P(References, AreNoneInANewState)
 {
-    expectReferences(a_, NO_CERTIFICATE);
+    expectReferences(a_, TeamStateSpace::NO_REFERENCE);
 }
 
 TEST_P(References, ArePassedOnByCopies)
@@ -93,13 +95,13 @@ TEST_P(References, AreForgottenBySamplers)
     {
         refer(a_, 10);
         sampler->sampleUniform(a_);
-        expectReferences(a_, NO_CERTIFICATE);
+        expectReferences(a_, TeamStateSpace::NO_REFERENCE);
         refer(a_, 10);
         sampler->sampleUniformNear(a_, b_, 0.1);
-        expectReferences(a_, NO_CERTIFICATE);
+        expectReferences(a_, TeamStateSpace::NO_REFERENCE);
         refer(a_, 10);
         sampler->sampleGaussian(a_, b_, 0.1);
-        expectReferences(a_, NO_CERTIFICATE);
+        expectReferences(a_, TeamStateSpace::NO_REFERENCE);
         EXPECT_TRUE(team_->satisfiesBounds(a_));
     }
 }
@@ -125,14 +127,14 @@ TEST_P(References, AreForgottenByDeserializationWhichKeepsTheRest)
     team_->deserialize(b_, data.data());
     EXPECT_TRUE(team_->equalStates(a_, b_));
     EXPECT_EQ(realsOf(*team_, a_), realsOf(*team_, b_));
-    expectReferences(b_, NO_CERTIFICATE);
+    expectReferences(b_, TeamStateSpace::NO_REFERENCE);
 }
 
 TEST_P(References, AreClearedTogether)
 {
     refer(a_, 10);
     team_->clearReferences(a_);
-    expectReferences(a_, NO_CERTIFICATE);
+    expectReferences(a_, TeamStateSpace::NO_REFERENCE);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, References, testing::Values(0U, 1U, 2U));

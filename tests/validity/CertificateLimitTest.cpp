@@ -1,3 +1,4 @@
+#include "ompl_certificates/certificates/CertificateTree.h"
 #include "support/Checkers.h"
 
 #include <gtest/gtest.h>

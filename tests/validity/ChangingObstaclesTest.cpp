@@ -1,7 +1,7 @@
 #include "support/Checkers.h"
 #include "support/RandomMeshes.h"
 
-#include "ompl_certificates/geometry/ObstacleSet.h"
+#include "ompl_certificates/obstacles/ObstacleSet.h"
 
 #include <atomic>
 #include <gtest/gtest.h>

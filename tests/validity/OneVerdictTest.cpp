@@ -1,11 +1,10 @@
 // In continuous mode a motion has one verdict: that of its geometry.
 
+#include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
 
+#include <array>
 #include <gtest/gtest.h>
-#include <ompl/geometric/planners/kpiece/KPIECE1.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 #include <thread>
 
@@ -198,19 +197,6 @@ TEST_P(OneVerdict, InEveryThread)
 
 namespace
 {
-    ob::PlannerPtr makePlanner(unsigned int which, const ob::SpaceInformationPtr &si)
-    {
-        switch (which)
-        {
-            case 0:
-                return std::make_shared<og::RRTConnect>(si);
-            case 1:
-                return std::make_shared<og::KPIECE1>(si);
-            default:
-                return std::make_shared<og::RRTstar>(si);
-        }
-    }
-
     /** Whether no state of the path collides, looked at a thousand times as closely as a discrete check does */
     bool isFreeThroughout(const og::PathGeometric &path, const TeamValidityChecker &standard)
     {
@@ -235,6 +221,7 @@ namespace
 TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
 {
     // By hand 1000 plans: OMPL_CERTIFICATES_TEST_SCALE=30
+    const std::array<const char *, 3> planners{"RRTConnect", "KPIECE1", "RRTstar"};
     unsigned int solved = 0;
     for (unsigned int seed = 0; seed < scaled(9); ++seed)
     {
@@ -243,7 +230,7 @@ TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
         const World world(GetParam(), random);
         const auto setup = world.setup(CERTIFIED[seed % 3], 0.02);
         const TeamValidityChecker standard(setup->getSpaceInformation(), world.obstacles);
-        setup->setPlanner(makePlanner(seed / 3 % 3, setup->getSpaceInformation()));
+        setup->setPlanner(makePlanner(planners[seed / 3 % 3], setup->getSpaceInformation()));
         setup->setStartAndGoalStates(validState(random, *setup), validState(random, *setup),
                                      0.05 * world.team->getMaximumExtent());
         unsigned int evaluations = 0;

@@ -1,6 +1,6 @@
 #include "support/Teams.h"
 
-#include "ompl_certificates/validity/TeamSetup.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>

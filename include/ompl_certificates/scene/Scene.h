@@ -1,9 +1,9 @@
 #ifndef OMPL_CERTIFICATES_SCENE_SCENE_
 #define OMPL_CERTIFICATES_SCENE_SCENE_
 
-#include "ompl_certificates/geometry/FclObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
-#include "ompl_certificates/validity/TeamSetup.h"
 
 #include <memory>
 #include <ompl/base/ScopedState.h>

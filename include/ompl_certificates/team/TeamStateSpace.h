@@ -1,10 +1,12 @@
 #ifndef OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 #define OMPL_CERTIFICATES_TEAM_TEAM_STATE_SPACE_
 
-#include "ompl_certificates/certificates/Certificate.h"
-#include "ompl_certificates/geometry/Robot.h"
+#include "ompl_certificates/neighbors/SearchableStateSpace.h"
+#include "ompl_certificates/robots/Robot.h"
 
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <ompl/base/StateSpace.h>
 #include <vector>
 
@@ -18,31 +20,30 @@ namespace ompl_certificates
         Every state carries, for each robot, a reference to a certificate that proved it free. References are hints:
         copyState(), cloneState() and interpolate() pass them on, sampling and deserialization clear them, and
         serialization, equality and distance ignore them. */
-    class TeamStateSpace : public ompl::base::CompoundStateSpace
+    class TeamStateSpace : public SearchableStateSpace
     {
     public:
+        /** \brief Which certificate a state refers to: a number that the validity checker knows the meaning of */
+        using Reference = std::uint32_t;
+
+        /** \brief Refers to no certificate */
+        static constexpr Reference NO_REFERENCE = std::numeric_limits<Reference>::max();
+
         /** \brief A state of the team: the robots' states, and a certificate reference for each robot. */
-        class StateType : public ompl::base::CompoundStateSpace::StateType
+        class StateType : public SearchableStateSpace::StateType
         {
         public:
-            /** \brief The certificate that proved robot \e robot free, or NO_CERTIFICATE */
-            CertificateIndex getReference(unsigned int robot) const
+            /** \brief The certificate that proved robot \e robot free, or NO_REFERENCE */
+            Reference getReference(unsigned int robot) const
             {
                 return references_[robot].load(std::memory_order_relaxed);
             }
 
             /** \brief Remember that \e certificate proved robot \e robot free. Part of the state's cache, not of its value, so
                 it may be called on a constant state and from many threads at once. */
-            void setReference(unsigned int robot, CertificateIndex certificate) const
+            void setReference(unsigned int robot, Reference certificate) const
             {
                 references_[robot].store(certificate, std::memory_order_relaxed);
-            }
-
-            /** \brief The space that allocated the state; for those who are handed states alone, as OMPL's
-                nearest-neighbour structures are. Valid as long as that space is. */
-            const TeamStateSpace *getSpace() const
-            {
-                return space_;
             }
 
         private:
@@ -54,8 +55,7 @@ namespace ompl_certificates
                 return reinterpret_cast<const double *>(this + 1);
             }
 
-            const TeamStateSpace *space_{nullptr};
-            std::atomic<CertificateIndex> *references_{nullptr};
+            std::atomic<Reference> *references_{nullptr};
         };
 
         /** \brief How the robots' weighted distances make up the team's */
@@ -108,6 +108,8 @@ namespace ompl_certificates
 
         /** \brief Forget the certificate references of \e state */
         void clearReferences(const ompl::base::State *state) const;
+
+        Composition getComposition() const override;
 
         double getMaximumExtent() const override;
 

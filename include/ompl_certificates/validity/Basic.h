@@ -1,12 +1,19 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_BASIC_
 #define OMPL_CERTIFICATES_VALIDITY_BASIC_
 
+#include "ompl_certificates/certificates/ChunkedArray.h"
 #include "ompl_certificates/validity/CertificateChecker.h"
 
+#include <atomic>
+#include <memory>
 #include <mutex>
+#include <vector>
 
 namespace ompl_certificates
 {
+    class CertifiedEnvironment;
+    class SwitchingPolicy;
+
     /** \brief The Basic Certificate method: the one team certificate of a near state certifies all robots at once, or nothing.
 
         A team certificate is made where a whole state had to be checked and was found free: a clearance for each body.
@@ -22,6 +29,8 @@ namespace ompl_certificates
     public:
         /** \brief See TeamValidityChecker::TeamValidityChecker() */
         Basic(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles);
+
+        ~Basic() override;
 
         std::string getMethodName() const override
         {
@@ -58,7 +67,7 @@ namespace ompl_certificates
         /** \brief Whether team certificate \e team proves all robots free, and for how long */
         bool proveTeamFree(CertificateIndex team, const Pose *poses, const Motion &motion, PoseVerdict &verdict) const;
 
-        CertifiedEnvironment environment_;
+        std::unique_ptr<CertifiedEnvironment> environment_;
         /** \brief For each body of the team */
         mutable std::vector<SwitchingPolicy> policies_;
         mutable std::mutex insertMutex_;

@@ -4,14 +4,20 @@
 #include "ompl_certificates/validity/CertificateChecker.h"
 
 #include <memory>
+#include <vector>
 
 namespace ompl_certificates
 {
+    class CertifiedEnvironment;
+    class SwitchingPolicy;
+
     /** \brief Settles each robot for itself, in its projection of the team's space to the workspace: what the methods Partial
         and Shared Projection have in common. They differ in which robots share a tree of certificates. */
     class ProjectedChecker : public CertificateChecker
     {
     public:
+        ~ProjectedChecker() override;
+
         void clear() override;
 
         std::size_t getCertificateCount() const override;

@@ -1,7 +1,9 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
 #define OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
 
-#include "ompl_certificates/certificates/CertifiedEnvironment.h"
+#include "ompl_certificates/certificates/CertificateLimit.h"
+#include "ompl_certificates/certificates/CheckCounts.h"
+#include "ompl_certificates/certificates/PoseQuery.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <memory>
@@ -72,13 +74,7 @@ namespace ompl_certificates
 
     private:
         /** \brief A body as the environment of others, seen from its own frame */
-        struct BodyFrame
-        {
-            Body body;
-            CertifiedEnvironment environment;
-            /** What pays with certificates, and without */
-            SwitchingPolicy policy, contactPolicy;
-        };
+        struct BodyFrame;
 
         /** \brief A body of one robot and a body of the other */
         struct BodyPair

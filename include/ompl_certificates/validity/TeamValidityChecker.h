@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_VALIDITY_CHECKER_
 
-#include "ompl_certificates/geometry/ObstacleChange.h"
+#include "ompl_certificates/obstacles/ObstacleChange.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 #include "ompl_certificates/validity/RobotPairs.h"
 #include "ompl_certificates/validity/Statistics.h"
@@ -9,9 +9,12 @@
 
 #include <ompl/base/StateValidityChecker.h>
 #include <string>
+#include <vector>
 
 namespace ompl_certificates
 {
+    class SwitchingPolicy;
+
     /** \brief How a team is checked without certificates */
     enum class ExactCheck
     {
@@ -35,6 +38,8 @@ namespace ompl_certificates
             workspace or heights are not the team's */
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, ObstaclesPtr obstacles,
                             ExactCheck exactCheck = ExactCheck::CONTACT_TEST_THEN_FCL);
+
+        ~TeamValidityChecker() override;
 
         bool isValid(const ompl::base::State *state) const override;
 

@@ -1,8 +1,8 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_USER_PARTS_
 #define OMPL_CERTIFICATES_VALIDITY_USER_PARTS_
 
-#include "ompl_certificates/geometry/Obstacles.h"
-#include "ompl_certificates/geometry/Robot.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
+#include "ompl_certificates/robots/Robot.h"
 
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <vector>

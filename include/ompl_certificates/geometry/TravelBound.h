@@ -1,0 +1,21 @@
+#ifndef OMPL_CERTIFICATES_GEOMETRY_TRAVEL_BOUND_
+#define OMPL_CERTIFICATES_GEOMETRY_TRAVEL_BOUND_
+
+namespace ompl_certificates
+{
+    /** \brief The motion bound of a body along a motion whose time runs from 0 to 1: a point at distance d from the origin
+        of the body's frame travels at most (linear + angular * d) * dt in any stretch of length dt. */
+    struct TravelBound
+    {
+        double linear{0.0};
+        double angular{0.0};
+
+        /** \brief The bound for the center of a ball at distance \e distance from the origin of the body's frame */
+        double at(double distance) const
+        {
+            return linear + angular * distance;
+        }
+    };
+}
+
+#endif

@@ -1,0 +1,308 @@
+#ifndef OMPL_CERTIFICATES_NEIGHBORS_PLANNER_KD_TREE_
+#define OMPL_CERTIFICATES_NEIGHBORS_PLANNER_KD_TREE_
+
+#include "ompl_certificates/neighbors/SearchableStateSpace.h"
+#include "ompl_certificates/neighbors/StateKdTree.h"
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <ompl/datastructures/NearestNeighbors.h>
+#include <ompl/datastructures/NearestNeighborsGNAT.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/util/Exception.h>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace detail
+    {
+        template <typename Type>
+        using IfState = std::enable_if_t<std::is_convertible_v<Type, const ompl::base::State *>>;
+
+        /** \brief Orders the overloads of stateOf() below, for elements that fit several */
+        template <int Rank>
+        struct Prefer : Prefer<Rank - 1>
+        {
+        };
+
+        template <>
+        struct Prefer<0>
+        {
+        };
+
+        /** \brief Neither a state nor something that shows one */
+        template <typename Data>
+        const ompl::base::State *stateOf(const Data &, Prefer<0>)
+        {
+            return nullptr;
+        }
+
+        /** \brief Something with a function \e getState() */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->getState())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<1>)
+        {
+            return data->getState();
+        }
+
+        /** \brief … with a function \e state(), as BITstar's vertices */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state())>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<2>)
+        {
+            return data->state();
+        }
+
+        /** \brief … with a member \e state_, as in SST and LazyLBTRRT. Before getState(), which is another state in SST's
+            witnesses. */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state_)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<3>)
+        {
+            return data->state_;
+        }
+
+        /** \brief … with a member \e state: the motions of most planners */
+        template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state)>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<4>)
+        {
+            return data->state;
+        }
+
+        /** \brief A pointer to a state itself */
+        template <typename Data, typename = IfState<Data>>
+        const ompl::base::State *stateOf(const Data &data, Prefer<5>)
+        {
+            return data;
+        }
+    }
+
+    /** \brief A kd-tree for OMPL's planners. useKdTree() gives it to any planner. In a SearchableStateSpace, such as a
+        team's, a planner also takes it by itself:
+
+            planner->setNearestNeighbors<ompl_certificates::PlannerKdTree>();
+
+        It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster; the more robots,
+        the more of a planner's time that is. Of equal distances the element that was added first comes first.
+
+        If it is not told, it learns the space from the first state added. It steps aside where it cannot know what a
+        distance is:
+        - elements that do not show a state (the vertices of PRM, LazyPRM, SPARS and SPARStwo) and states of another space
+          than SearchableStateSpace are left to GNAT, unless states and space are given to the constructor;
+        - so are distance functions that are not the space's distance, which the first few elements show, and states that
+          are not of the space (an angle out of its range, a coordinate that is not a number);
+        - a distance that is not even symmetric is left to a linear search, as GNAT's answers would be wrong.
+
+        As with GNAT, an element's state must not change while the element is stored, and constant functions may be called
+        from many threads at once. */
+    template <typename T>
+    class PlannerKdTree : public ompl::NearestNeighbors<T>
+    {
+    public:
+        using typename ompl::NearestNeighbors<T>::DistanceFunction;
+        using ompl::NearestNeighbors<T>::add;
+
+        /** \brief The state of an element */
+        using StateFunction = std::function<const ompl::base::State *(const T &)>;
+
+        /** \brief Find the space when the first state is added */
+        PlannerKdTree() : PlannerKdTree(nullptr)
+        {
+        }
+
+        /** \brief For states of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these.
+            Elements of other spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do
+            not show their state need \e stateOf. */
+        explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
+                               std::shared_ptr<ompl::NearestNeighbors<T>> other = nullptr)
+          : space_(std::move(space))
+          , stateFunction_(std::move(stateOf))
+          , gnat_(other ? std::move(other) : std::make_shared<ompl::NearestNeighborsGNAT<T>>())
+        {
+        }
+
+        /** \brief Elements that are stored are sorted in anew. */
+        void setDistanceFunction(const DistanceFunction &distance) override
+        {
+            std::vector<T> elements;
+            list(elements);
+            clear();
+            ompl::NearestNeighbors<T>::setDistanceFunction(distance);
+            add(elements);
+        }
+
+        /** \brief Whether elements are in the kd-tree now, not left to another structure */
+        bool usesKdTree() const
+        {
+            return tree_ != nullptr;
+        }
+
+        bool reportsSortedResults() const override
+        {
+            return true;
+        }
+
+        void clear() override
+        {
+            tree_.reset();
+            gnat_->clear();
+            linear_.clear();
+            other_ = nullptr;
+            elements_.clear();
+        }
+
+        void add(const T &data) override
+        {
+            if (!tree_ && !other_)
+                begin(data);
+            if (tree_ && tree_->size() < TRIALS)
+                test(data);
+            if (tree_ && !tree_->add(stateOf(data)))
+                stepAside(*gnat_);
+            if (other_)
+                other_->add(data);
+            else
+                elements_.push_back(data);
+        }
+
+        bool remove(const T &data) override
+        {
+            if (other_)
+                return other_->remove(data);
+            if (!tree_)
+                return false;
+            const auto index = tree_->find(stateOf(data), [&](StateKdTree::Index i) { return elements_[i] == data; });
+            if (index == StateKdTree::NONE)
+                return false;
+            tree_->remove(index);
+            elements_[index] = std::move(elements_.back());
+            elements_.pop_back();
+            return true;
+        }
+
+        /** \throws ompl::Exception if there is no element */
+        T nearest(const T &data) const override
+        {
+            if (other_)
+                return other_->nearest(data);
+            if (elements_.empty())
+                throw ompl::Exception("No elements found in nearest neighbors data structure");
+            const auto &found = search(data, 1, std::numeric_limits<double>::infinity());
+            // None only if no distance is a number
+            return elements_[found.empty() ? 0 : found.front().second];
+        }
+
+        void nearestK(const T &data, std::size_t k, std::vector<T> &nbh) const override
+        {
+            if (other_)
+                return other_->nearestK(data, k, nbh);
+            collect(search(data, k, std::numeric_limits<double>::infinity()), nbh);
+        }
+
+        void nearestR(const T &data, double radius, std::vector<T> &nbh) const override
+        {
+            if (other_)
+                return other_->nearestR(data, radius, nbh);
+            collect(search(data, elements_.size(), radius), nbh);
+        }
+
+        std::size_t size() const override
+        {
+            return other_ ? other_->size() : elements_.size();
+        }
+
+        void list(std::vector<T> &data) const override
+        {
+            if (other_)
+                other_->list(data);
+            else
+                data = elements_;
+        }
+
+    private:
+        /** Among so many elements the planner's distance is compared with the space's. */
+        static constexpr std::size_t TRIALS = 8;
+
+        const ompl::base::State *stateOf(const T &data) const
+        {
+            return stateFunction_ ? stateFunction_(data) : detail::stateOf(data, detail::Prefer<5>());
+        }
+
+        /** Decide where elements go, now that there is one to learn the space from. */
+        void begin(const T &data)
+        {
+            const auto *state = stateOf(data);
+            const ompl::base::StateSpace *space = space_.get();
+            // CForest's planners believe to be in a space of its own, which wraps the true one.
+            if (const auto *knowing = dynamic_cast<const SearchableStateSpace::StateType *>(state))
+                space = knowing->getSpace();
+            if (state && space)
+                tree_ = std::make_unique<StateKdTree>(*space);
+            if (tree_ && tree_->isUseful())
+                trialSpace_ = space;
+            else
+                stepAside(*gnat_);
+        }
+
+        /** Step aside if distances between \e data and the elements are not the space's. */
+        void test(const T &data)
+        {
+            for (const T &element : elements_)
+            {
+                const double distance = this->distFun_(data, element);
+                if (distance != this->distFun_(element, data))
+                    return stepAside(linear_);
+                if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
+                    return stepAside(*gnat_);
+            }
+            // Should OMPL compute them in another way one day, or the compiler fuse what it did not, rounding would differ.
+            for (StateKdTree::Index i = 0; i < tree_->size(); ++i)
+                if (tree_->isExact() && tree_->distance(stateOf(data), i) != this->distFun_(data, elements_[i]))
+                    tree_->distrust();
+        }
+
+        void stepAside(ompl::NearestNeighbors<T> &other)
+        {
+            tree_.reset();
+            other_ = &other;
+            other_->setDistanceFunction(this->distFun_);
+            other_->add(elements_);
+            elements_.clear();
+        }
+
+        const StateKdTree::Neighbors &search(const T &data, std::size_t count, double radius) const
+        {
+            thread_local StateKdTree::Neighbors found;
+            found.clear();
+            if (tree_)
+                tree_->nearest(
+                    stateOf(data), count, radius,
+                    [&](StateKdTree::Index i) { return this->distFun_(data, elements_[i]); }, found);
+            return found;
+        }
+
+        void collect(const StateKdTree::Neighbors &found, std::vector<T> &nbh) const
+        {
+            nbh.clear();
+            nbh.reserve(found.size());
+            for (const auto &neighbor : found)
+                nbh.push_back(elements_[neighbor.second]);
+        }
+
+        ompl::base::StateSpacePtr space_;
+        StateFunction stateFunction_;
+        /** Of the elements in the tree; alive as long as their states are */
+        const ompl::base::StateSpace *trialSpace_{nullptr};
+        std::unique_ptr<StateKdTree> tree_;
+        /** There even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
+            get, and with them the tree that is grown, do not depend on which structure the planner was given. */
+        std::shared_ptr<ompl::NearestNeighbors<T>> gnat_;
+        ompl::NearestNeighborsLinear<T> linear_;
+        /** The one of them that has the elements, if the tree has not */
+        ompl::NearestNeighbors<T> *other_{nullptr};
+        /** The elements in the tree, by their numbers */
+        std::vector<T> elements_;
+    };
+}
+
+#endif

@@ -1,0 +1,149 @@
+#ifndef OMPL_CERTIFICATES_NEIGHBORS_STATE_KD_TREE_
+#define OMPL_CERTIFICATES_NEIGHBORS_STATE_KD_TREE_
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <ompl/base/StateSpace.h>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    class ExactDistance;
+    class FlatMetric;
+
+    /** \brief A kd-tree over states of a SearchableStateSpace, or of R^n, SE(2), SE(3) and compounds of these: what
+        PlannerKdTree is made of.
+
+        It numbers the states in the order in which they came and keeps copies of their coordinates, not the states. Its
+        own bounds only rule states out, by a margin larger than rounding; a distance function of the caller's decides.
+        States are added in the time of one descent (now and then a leaf of 64 is divided; nothing is ever rebuilt), and
+        the depth stays logarithmic in whatever order they come. Queries change nothing and may run at once from many
+        threads, as long as none adds or removes. */
+    class StateKdTree
+    {
+    public:
+        /** \brief The number of a state: 0, …, size() - 1 */
+        using Index = std::uint32_t;
+
+        /** \brief Not a number of any state */
+        static constexpr Index NONE = ~Index(0);
+
+        /** \brief The distance from the state that was asked about to the one with that number */
+        using Distance = std::function<double(Index)>;
+
+        /** \brief States and their distances */
+        using Neighbors = std::vector<std::pair<double, Index>>;
+
+        /** \brief An empty tree for the states of \e space, whose weights and kinds of components it learns now. They must
+            not change as long as there are states in it; bounds may. */
+        explicit StateKdTree(const ompl::base::StateSpace &space);
+
+        ~StateKdTree();
+
+        StateKdTree(const StateKdTree &) = delete;
+        StateKdTree &operator=(const StateKdTree &) = delete;
+
+        /** \brief Whether the tree can rule out anything: it knows a component of the space. If not, do not use it. */
+        bool isUseful() const;
+
+        /** \brief Whether distances to the states are the space's to the last bit, and so need not be asked of the caller:
+            true if the tree knows every component of the space. */
+        bool isExact() const
+        {
+            return exact_;
+        }
+
+        /** \brief From now on, ask the caller for all distances */
+        void distrust()
+        {
+            exact_ = false;
+        }
+
+        /** \brief The distance from \e state to the one with this number; only if isExact() */
+        double distance(const ompl::base::State *state, Index index) const;
+
+        /** \brief Add a state; its number is the size before. The state must not change while it is in the tree.
+            \return false, and nothing is added, if the state is out of the domain of its space's distance: not finite,
+            an angle out of [-pi, pi], a quaternion that is not of unit length */
+        bool add(const ompl::base::State *state);
+
+        /** \brief Remove the state with this number; the last one takes its number. Constant time. */
+        void remove(Index index);
+
+        /** \brief The number of a state that is equal to \e state and that \e is confirms; NONE if there is none. Takes the
+            time of a descent. */
+        Index find(const ompl::base::State *state, const std::function<bool(Index)> &is) const;
+
+        /** \brief Find the \e count nearest of those states that are not further than \e radius from \e state, sorted; of
+            equal distances the lower number first. \e distance is called for these and few more, if not isExact(). */
+        void nearest(const ompl::base::State *state, std::size_t count, double radius, const Distance &distance,
+                     Neighbors &neighbors) const;
+
+        /** \brief The number of states */
+        std::size_t size() const
+        {
+            return places_.size();
+        }
+
+        /** \brief Remove all states */
+        void clear();
+
+    private:
+        /** Exact coordinates are kept in blocks of so many states: a growing array would have to be moved at times. */
+        static constexpr std::size_t BLOCK_SIZE = 512;
+
+        struct Leaf;
+        struct Search;
+
+        struct Place
+        {
+            Leaf *leaf;
+            std::uint32_t position;
+        };
+
+        /** A leaf, or a cut: lower coordinates in node \e child, others in the one after it */
+        struct Node
+        {
+            Leaf *leaf{nullptr};
+            std::uint32_t child{0};
+            std::uint32_t coordinate{0};
+            float cut{0.0F};
+        };
+
+        float *low(std::uint32_t node);
+        float *high(std::uint32_t node);
+        const float *low(std::uint32_t node) const;
+        const float *high(std::uint32_t node) const;
+        std::uint32_t addNode(Leaf *leaf);
+        Leaf *addLeaf();
+        void extend(std::uint32_t node, const float *row);
+        void put(Leaf &leaf, const float *row, Index index);
+        bool divide(std::uint32_t node, unsigned int depth);
+        float chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high, unsigned int depth) const;
+        double *exactRow(std::size_t index) const;
+        double distanceOf(const Search &search, Index index) const;
+        void ruleOutBeyond(Search &search, double key) const;
+        void compact(Search &search) const;
+        void searchTree(Search &search) const;
+        void searchLeaf(Search &search, const Leaf &leaf) const;
+
+        std::unique_ptr<const FlatMetric> metric_;
+        unsigned int rowSize_;
+        std::unique_ptr<const ExactDistance> exactDistance_;
+        std::vector<Node> nodes_;
+        /** The box of what is, or was, in node i: a row of low coordinates, then one of high ones */
+        std::vector<float> boxes_;
+        std::vector<std::unique_ptr<Leaf>> leaves_;
+        std::deque<Place> places_;
+        /** The states' own coordinates */
+        std::vector<std::unique_ptr<double[]>> blocks_;
+        bool exact_;
+        /** See FlatMetric::flatten() */
+        double magnitude_{0.0};
+    };
+}
+
+#endif

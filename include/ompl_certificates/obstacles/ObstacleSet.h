@@ -1,0 +1,69 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_OBSTACLE_SET_
+#define OMPL_CERTIFICATES_OBSTACLES_OBSTACLE_SET_
+
+#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/obstacles/ObstacleChange.h"
+
+#include <map>
+
+namespace ompl_certificates
+{
+    /** \brief Obstacles that come, go and move.
+
+        The obstacles that a checker uses never change themselves: each change makes new ones, which it is then given.
+        @code
+        ObstacleSet set(2);
+        const ObstacleSet::Id crate = set.add({Body::box(1.0, 1.0), here});
+        TeamSetup setup(team, set.takeChange().after);
+        ...
+        set.move(crate, there);
+        setup.getTeamChecker()->changeObstacles(set.takeChange());
+        @endcode
+        Not for several threads at once. */
+    class ObstacleSet
+    {
+    public:
+        /** \brief Names an obstacle; that of one that was removed is not used again */
+        using Id = std::uint64_t;
+
+        /** \brief No obstacles yet, in a workspace of \e dimension 2 or 3
+            \param heights see FclObstacles::FclObstacles()
+            \throws ompl::Exception for another dimension */
+        explicit ObstacleSet(unsigned int dimension, const Heights &heights = {});
+
+        /** \brief Add an obstacle
+            \throws ompl::Exception if FclObstacles would not take it */
+        Id add(const PlacedBody &obstacle);
+
+        /** \brief Put an obstacle elsewhere
+            \throws ompl::Exception if there is none of that name, or FclObstacles would not take it there */
+        void move(Id obstacle, const Pose &pose);
+
+        /** \brief Take an obstacle away
+            \throws ompl::Exception if there is none of that name */
+        void remove(Id obstacle);
+
+        /** \brief The number of obstacles */
+        std::size_t size() const
+        {
+            return obstacles_.size();
+        }
+
+        /** \brief The obstacles as they are now, and what has come and gone since the last call. Cost: that of making
+            FclObstacles of all of them. */
+        ObstacleChange takeChange();
+
+    private:
+        std::map<Id, PlacedBody>::iterator find(Id obstacle);
+        ObstaclesPtr make(const std::vector<PlacedBody> &obstacles) const;
+
+        unsigned int dimension_;
+        Heights heights_;
+        Id next_{0};
+
+        /** \brief The obstacles now, and when the last change was taken */
+        std::map<Id, PlacedBody> obstacles_, taken_;
+    };
+}
+
+#endif

@@ -1,0 +1,111 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_OBSTACLES_
+#define OMPL_CERTIFICATES_OBSTACLES_OBSTACLES_
+
+#include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/Pose.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace ompl_certificates
+{
+    /** \brief The number of a part of the obstacles, such as a triangle, in an order of the obstacles' own */
+    using ObstaclePart = std::uint32_t;
+
+    /** \brief No part, or one that is not known */
+    constexpr ObstaclePart NO_PART = std::numeric_limits<ObstaclePart>::max();
+
+    /** \brief What the robots must not touch: an exact check for bodies, and the clearance of points.
+
+        Derive from this class to plan among obstacles of another kind, such as a distance field. All methods are called
+        from many threads at once. The obstacles must not change while they are used. */
+    class Obstacles
+    {
+    public:
+        virtual ~Obstacles() = default;
+
+        /** \brief The dimension of the workspace: 2 or 3 */
+        virtual unsigned int getDimension() const = 0;
+
+        /** \brief In the plane: how far up and down bodies may reach that these obstacles are asked about */
+        virtual Heights getHeights() const
+        {
+            return {};
+        }
+
+        /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for. */
+        virtual bool collides(const Body &body, const Pose &pose) const = 0;
+
+        /** \brief The clearance φ of a point of the workspace: its distance to the nearest obstacle point, negative inside a
+            solid where known, infinite if there are no obstacles.
+
+            It must be 1-Lipschitz: the clearances of two points differ by no more than their distance. */
+        virtual double clearance(const Eigen::Vector3d &point) const = 0;
+
+        /** \brief clearance(), and which part of the obstacles is nearest
+            \param part set to that part, or to NO_PART where that is not known */
+        virtual double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+        {
+            part = NO_PART;
+            return clearance(point);
+        }
+
+        /** \brief A quick answer to collides() where there is one: NO and YES are sure to be what collides() says.
+            \param hit if not null and the answer is YES: set to a part that the body touches, or to NO_PART */
+        virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
+        {
+            return Touching::UNKNOWN;
+        }
+
+        /** \brief Whether \e body at \e pose is sure to collide() because of \e part alone, such as one that it touched
+            nearby: cheaper than touches(). False where that is not known. */
+        virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
+        {
+            return false;
+        }
+
+        /** \brief The ε of every clearance, in the scene's length unit: a ball with more clearance than its radius plus ε is
+            found free by collides(), and one with less than its radius minus ε is found colliding. It pays for rounding
+            and for the solver of the exact check. */
+        virtual double getTolerance() const = 0;
+
+        /** \brief Whether clearance() is the distance itself and not only a lower bound. Only then can a certificate prove
+            that a body collides. */
+        virtual bool provesCollisions() const
+        {
+            return true;
+        }
+
+        /** \brief A number that tells these obstacles from others, in another run of the program too, so that certificates may
+            be kept in a file; 0 if there is none */
+        virtual std::uint64_t getFingerprint() const
+        {
+            return 0;
+        }
+
+        /** \brief Whether a clearance costs less than searching a tree of certificates (some 100 ns). Then certificates are
+            followed by reference, but searched for only now and then. */
+        virtual bool isClearanceCheap() const
+        {
+            return false;
+        }
+    };
+
+    /** \brief A shared pointer to obstacles */
+    using ObstaclesPtr = std::shared_ptr<const Obstacles>;
+
+    /** \brief The tolerance of FCL's checks of two shapes, relative to their sizes. Its solvers iterate, and its
+        box-box test enlarges the boxes by about a millionth. */
+    constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
+
+    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones: relative, and for sizes above
+        10^5 growing with the square, which is how FCL enlarges large boxes */
+    constexpr double exactCheckTolerance(double size)
+    {
+        return (EXACT_CHECK_TOLERANCE + 4e-11 * size) * size;
+    }
+}
+
+#endif

@@ -1,0 +1,78 @@
+#ifndef OMPL_CERTIFICATES_PICTURES_SCENE_PICTURE_
+#define OMPL_CERTIFICATES_PICTURES_SCENE_PICTURE_
+
+#include "ompl_certificates/scene/Scene.h"
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    class SceneView;
+    class SvgWriter;
+
+    /** \brief A picture of a scene, and of what a planner made of it, as SVG.
+
+        Every robot has a color. Its start is its body within a circle, its goal the outline of its body with a cross.
+        Scenes in space are seen from above (x to the right, y up) and from the side (x to the right, z up). */
+    class ScenePicture
+    {
+    public:
+        /** \brief A picture of \e scene alone */
+        explicit ScenePicture(const Scene &scene);
+
+        /** \brief Add a path of the scene's team, with the bodies at regular intervals along it
+            \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots */
+        void setPath(const ompl::geometric::PathGeometric &path);
+
+        /** \brief Add a planner's tree, projected to each robot's place in the workspace. Of very large trees every
+            n-th edge is drawn.
+            \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots */
+        void setTree(const ompl::base::PlannerData &data);
+
+        /** \brief Add the balls that certificates prove to be free. Of very many, every n-th is drawn. */
+        void setCertificates(const std::vector<Certificate> &certificates);
+
+        /** \brief The picture as the text of an SVG file */
+        std::string toSvg() const;
+
+        /** \brief Write toSvg() to \e file; see writeTextFile()
+            \throws ompl::Exception that names the file if it cannot be written */
+        void write(const std::string &file) const;
+
+    private:
+        /** \brief The poses of a robot's bodies */
+        using BodyPoses = std::vector<Pose>;
+
+        /** \brief The poses of each robot at a state of the team */
+        std::vector<BodyPoses> posesOf(const ompl::base::State *state) const;
+
+        /** \brief Require that \e space is the space of the scene's robots */
+        void requireTeam(const ompl::base::StateSpacePtr &space) const;
+
+        void drawTreeAndPath(SvgWriter &svg, const SceneView &view) const;
+        void drawStartsAndGoals(SvgWriter &svg, const SceneView &view) const;
+
+        /** \brief Draw everything in one view; \e id tells it from other views */
+        void drawView(SvgWriter &svg, const SceneView &view, const std::string &id) const;
+
+        /** \brief Draw what the colors and marks mean, and return the lower right corner of it */
+        Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner) const;
+
+        Scene scene_;
+        std::vector<BodyPoses> starts_, goals_;
+
+        /** For each robot: the line that its first body follows, and poses at regular intervals */
+        std::vector<std::vector<Eigen::Vector3d>> lines_;
+        std::vector<std::vector<BodyPoses>> stations_;
+
+        /** For each robot: where its first body is at both ends of the edges of the tree */
+        std::vector<std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>> edges_;
+        std::vector<Certificate> certificates_;
+    };
+}
+
+#endif

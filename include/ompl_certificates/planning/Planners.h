@@ -1,0 +1,39 @@
+#ifndef OMPL_CERTIFICATES_PLANNING_PLANNERS_
+#define OMPL_CERTIFICATES_PLANNING_PLANNERS_
+
+#include <functional>
+#include <ompl/base/Planner.h>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What to do around a planner's solve() */
+    struct SolveHooks
+    {
+        /** \brief Ends solve() once it returns true. The planner's threads call it often. */
+        std::function<bool()> stop{};
+
+        /** \brief Called as soon as solve() returns, before anybody looks at the solution */
+        std::function<void()> after{};
+    };
+
+    /** \brief The names of all planners that makePlanner() makes: OMPL's classes, sorted */
+    std::vector<std::string> plannerNames();
+
+    /** \brief What the planner of that name is, in half a line
+        \throws ompl::Exception as makePlanner() */
+    std::string plannerDescription(const std::string &name);
+
+    /** \brief OMPL's geometric planner of that class name, such as RRTConnect
+        \throws ompl::Exception if there is none; the message suggests a similar name, or lists all */
+    ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
+                                       const SolveHooks &hooks = {});
+
+    /** \brief Set a parameter of \e planner
+        \throws ompl::Exception if the planner has none of that name (the message lists those it has), or refuses the
+        value */
+    void setParameter(ompl::base::Planner &planner, const std::string &key, const std::string &value);
+}
+
+#endif

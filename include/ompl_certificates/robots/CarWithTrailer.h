@@ -1,0 +1,35 @@
+#ifndef OMPL_CERTIFICATES_ROBOTS_CAR_WITH_TRAILER_
+#define OMPL_CERTIFICATES_ROBOTS_CAR_WITH_TRAILER_
+
+#include "ompl_certificates/robots/Robot.h"
+
+#include <ompl/base/spaces/RealVectorBounds.h>
+
+namespace ompl_certificates
+{
+    /** \brief A car that pulls a trailer in the plane: two bodies, hinged at the origin of the car's frame.
+
+        Its space is the compound of an ompl::base::SE2StateSpace (position and heading of the car, the position limited
+        by the bounds) and an ompl::base::SO2StateSpace (heading of the trailer, in the workspace's frame, not relative
+        to the car). The trailer's origin trails the hinge by the hitch length. Car and trailer are not checked against
+        each other. */
+    class CarWithTrailer : public Robot
+    {
+    public:
+        /** \brief A car of body \e car and a trailer of body \e trailer, \e hitchLength behind
+            \throws ompl::Exception if a body is not planar, \e bounds are not planar, or \e hitchLength is negative or
+            not finite */
+        CarWithTrailer(const std::string &name, const Body &car, const Body &trailer, double hitchLength,
+                       const ompl::base::RealVectorBounds &bounds);
+
+        void computePoses(const ompl::base::State *state, Pose *poses) const override;
+
+        void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                 TravelBound *bounds) const override;
+
+    private:
+        double hitchLength_;
+    };
+}
+
+#endif

@@ -1,0 +1,77 @@
+#ifndef OMPL_CERTIFICATES_ROBOTS_ROBOT_
+#define OMPL_CERTIFICATES_ROBOTS_ROBOT_
+
+#include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/TravelBound.h"
+
+#include <memory>
+#include <ompl/base/StateSpace.h>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief One member of a team: its component of the team's state space, and the bodies that it moves.
+
+        Derive from this class to bring an own kind of robot, such as an arm: say where each body is for a state, and
+        how far it can travel along a motion. Both are called from many threads at once. */
+    class Robot
+    {
+    public:
+        /** \brief A robot called \e name, which is also given to \e space
+            \throws ompl::Exception if \e name is empty, \e space is null, or \e bodies is empty or mixes planar and
+            spatial bodies */
+        Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies);
+
+        virtual ~Robot() = default;
+
+        Robot(const Robot &) = delete;
+        Robot &operator=(const Robot &) = delete;
+
+        /** \brief The robot's name, which tells it from the others of its team */
+        const std::string &getName() const
+        {
+            return name_;
+        }
+
+        /** \brief The robot's component of the team's state space */
+        const ompl::base::StateSpacePtr &getStateSpace() const
+        {
+            return space_;
+        }
+
+        /** \brief The bodies that the robot moves */
+        const std::vector<Body> &getBodies() const
+        {
+            return bodies_;
+        }
+
+        /** \brief The dimension of the workspace: 2 or 3 */
+        unsigned int getWorkspaceDimension() const
+        {
+            return bodies_.front().getDimension();
+        }
+
+        /** \brief Write where each body is when the robot is in \e state: one pose per body, to \e poses[0], … */
+        virtual void computePoses(const ompl::base::State *state, Pose *poses) const = 0;
+
+        /** \brief computePoses(), with the bodies of a planar robot exactly in the plane: upright and at z = 0, whatever rounding
+            computePoses() has left there. What the checkers ask for. */
+        void placeBodies(const ompl::base::State *state, Pose *poses) const;
+
+        /** \brief Write how far each body can travel along the space's interpolation from \e from to \e to: one bound
+            per body, to \e bounds[0], … A bound may be too large, which costs time, but never too small. */
+        virtual void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                         TravelBound *bounds) const = 0;
+
+    private:
+        std::string name_;
+        ompl::base::StateSpacePtr space_;
+        std::vector<Body> bodies_;
+    };
+
+    /** \brief A shared pointer to a robot */
+    using RobotPtr = std::shared_ptr<const Robot>;
+}
+
+#endif

@@ -1,0 +1,206 @@
+#include "CertificateFormat.h"
+
+#include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <ompl/util/Exception.h>
+#include <random>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        const std::string MAGIC = "OMPLCERT";
+        constexpr std::uint32_t VERSION = 1;
+
+        /** The magic word, version, dimension, fingerprint of the obstacles, number of certificates */
+        constexpr std::size_t HEAD_BYTES = 8 + 4 + 4 + 8 + 8, CHECKSUM_BYTES = 4;
+
+        /** Enough for all certificates that a tree can hold */
+        constexpr std::uintmax_t MOST_BYTES = std::uintmax_t(1) << 36u;
+
+        template <typename T>
+        void append(std::string &bytes, T value)
+        {
+            boost::endian::native_to_little_inplace(value);
+            bytes.append(reinterpret_cast<const char *>(&value), sizeof(value));
+        }
+
+        void append(std::string &bytes, double value)
+        {
+            std::uint64_t bits;
+            std::memcpy(&bits, &value, sizeof(bits));
+            append(bytes, bits);
+        }
+
+        template <typename T>
+        T take(const std::string &bytes, std::size_t &at)
+        {
+            T value;
+            std::memcpy(&value, bytes.data() + at, sizeof(value));
+            at += sizeof(value);
+            return boost::endian::little_to_native(value);
+        }
+
+        double takeNumber(const std::string &bytes, std::size_t &at)
+        {
+            const auto bits = take<std::uint64_t>(bytes, at);
+            double value;
+            std::memcpy(&value, &bits, sizeof(value));
+            return value;
+        }
+
+        std::uint32_t checksumOf(const std::string &bytes, std::size_t count)
+        {
+            boost::crc_32_type crc;
+            crc.process_bytes(bytes.data(), count);
+            return crc.checksum();
+        }
+
+        [[noreturn]] void fail(const std::string &file, const std::string &complaint)
+        {
+            throw ompl::Exception(file.empty() ? "''" : file, complaint);
+        }
+
+        /** \e complaint, and why the last operation failed, as the system tells it */
+        [[noreturn]] void failAs(const std::string &file, const std::string &complaint)
+        {
+            fail(file, complaint + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+        }
+
+        void writeDirectly(const std::string &file, const std::string &bytes, const std::string &named)
+        {
+            errno = 0;
+            std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+            stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            stream.close();
+            if (!stream)
+                failAs(named, "cannot be written");
+        }
+
+        /** All of it or nothing: another file is written and takes the place of \e file, unless that is a device. What a
+            link points to is replaced. */
+        void writeWhole(const std::string &file, const std::string &bytes)
+        {
+            std::error_code error;
+            const fs::file_status status = fs::status(file, error);
+            if (file.empty() || fs::is_directory(status))
+                fail(file, "is a directory, not a file");
+            if (fs::exists(status) && !fs::is_regular_file(status))
+                return writeDirectly(file, bytes, file);
+            const fs::path linked =
+                fs::is_symlink(fs::symlink_status(file, error)) ? fs::canonical(file, error) : fs::path();
+            const fs::path target = linked.empty() ? fs::path(file) : linked;
+            const fs::path temporary = target.string() + "." + std::to_string(std::random_device()()) + ".tmp";
+            try
+            {
+                writeDirectly(temporary.string(), bytes, file);
+                fs::rename(temporary, target, error);
+                if (error)
+                    fail(file, "cannot be written: " + error.message());
+            }
+            catch (...)
+            {
+                fs::remove(temporary, error);
+                throw;
+            }
+        }
+    }
+
+    ObstacleIdentity identityOf(const Obstacles &obstacles, const std::string &file)
+    {
+        const std::uint64_t fingerprint = obstacles.getFingerprint();
+        if (fingerprint == 0)
+            throw ompl::Exception(file,
+                                  "obstacles of this kind have no fingerprint by which their certificates "
+                                  "could be told from those of others");
+        return {obstacles.getDimension(), fingerprint};
+    }
+
+    void writeCertificates(const std::string &file, const ObstacleIdentity &obstacles,
+                           const std::vector<Certificate> &certificates)
+    {
+        std::string bytes = MAGIC;
+        bytes.reserve(HEAD_BYTES + (obstacles.dimension + 1) * sizeof(double) * certificates.size() + CHECKSUM_BYTES);
+        append(bytes, VERSION);
+        append(bytes, static_cast<std::uint32_t>(obstacles.dimension));
+        append(bytes, obstacles.fingerprint);
+        append(bytes, static_cast<std::uint64_t>(certificates.size()));
+        for (const Certificate &certificate : certificates)
+        {
+            for (unsigned int axis = 0; axis < obstacles.dimension; ++axis)
+                append(bytes, certificate.point[axis]);
+            append(bytes, certificate.clearance);
+        }
+        append(bytes, checksumOf(bytes, bytes.size()));
+        writeWhole(file, bytes);
+    }
+
+    std::string readCertificateBytes(const std::string &file)
+    {
+        std::error_code error;
+        if (fs::is_directory(file, error))
+            fail(file, "is a directory, not a file");
+        errno = 0;
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream)
+            failAs(file, "cannot be read");
+        std::string bytes;
+        char block[1u << 16u];
+        while (stream.read(block, sizeof(block)) || stream.gcount() > 0)
+        {
+            bytes.append(block, static_cast<std::size_t>(stream.gcount()));
+            if (bytes.size() > MOST_BYTES)
+                fail(file, "is larger than " + std::to_string(MOST_BYTES >> 20u) + " MB");
+        }
+        if (stream.bad())
+            failAs(file, "cannot be read");
+        return bytes;
+    }
+
+    std::vector<Certificate> parseCertificates(const std::string &bytes, const std::string &file,
+                                               const ObstacleIdentity &obstacles)
+    {
+        const auto refuse = [&file](const std::string &reason) { throw ompl::Exception(file, reason); };
+
+        if (bytes.compare(0, MAGIC.size(), MAGIC) != 0)
+            refuse("is not a file of certificates");
+        if (bytes.size() < HEAD_BYTES + CHECKSUM_BYTES)
+            refuse("is cut short");
+        std::size_t at = MAGIC.size();
+        const auto version = take<std::uint32_t>(bytes, at);
+        if (version != VERSION)
+            refuse("has version " + std::to_string(version) + " of the format; this program reads version " +
+                   std::to_string(VERSION));
+        const auto fileDimension = take<std::uint32_t>(bytes, at);
+        const auto fileFingerprint = take<std::uint64_t>(bytes, at);
+        const auto count = take<std::uint64_t>(bytes, at);
+        const std::size_t room = bytes.size() - HEAD_BYTES - CHECKSUM_BYTES;
+        const std::uint64_t bytesEach = (std::uint64_t(fileDimension) + 1) * sizeof(double);
+        if (count > room / bytesEach)
+            refuse("is cut short: " + std::to_string(count) + " certificates do not fit into its " +
+                   std::to_string(bytes.size()) + " bytes");
+        std::size_t end = bytes.size() - CHECKSUM_BYTES;
+        if (count * bytesEach != room || take<std::uint32_t>(bytes, end) != checksumOf(bytes, HEAD_BYTES + room))
+            refuse("is damaged: its checksum is another one");
+        if (fileDimension != obstacles.dimension || fileFingerprint != obstacles.fingerprint)
+            refuse("is of other obstacles");
+
+        std::vector<Certificate> certificates(count);
+        for (Certificate &certificate : certificates)
+        {
+            for (unsigned int axis = 0; axis < obstacles.dimension; ++axis)
+                certificate.point[axis] = takeNumber(bytes, at);
+            certificate.clearance = takeNumber(bytes, at);
+            if (!certificate.point.allFinite() || !(certificate.clearance > -std::numeric_limits<double>::infinity()))
+                refuse("is damaged: a certificate is not of numbers");
+        }
+        return certificates;
+    }
+}

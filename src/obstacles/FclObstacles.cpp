@@ -1,0 +1,134 @@
+#include "ompl_certificates/obstacles/FclObstacles.h"
+
+#include "ContactTest.h"
+#include "FclBodies.h"
+#include "FclTolerance.h"
+#include "Fingerprint.h"
+#include "PlanarCheck.h"
+#include "SpatialCheck.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        std::vector<PlacedBody> bodiesOf(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
+                                         unsigned int dimension)
+        {
+            std::vector<PlacedBody> bodies;
+            for (const auto &object : objects)
+            {
+                if (!object)
+                    throw ompl::Exception("A collision object must not be null");
+                bodies.push_back(bodyOf(*object, dimension));
+            }
+            return bodies;
+        }
+
+        /** The shapes of \e obstacles, which must be of that workspace and in place there */
+        PlacedShapes placed(const std::vector<PlacedBody> &obstacles, unsigned int dimension)
+        {
+            if (dimension != 2 && dimension != 3)
+                throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
+            PlacedShapes shapes;
+            for (const auto &[body, pose] : obstacles)
+            {
+                if (body.getDimension() != dimension)
+                    throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
+                                          " dimensions, its workspace " + std::to_string(dimension));
+                if (!pose.matrix().allFinite())
+                    throw ompl::Exception("The pose of an obstacle must be finite");
+                for (const auto &part : body.getParts())
+                {
+                    Pose partPose = pose * part.pose;
+                    if (!part.shape.putInPlace(partPose))
+                        throw ompl::Exception(
+                            "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "
+                            "mesh");
+                    shapes.push_back({part.shape, partPose});
+                }
+            }
+            return shapes;
+        }
+
+        bool isMesh(const PlacedShape &placed)
+        {
+            return placed.shape.getMesh() != nullptr;
+        }
+    }
+
+    FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const Heights &heights)
+      : dimension_(dimension), heights_(heights), bodies_(obstacles), primitives_(std::make_unique<ClearanceTree>())
+    {
+        const PlacedShapes shapes = placed(obstacles, dimension);
+        for (const PlacedShape &shape : shapes)
+            if (!isMesh(shape))
+                primitives_->add(shape.shape, shape.pose);
+        primitives_->build();
+        surface_ = std::make_unique<MeshSurface>(shapes, dimension, heights);
+
+        // In the plane, primitives are checked against meshes as prisms that are as high as those.
+        double prismHeight = 0.0;
+        if (dimension == 2)
+        {
+            const Heights &meshes = surface_->getHeights();
+            if (std::any_of(shapes.begin(), shapes.end(), isMesh))
+                prismHeight = std::max(0.0, meshes.high - meshes.low);
+            check_ = std::make_unique<PlanarCheck>(shapes, meshes);
+        }
+        else
+            check_ = std::make_unique<SpatialCheck>(shapes);
+        tolerance_ = fclTolerance(shapes, prismHeight);
+        contactTest_ = std::make_unique<ContactTest>(*surface_, *primitives_, dimension, tolerance_);
+    }
+
+    FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
+                               unsigned int dimension, const Heights &heights)
+      : FclObstacles(dimension, bodiesOf(objects, dimension), heights)
+    {
+    }
+
+    FclObstacles::~FclObstacles() = default;
+
+    bool FclObstacles::collides(const Body &body, const Pose &pose) const
+    {
+        return check_->collides(body, pose);
+    }
+
+    double FclObstacles::clearance(const Eigen::Vector3d &point) const
+    {
+        return surface_->distance(point, primitives_->signedDistance(point));
+    }
+
+    double FclObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+    {
+        return surface_->findNearest(point, primitives_->signedDistance(point), part);
+    }
+
+    Touching FclObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    {
+        return contactTest_->touches(body, pose, hit);
+    }
+
+    bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
+    {
+        return contactTest_->certainlyHits(body, pose, part);
+    }
+
+    bool FclObstacles::isClearanceCheap() const
+    {
+        return primitives_->size() <= 16 && surface_->isEmpty();
+    }
+
+    std::uint64_t FclObstacles::getFingerprint() const
+    {
+        // Heights matter only where they cut meshes.
+        const bool cuts = dimension_ == 2 && !surface_->isEmpty();
+        std::uint64_t sum = fingerprintOf({double(dimension_), cuts ? heights_.low : 0.0, cuts ? heights_.high : 0.0});
+        for (const PlacedBody &body : bodies_)
+            sum += fingerprintOf(body);
+        return sum == 0 ? 1 : sum;
+    }
+}

@@ -1,0 +1,16 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_FINGERPRINT_
+#define OMPL_CERTIFICATES_OBSTACLES_FINGERPRINT_
+
+#include "ompl_certificates/geometry/Body.h"
+
+namespace ompl_certificates
+{
+    /** \brief A checksum of the shapes of an obstacle and of where they are, the same on every machine. Linear in the size
+        of its meshes. */
+    std::uint64_t fingerprintOf(const PlacedBody &obstacle);
+
+    /** \brief A checksum of numbers */
+    std::uint64_t fingerprintOf(std::initializer_list<double> numbers);
+}
+
+#endif

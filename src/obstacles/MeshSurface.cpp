@@ -1,0 +1,94 @@
+#include "MeshSurface.h"
+
+#include <algorithm>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** What a triangle has between two heights */
+        std::vector<Eigen::Vector3d> between(const TriangleTree::Corners &triangle, double low, double high)
+        {
+            std::vector<Eigen::Vector3d> outline(triangle.begin(), triangle.end());
+            for (const double sign : {1.0, -1.0})
+            {
+                const double bound = sign > 0.0 ? low : -high;
+                std::vector<Eigen::Vector3d> kept;
+                for (std::size_t i = 0; i < outline.size(); ++i)
+                {
+                    const Eigen::Vector3d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+                    const double za = sign * a.z(), zb = sign * b.z();
+                    if (za >= bound)
+                        kept.push_back(a);
+                    if ((za < bound) != (zb < bound))
+                        kept.push_back(a + (bound - za) / (zb - za) * (b - a));
+                }
+                outline = std::move(kept);
+            }
+            return outline;
+        }
+
+        void addTriangles(const TriangleMesh &mesh, const Pose &pose, TriangleTree &triangles)
+        {
+            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            {
+                if (mesh.isDegenerate(i))
+                    continue;
+                const auto [a, b, c] = mesh.getCorners(i);
+                triangles.add({pose * a, pose * b, pose * c}, 0);
+            }
+        }
+    }
+
+    MeshSurface::MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const Heights &heights)
+      : isPlanar_(dimension == 2)
+    {
+        for (const auto &[shape, pose] : obstacles)
+            if (const TriangleMesh *mesh = shape.getMesh())
+                addTriangles(*mesh, pose, triangles_);
+        triangles_.build();
+        if (isPlanar_ && !isEmpty())
+            project(heights);
+    }
+
+    void MeshSurface::project(const Heights &robotHeights)
+    {
+        const Eigen::AlignedBox3d bounds = triangles_.getBounds();
+        const double size = bounds.sizes().maxCoeff();
+        // A little more than the robots reach, so that rounding leaves nothing out; prisms reach still a little farther.
+        const double slack = EXACT_CHECK_TOLERANCE * size;
+        heights_ = Heights{robotHeights.low - 2.0 * slack, robotHeights.high + 2.0 * slack}.intersectedWith(
+            {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+        {
+            const auto &corners = triangles_.getTriangle(i).corners;
+            std::vector<Eigen::Vector3d> outline =
+                between(corners, robotHeights.low - slack, robotHeights.high + slack);
+            for (auto &corner : outline)
+                corner.z() = 0.0;
+            if (outline.empty())
+                continue;
+            // An upright triangle is a segment, seen from above.
+            if (triangles_.getTriangle(i).normal.z() == 0.0)
+            {
+                const auto [first, last] =
+                    std::minmax_element(outline.begin(), outline.end(),
+                                        [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+                                        { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+                outlines_.add({*first, *last, *last}, i);
+            }
+            else
+                for (std::size_t k = 1; k == 1 || k + 1 < outline.size(); ++k)
+                    outlines_.add({outline[0], outline[k % outline.size()], outline[(k + 1) % outline.size()]}, i);
+        }
+        outlines_.build();
+    }
+
+    double MeshSurface::findNearest(const Eigen::Vector3d &point, double most, ObstaclePart &part) const
+    {
+        std::uint32_t nearest;
+        const double distance = near().distance(point, most, &nearest);
+        part = nearest == TriangleTree::NONE ? NO_PART : isPlanar_ ? outlines_.getName(nearest) : nearest;
+        return distance;
+    }
+}

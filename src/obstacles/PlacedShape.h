@@ -1,0 +1,22 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_PLACED_SHAPE_
+#define OMPL_CERTIFICATES_OBSTACLES_PLACED_SHAPE_
+
+#include "ompl_certificates/geometry/Pose.h"
+#include "ompl_certificates/geometry/Shape.h"
+
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A shape of an obstacle, and where it is in the workspace */
+    struct PlacedShape
+    {
+        Shape shape;
+        Pose pose;
+    };
+
+    /** \brief All shapes of some obstacles, in their order */
+    using PlacedShapes = std::vector<PlacedShape>;
+}
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_PLANAR_CHECK_
+#define OMPL_CERTIFICATES_OBSTACLES_PLANAR_CHECK_
+
+#include "Broadphase.h"
+#include "FclCheck.h"
+#include "PlacedShape.h"
+#include "Prisms.h"
+
+#include "ompl_certificates/geometry/Heights.h"
+
+namespace ompl_certificates
+{
+    /** \brief FCL's check in the plane: primitives against primitives there, meshes against meshes at their true heights, and
+        one against the other with the primitive as a prism that is high enough. */
+    class PlanarCheck : public FclCheck
+    {
+    public:
+        /** \param meshHeights what the obstacles' meshes have in common with the robots' heights */
+        PlanarCheck(const PlacedShapes &obstacles, const Heights &meshHeights);
+
+        bool collides(const Body &body, const Pose &pose) const override;
+
+    private:
+        bool meshCollides(const Shape &shape, const Pose &partPose) const;
+        bool primitiveCollides(const Shape &shape, const Pose &partPose) const;
+
+        Broadphase primitives_;
+        Broadphase meshes_;
+        Heights meshHeights_;
+        RobotPrisms robotPrisms_;
+        ObstaclePrisms obstaclePrisms_;
+    };
+}
+
+#endif

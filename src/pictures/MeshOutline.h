@@ -1,0 +1,43 @@
+#ifndef OMPL_CERTIFICATES_PICTURES_MESH_OUTLINE_
+#define OMPL_CERTIFICATES_PICTURES_MESH_OUTLINE_
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Finds the outlines of what many triangles cover in a picture, on a grid of cells: the cost and the size of
+        the result depend on the grid, and hardly on the number of triangles. */
+    class MeshOutline
+    {
+    public:
+        /** \brief A closed line */
+        using Loop = std::vector<Eigen::Vector2d>;
+
+        /** \brief An empty grid over the rectangle from \e low to \e high, with square cells of the given side */
+        MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side);
+
+        /** \brief Add a triangle: x and y in the picture, and as z how near it is to who looks at it. Those without area
+            are seen as a line. */
+        void add(const std::array<Eigen::Vector3d, 3> &corners);
+
+        /** \brief Outlines of the cells whose nearest triangle is at \e level or nearer; inner outlines are holes. Smooth
+            to about a cell; specks are left out. */
+        std::vector<Loop> trace(double level) const;
+
+    private:
+        /** \brief Note in the cell at \e point, in cells, that something is \e near; outside of the grid nothing happens */
+        void mark(double x, double y, float near);
+
+        /** \brief Whether the nearest triangle of a cell is at \e level or nearer */
+        bool isInside(int column, int row, double level) const;
+
+        Eigen::Vector2d low_;
+        double side_;
+        int columns_, rows_;
+        std::vector<float> nearest_;
+    };
+}
+
+#endif

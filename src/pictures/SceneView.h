@@ -1,0 +1,60 @@
+#ifndef OMPL_CERTIFICATES_PICTURES_SCENE_VIEW_
+#define OMPL_CERTIFICATES_PICTURES_SCENE_VIEW_
+
+#include "SvgWriter.h"
+#include "ompl_certificates/geometry/Body.h"
+
+#include <ompl/base/spaces/RealVectorBounds.h>
+
+namespace ompl_certificates
+{
+    /** \brief The workspace seen along one of its axes, at a place in a picture. */
+    class SceneView
+    {
+    public:
+        /** \brief A view of \e bounds with axis 0 to the right and axis \e up upwards
+            \param corner where the view's upper left corner is in the picture
+            \param scale pixels per unit of length */
+        SceneView(const ompl::base::RealVectorBounds &bounds, int up, const Eigen::Vector2d &corner, double scale);
+
+        /** \brief The size of the view in pixels */
+        const Eigen::Vector2d &getSize() const
+        {
+            return size_;
+        }
+
+        /** \brief The upper left corner of the view */
+        const Eigen::Vector2d &getCorner() const
+        {
+            return corner_;
+        }
+
+        /** \brief Pixels per unit of length */
+        double getScale() const
+        {
+            return scale_;
+        }
+
+        /** \brief Where \e point of the workspace is in the picture */
+        Eigen::Vector2d project(const Eigen::Vector3d &point) const;
+
+        /** \brief Draw the outline of \e body at \e pose, each of its shapes for itself
+            \param heights of planar meshes only the triangles that reach into them are drawn
+            \param levels how many outlines a mesh gets: the whole, and those of the parts that are nearer and nearer to
+            who looks at it */
+        void draw(SvgWriter &svg, const Body &body, const Pose &pose, const Heights &heights = Heights(),
+                  int levels = 1) const;
+
+    private:
+        void drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const Heights &heights,
+                      int levels) const;
+
+        int up_;
+        double left_, top_;
+        Eigen::Vector2d corner_;
+        double scale_;
+        Eigen::Vector2d size_;
+    };
+}
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef OMPL_CERTIFICATES_PICTURES_SVG_WRITER_
+#define OMPL_CERTIFICATES_PICTURES_SVG_WRITER_
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Writes the elements of an SVG file. Coordinates are pixels, x to the right and y down; an element's
+        \e attributes are text such as "fill='none'". */
+    class SvgWriter
+    {
+    public:
+        /** \brief Open a group; what follows inherits its attributes */
+        void beginGroup(const std::string &attributes);
+
+        /** \brief Close the group opened last */
+        void endGroup();
+
+        /** \brief A circle */
+        void circle(const Eigen::Vector2d &center, double radius, const std::string &attributes = "");
+
+        /** \brief A rectangle */
+        void rectangle(const Eigen::Vector2d &corner, const Eigen::Vector2d &size, const std::string &attributes = "");
+
+        /** \brief A closed polygon */
+        void polygon(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
+
+        /** \brief Several closed polygons as one area; those inside of others are holes */
+        void area(const std::vector<std::vector<Eigen::Vector2d>> &polygons, const std::string &attributes = "");
+
+        /** \brief A line through points, open at its ends */
+        void line(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
+
+        /** \brief Many separate lines from the first to the second of each pair, as one element */
+        void segments(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> &segments,
+                      const std::string &attributes = "");
+
+        /** \brief A text at its left end on the base line */
+        void text(const Eigen::Vector2d &place, const std::string &text, const std::string &attributes = "");
+
+        /** \brief A rectangle that a group can be clipped to by "clip-path='url(#id)'" */
+        void clipArea(const std::string &id, const Eigen::Vector2d &corner, const Eigen::Vector2d &size);
+
+        /** \brief The whole file, for a picture of the given size
+            \param title what viewers show as the picture's name */
+        std::string finish(const Eigen::Vector2d &size, const std::string &title) const;
+
+    private:
+        std::string body_;
+    };
+}
+
+#endif

@@ -1,0 +1,131 @@
+#include "ompl_certificates/robots/RigidRobot.h"
+
+#include "Interpolation.h"
+
+#include <cmath>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    RobotPtr RigidRobot::disc(const std::string &name, double radius, const ob::RealVectorBounds &bounds)
+    {
+        return inR2(name, Body::disc(radius), bounds);
+    }
+
+    RobotPtr RigidRobot::sphere(const std::string &name, double radius, const ob::RealVectorBounds &bounds)
+    {
+        return inR3(name, Body::sphere(radius), bounds);
+    }
+
+    RobotPtr RigidRobot::inR2(const std::string &name, const Body &body, const ob::RealVectorBounds &bounds)
+    {
+        return RobotPtr(new RigidRobot(name, body, Space::R2, bounds));
+    }
+
+    RobotPtr RigidRobot::inR3(const std::string &name, const Body &body, const ob::RealVectorBounds &bounds)
+    {
+        return RobotPtr(new RigidRobot(name, body, Space::R3, bounds));
+    }
+
+    RobotPtr RigidRobot::inSE2(const std::string &name, const Body &body, const ob::RealVectorBounds &bounds)
+    {
+        return RobotPtr(new RigidRobot(name, body, Space::SE2, bounds));
+    }
+
+    RobotPtr RigidRobot::inSE3(const std::string &name, const Body &body, const ob::RealVectorBounds &bounds)
+    {
+        return RobotPtr(new RigidRobot(name, body, Space::SE3, bounds));
+    }
+
+    RigidRobot::RigidRobot(const std::string &name, const Body &body, Space kind, const ob::RealVectorBounds &bounds)
+      : Robot(name, makeSpace(name, kind, bounds), {body}), kind_(kind)
+    {
+        const unsigned int dimension = kind == Space::R2 || kind == Space::SE2 ? 2 : 3;
+        if (body.getDimension() != dimension)
+            throw ompl::Exception(name, "the body must have " + std::to_string(dimension) + " dimensions, not " +
+                                            std::to_string(body.getDimension()));
+    }
+
+    ob::StateSpacePtr RigidRobot::makeSpace(const std::string &name, Space kind, const ob::RealVectorBounds &bounds)
+    {
+        const std::size_t dimension = kind == Space::R2 || kind == Space::SE2 ? 2 : 3;
+        if (bounds.low.size() != dimension || bounds.high.size() != dimension)
+            throw ompl::Exception(name, "the bounds must have " + std::to_string(dimension) + " dimensions, not " +
+                                            std::to_string(bounds.low.size()));
+        if (kind == Space::SE2)
+        {
+            auto space = std::make_shared<ob::SE2StateSpace>();
+            space->setBounds(bounds);
+            return space;
+        }
+        if (kind == Space::SE3)
+        {
+            auto space = std::make_shared<ob::SE3StateSpace>();
+            space->setBounds(bounds);
+            return space;
+        }
+        auto space = std::make_shared<ob::RealVectorStateSpace>(static_cast<unsigned int>(dimension));
+        space->setBounds(bounds);
+        return space;
+    }
+
+    void RigidRobot::computePoses(const ob::State *state, Pose *poses) const
+    {
+        switch (kind_)
+        {
+            case Space::R2:
+            {
+                const double *q = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                poses[0] = poseAt({q[0], q[1], 0.0});
+                break;
+            }
+            case Space::R3:
+            {
+                const double *q = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                poses[0] = poseAt({q[0], q[1], q[2]});
+                break;
+            }
+            case Space::SE2:
+            {
+                const auto *q = state->as<ob::SE2StateSpace::StateType>();
+                poses[0] = planarPose(q->getX(), q->getY(), q->getYaw());
+                break;
+            }
+            case Space::SE3:
+            {
+                const auto *q = state->as<ob::SE3StateSpace::StateType>();
+                const auto &turn = q->rotation();
+                poses[0] = poseAt({q->getX(), q->getY(), q->getZ()});
+                poses[0].linear() = Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).normalized().toRotationMatrix();
+                break;
+            }
+        }
+    }
+
+    void RigidRobot::computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const
+    {
+        switch (kind_)
+        {
+            case Space::R2:
+            case Space::R3:
+                bounds[0] = {getStateSpace()->distance(from, to), 0.0};
+                break;
+            case Space::SE2:
+            {
+                const auto &a = *from->as<ob::SE2StateSpace::StateType>(), &b = *to->as<ob::SE2StateSpace::StateType>();
+                bounds[0] = {distanceOf(a, b),
+                             turnOf(*a.as<ob::SO2StateSpace::StateType>(1), *b.as<ob::SO2StateSpace::StateType>(1))};
+                break;
+            }
+            case Space::SE3:
+            {
+                const auto &a = *from->as<ob::SE3StateSpace::StateType>(), &b = *to->as<ob::SE3StateSpace::StateType>();
+                bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation())};
+                break;
+            }
+        }
+    }
+}

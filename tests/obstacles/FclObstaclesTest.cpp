@@ -1,0 +1,189 @@
+#include "support/RandomBodies.h"
+#include "support/RandomMeshes.h"
+
+#include "ompl_certificates/obstacles/FclObstacles.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    std::vector<PlacedBody> randomObstacles(Random &random, unsigned int dimension, double unit)
+    {
+        std::vector<PlacedBody> bodies;
+        for (unsigned int count = 1 + random.below(12); count > 0; --count)
+        {
+            const Body body = randomBody(random, dimension, unit * random.logUniform(0.3, 3.0));
+            bodies.push_back({body, random.pose(dimension, 3.0 * unit)});
+        }
+        return bodies;
+    }
+
+    Body ballOf(unsigned int dimension, double radius)
+    {
+        return dimension == 2 ? Body::disc(radius) : Body::sphere(radius);
+    }
+}
+
+class RandomObstacles : public testing::TestWithParam<unsigned int>
+{
+protected:
+    template <typename Test>
+    void forMany(unsigned int count, const Test &test)
+    {
+        for (unsigned int seed = 0; seed < scaled(count); ++seed)
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            Random random(seed);
+            const double unit = std::pow(10.0, random.below(8)) * 1e-3;
+            const FclObstacles obstacles(GetParam(), randomObstacles(random, GetParam(), unit));
+            test(random, obstacles, unit);
+            if (HasFatalFailure())
+                return;
+        }
+    }
+};
+
+TEST_P(RandomObstacles, CollideWithABallAsTheirClearanceSays)
+{
+    forMany(150,
+            [](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const unsigned int dimension = obstacles.getDimension();
+                for (int i = 0; i < 200; ++i)
+                {
+                    Pose pose = poseAt(random.point(dimension, 5.0 * unit));
+                    if (random.chance(0.5))
+                    {
+                        // Near the surface, where the ball is far smaller than the obstacles
+                        const auto &near = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
+                        pose = poseAt(near.pose * pointOf(random, near.body) +
+                                      unit * random.logUniform(1e-6, 1.0) * random.direction(dimension));
+                    }
+                    const double clearance = obstacles.clearance(pose.translation());
+                    // Just smaller and just larger than the gap, by what is promised of both
+                    const double slack =
+                        obstacles.getTolerance() * (1.0 + (random.chance(0.5) ? 0.0 : random.logUniform(1e-3, 1e4)));
+                    const double small = (clearance - slack) / (1.0 + EXACT_CHECK_TOLERANCE);
+                    if (small > 0.0)
+                    {
+                        ASSERT_FALSE(obstacles.collides(ballOf(dimension, small), pose))
+                            << pose.translation().transpose() << ", clearance " << clearance;
+                    }
+                    const double large = (clearance + slack) / (1.0 - EXACT_CHECK_TOLERANCE);
+                    if (large > 0.0)
+                    {
+                        ASSERT_TRUE(obstacles.collides(ballOf(dimension, large), pose))
+                            << pose.translation().transpose() << ", clearance " << clearance;
+                    }
+                }
+            });
+}
+
+TEST_P(RandomObstacles, CollideWithABodyIfOneOfItsPointsIsInside)
+{
+    forMany(300,
+            [](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const Body body = randomBody(random, obstacles.getDimension(), unit);
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+                for (int i = 0; i < 20; ++i)
+                {
+                    const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);
+                    const bool collides = obstacles.collides(body, pose);
+                    for (int k = 0; !collides && k < 20; ++k)
+                        ASSERT_GE(obstacles.clearance(pose * pointOf(random, body)), -margin);
+                }
+            });
+}
+
+TEST_P(RandomObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
+{
+    forMany(300,
+            [](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                const Body body = randomBody(random, obstacles.getDimension(), unit);
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+                for (int i = 0; i < 20; ++i)
+                {
+                    const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);
+                    bool apart = true;
+                    for (const auto &node : body.getCover().getNodes())
+                        if (node.childCount == 0)
+                            apart = apart && obstacles.clearance(pose * node.ball.center) > node.ball.radius + margin;
+                    if (apart)
+                    {
+                        ASSERT_FALSE(obstacles.collides(body, pose));
+                    }
+                }
+            });
+}
+
+TEST_P(RandomObstacles, HaveA1LipschitzClearance)
+{
+    forMany(200,
+            [](Random &random, const FclObstacles &obstacles, double unit)
+            {
+                for (int i = 0; i < 100; ++i)
+                {
+                    const Eigen::Vector3d a = random.point(obstacles.getDimension(), 5.0 * unit);
+                    const Eigen::Vector3d b =
+                        a + random.point(obstacles.getDimension(), unit * random.logUniform(1e-6, 5.0));
+                    ASSERT_LE(std::abs(obstacles.clearance(a) - obstacles.clearance(b)), (a - b).norm() + 1e-12 * unit);
+                }
+            });
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, RandomObstacles, testing::Values(2U, 3U));
+
+TEST(FclObstacles, OfNoneAreInfinitelyFar)
+{
+    const FclObstacles none(2, {});
+    EXPECT_EQ(none.clearance({1.0, 2.0, 0.0}), std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(none.collides(Body::disc(1e9), Pose::Identity()));
+    EXPECT_TRUE(none.provesCollisions());
+}
+
+TEST(FclObstacles, RefuseAnotherDimensionAndPosesThatAreNotFinite)
+{
+    EXPECT_THROW(FclObstacles(1, {}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(4, {}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(2, {{Body::sphere(1.0)}}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(3, {{Body::disc(1.0)}}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(2, {{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}), ompl::Exception);
+}
+
+TEST(FclObstacles, RefuseWhatLeavesThePlane)
+{
+    const auto make = [](const Body &body, const Pose &pose) { FclObstacles(2, {{body, pose}}); };
+    Pose lifted = planarPose(1.0, 2.0, 0.5), tilted = lifted;
+    lifted.translation().z() = 0.5;
+    tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    const Body mesh = Body::planarMesh(test::boxMesh({1.0, 1.0, 1.0}));
+    for (const Body &body : {Body::disc(1.0), Body::box(1.0, 2.0), Body::planarCapsule(0.1, 1.0)})
+    {
+        EXPECT_NO_THROW(make(body, planarPose(1.0, 2.0, 0.5)));
+        EXPECT_THROW(make(body, lifted), ompl::Exception);
+        if (!body.isBall())
+        {
+            EXPECT_THROW(make(body, tilted), ompl::Exception);
+        }
+    }
+    EXPECT_NO_THROW(make(mesh, lifted));
+    EXPECT_THROW(make(mesh, tilted), ompl::Exception);
+}
+
+TEST(FclObstacles, CountAPointRobotAsABody)
+{
+    const FclObstacles obstacles(
+        2, {{Body::convexPolygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}})}, {Body::disc(0.5), planarPose(5, 0)}});
+    EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(1.0, 1.0)));
+    EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(1.0, 0.001)));
+    EXPECT_FALSE(obstacles.collides(Body::disc(0.0), planarPose(1.0, -0.001)));
+    EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(5.0, 0.4)));
+    EXPECT_FALSE(obstacles.collides(Body::disc(0.0), planarPose(5.0, 0.6)));
+}

@@ -1,0 +1,282 @@
+// Each of OMPL's geometric planners runs in a TeamSetup, with no more said to it than to any other planner. Left out are
+// those that need more than a space and a problem: TSRRT (a task space), VFRRT (a vector field), XXL (a decomposition of
+// the space), QRRT (a sequence of spaces), and LightningRetrieveRepair and ThunderRetrieveRepair (a database of plans).
+
+#include "support/Teams.h"
+
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/team/TeamPathLength.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
+#include <ompl/geometric/planners/AnytimePathShortening.h>
+#include <ompl/geometric/planners/cforest/CForest.h>
+#include <ompl/geometric/planners/est/BiEST.h>
+#include <ompl/geometric/planners/est/EST.h>
+#include <ompl/geometric/planners/est/ProjEST.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
+#include <ompl/geometric/planners/fmt/FMT.h>
+#include <ompl/geometric/planners/informedtrees/ABITstar.h>
+#include <ompl/geometric/planners/informedtrees/AITstar.h>
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/kpiece/BKPIECE1.h>
+#include <ompl/geometric/planners/kpiece/KPIECE1.h>
+#include <ompl/geometric/planners/kpiece/LBKPIECE1.h>
+#include <ompl/geometric/planners/pdst/PDST.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/prm/LazyPRMstar.h>
+#include <ompl/geometric/planners/prm/PRM.h>
+#include <ompl/geometric/planners/prm/PRMstar.h>
+#include <ompl/geometric/planners/prm/SPARS.h>
+#include <ompl/geometric/planners/prm/SPARStwo.h>
+#include <ompl/geometric/planners/rlrt/BiRLRT.h>
+#include <ompl/geometric/planners/rlrt/RLRT.h>
+#include <ompl/geometric/planners/rrt/BiTRRT.h>
+#include <ompl/geometric/planners/rrt/InformedRRTstar.h>
+#include <ompl/geometric/planners/rrt/LBTRRT.h>
+#include <ompl/geometric/planners/rrt/LazyLBTRRT.h>
+#include <ompl/geometric/planners/rrt/LazyRRT.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTXstatic.h>
+#include <ompl/geometric/planners/rrt/RRTsharp.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/geometric/planners/rrt/SORRTstar.h>
+#include <ompl/geometric/planners/rrt/TRRT.h>
+#include <ompl/geometric/planners/rrt/pRRT.h>
+#include <ompl/geometric/planners/sbl/SBL.h>
+#include <ompl/geometric/planners/sbl/pSBL.h>
+#include <ompl/geometric/planners/sst/SST.h>
+#include <ompl/geometric/planners/stride/STRIDE.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    using Allocator = ob::PlannerPtr (*)(const ob::SpaceInformationPtr &);
+
+    struct Named
+    {
+        const char *name;
+        Allocator make;
+
+        friend std::ostream &operator<<(std::ostream &out, const Named &planner)
+        {
+            return out << planner.name;
+        }
+    };
+
+    template <typename Planner>
+    ob::PlannerPtr make(const ob::SpaceInformationPtr &si)
+    {
+        return std::make_shared<Planner>(si);
+    }
+
+    const Named PLANNERS[] = {{"ABITstar", make<og::ABITstar>},
+                              {"AITstar", make<og::AITstar>},
+                              {"AnytimePathShortening", make<og::AnytimePathShortening>},
+                              {"BFMT", make<og::BFMT>},
+                              {"BITstar", make<og::BITstar>},
+                              {"BKPIECE1", make<og::BKPIECE1>},
+                              {"BiEST", make<og::BiEST>},
+                              {"BiRLRT", make<og::BiRLRT>},
+                              {"BiTRRT", make<og::BiTRRT>},
+                              {"CForest", make<og::CForest>},
+                              {"EST", make<og::EST>},
+                              {"FMT", make<og::FMT>},
+                              {"InformedRRTstar", make<og::InformedRRTstar>},
+                              {"KPIECE1", make<og::KPIECE1>},
+                              {"LBKPIECE1", make<og::LBKPIECE1>},
+                              {"LBTRRT", make<og::LBTRRT>},
+                              {"LazyLBTRRT", make<og::LazyLBTRRT>},
+                              {"LazyPRM", make<og::LazyPRM>},
+                              {"LazyPRMstar", make<og::LazyPRMstar>},
+                              {"LazyRRT", make<og::LazyRRT>},
+                              {"PDST", make<og::PDST>},
+                              {"PRM", make<og::PRM>},
+                              {"PRMstar", make<og::PRMstar>},
+                              {"ProjEST", make<og::ProjEST>},
+                              {"RLRT", make<og::RLRT>},
+                              {"RRT", make<og::RRT>},
+                              {"RRTConnect", make<og::RRTConnect>},
+                              {"RRTXstatic", make<og::RRTXstatic>},
+                              {"RRTsharp", make<og::RRTsharp>},
+                              {"RRTstar", make<og::RRTstar>},
+                              {"SBL", make<og::SBL>},
+                              {"SORRTstar", make<og::SORRTstar>},
+                              {"SPARS", make<og::SPARS>},
+                              {"SPARStwo", make<og::SPARStwo>},
+                              {"SST", make<og::SST>},
+                              {"STRIDE", make<og::STRIDE>},
+                              {"TRRT", make<og::TRRT>},
+                              {"pRRT", make<og::pRRT>},
+                              {"pSBL", make<og::pSBL>}};
+
+    /** A disc and a box that change sides beside a post */
+    TeamSetupPtr easyProblem(TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
+    {
+        auto team = std::make_shared<TeamStateSpace>(metric);
+        team->addRobot(RigidRobot::disc("disc", 0.3, cubeBounds(2, 2.0)));
+        team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.3), cubeBounds(2, 2.0)));
+        auto setup = std::make_shared<TeamSetup>(
+            team, std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::disc(0.2)}}));
+        ob::ScopedState<> start(team), goal(team);
+        start = std::vector<double>{-1.0, 0.5, 1.0, -1.0, 0.0};
+        goal = std::vector<double>{1.0, 0.8, -1.0, -1.0, 0.5};
+        setup->setStartAndGoalStates(start, goal, 0.8);
+        return setup;
+    }
+
+    class EveryPlanner : public testing::TestWithParam<Named>
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        }
+
+        void TearDown() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+        }
+
+        void expectToSolve(TeamStateSpace::Metric metric)
+        {
+            ompl::RNG::setSeed(1);
+            const auto setup = easyProblem(metric);
+            setup->setPlanner(GetParam().make(setup->getSpaceInformation()));
+            // Mostly the first time is enough; the others are for a machine that is busy. The iterations end, for OMPL's
+            // LazyLBTRRT fails an assertion of its own after some random numbers.
+            const auto end = ompl::time::now() + ompl::time::seconds(10.0);
+            while (!setup->haveExactSolutionPath() && ompl::time::now() < end)
+            {
+                std::atomic<unsigned int> left{3000};
+                const ob::PlannerTerminationCondition condition([&left] { return left == 0 || --left == 0; });
+                ASSERT_NO_THROW(setup->solve(
+                    ob::plannerOrTerminationCondition(condition, ob::timedPlannerTerminationCondition(0.2))));
+            }
+            ASSERT_TRUE(setup->haveExactSolutionPath());
+            EXPECT_TRUE(setup->getSolutionPath().check());
+        }
+    };
+}
+
+TEST_P(EveryPlanner, SolvesAnEasyProblemInATeamSetup)
+{
+    expectToSolve(TeamStateSpace::EUCLIDEAN);
+}
+
+TEST_P(EveryPlanner, SolvesItInTheMetricOfACompoundStateSpace)
+{
+    expectToSolve(TeamStateSpace::SUM);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ompl, EveryPlanner, testing::ValuesIn(PLANNERS),
+                         [](const auto &test) { return std::string(test.param.name); });
+
+TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const auto setup = easyProblem();
+    const auto &si = setup->getSpaceInformation();
+    const auto objectiveWith = [&](const ob::PlannerPtr &planner)
+    {
+        setup->setPlanner(planner);
+        setup->setup();
+        return dynamic_cast<TeamPathLength *>(setup->getOptimizationObjective().get());
+    };
+    EXPECT_NE(objectiveWith(std::make_shared<og::BITstar>(si)), nullptr);
+    EXPECT_EQ(objectiveWith(std::make_shared<og::PRM>(si)), nullptr);
+    EXPECT_FALSE(setup->getProblemDefinition()->hasOptimizationObjective());
+    EXPECT_NE(objectiveWith(std::make_shared<og::RRTstar>(si)), nullptr);
+    EXPECT_EQ(objectiveWith(std::make_shared<og::LazyPRM>(si)), nullptr);
+    EXPECT_EQ(objectiveWith(std::make_shared<og::TRRT>(si)), nullptr);
+    EXPECT_EQ(objectiveWith(std::make_shared<og::BiTRRT>(si)), nullptr);
+    EXPECT_NE(objectiveWith(std::make_shared<og::CForest>(si)), nullptr);
+
+    // Without a planner, and with one that is made late
+    const auto unplanned = easyProblem();
+    unplanned->setup();
+    EXPECT_NE(dynamic_cast<TeamPathLength *>(unplanned->getOptimizationObjective().get()), nullptr);
+    const auto late = easyProblem();
+    late->setPlannerAllocator([](const ob::SpaceInformationPtr &space) { return std::make_shared<og::PRM>(space); });
+    late->setup();
+    EXPECT_FALSE(late->getProblemDefinition()->hasOptimizationObjective());
+
+    const auto chosen = std::make_shared<ob::MaximizeMinClearanceObjective>(si);
+    setup->setOptimizationObjective(chosen);
+    objectiveWith(std::make_shared<og::RRTstar>(si));
+    EXPECT_EQ(setup->getOptimizationObjective(), chosen);
+    objectiveWith(std::make_shared<og::PRM>(si));
+    EXPECT_EQ(setup->getOptimizationObjective(), chosen);
+    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+}
+
+TEST(TeamObjective, LetsPrmStopAtItsFirstSolution)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const auto setup = easyProblem();
+    setup->setPlanner(std::make_shared<og::PRM>(setup->getSpaceInformation()));
+    EXPECT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_LT(setup->getLastPlanComputationTime(), 30.0);
+    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+}
+
+TEST(TeamObjective, SamplesWhatCanImproveASolutionInBothMetrics)
+{
+    for (const auto metric : {TeamStateSpace::EUCLIDEAN, TeamStateSpace::SUM})
+    {
+        auto team = std::make_shared<TeamStateSpace>(metric);
+        team->addRobot(RigidRobot::disc("disc", 0.3, cubeBounds(2, 2.0)), 3.0);
+        team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.3), cubeBounds(2, 2.0)), 0.5);
+        const auto si = std::make_shared<ob::SpaceInformation>(team);
+        si->setStateValidityChecker([](const ob::State *) { return true; });
+        si->setup();
+        const auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        ob::ScopedState<> start(team), goal(team), state(team);
+        start = std::vector<double>{-1.0, 0.5, 1.0, -1.0, 0.0};
+        goal = std::vector<double>{1.0, 0.8, -1.0, -1.0, 0.5};
+        problem->setStartAndGoalStates(start, goal);
+        problem->setOptimizationObjective(std::make_shared<TeamPathLength>(si));
+        const double most = 1.5 * team->distance(start.get(), goal.get());
+        const auto sampler = problem->getOptimizationObjective()->allocInformedStateSampler(problem, 10000);
+        double longest = 0.0;
+        for (int i = 0; i < 200; ++i)
+        {
+            ASSERT_TRUE(sampler->sampleUniform(state.get(), ob::Cost(most)));
+            const double length = team->distance(start.get(), state.get()) + team->distance(state.get(), goal.get());
+            EXPECT_LT(length, most);
+            longest = std::max(longest, length);
+        }
+        EXPECT_GT(longest, 0.95 * most);
+    }
+}
+
+TEST(TeamObjective, CostsWhatOmplsOwnPathLengthCosts)
+{
+    for (const auto metric : {TeamStateSpace::EUCLIDEAN, TeamStateSpace::SUM})
+    {
+        const auto setup = easyProblem(metric);
+        const auto &si = setup->getSpaceInformation();
+        const auto &problem = setup->getProblemDefinition();
+        si->setup();
+        const TeamPathLength ours(si);
+        const ob::PathLengthOptimizationObjective ompls(si);
+        Random random(1);
+        for (unsigned int i = 0; i < 100; ++i)
+        {
+            const auto a = randomState(random, si->getStateSpace()), b = randomState(random, si->getStateSpace());
+            EXPECT_EQ(ours.motionCost(a.get(), b.get()).value(), ompls.motionCost(a.get(), b.get()).value());
+            EXPECT_EQ(ours.stateCost(a.get()).value(), ompls.stateCost(a.get()).value());
+            EXPECT_EQ(ours.costToGo(a.get(), problem->getGoal().get()).value(),
+                      ompls.costToGo(a.get(), problem->getGoal().get()).value());
+        }
+        EXPECT_EQ(ours.getCostThreshold().value(), ompls.getCostThreshold().value());
+    }
+}

@@ -1,0 +1,192 @@
+#include "support/Checkers.h"
+
+#include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "ompl_certificates/validity/Basic.h"
+#include "ompl_certificates/validity/Partial.h"
+#include "ompl_certificates/validity/SharedProjection.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+#include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    ObstaclesPtr noObstacles(unsigned int dimension)
+    {
+        return std::make_shared<FclObstacles>(dimension, std::vector<PlacedBody>{});
+    }
+
+    /** RRT that shows what it looks for near states in */
+    struct OpenRrt : ompl::geometric::RRT
+    {
+        using RRT::RRT;
+
+        template <template <typename> class Structure>
+        bool uses() const
+        {
+            return dynamic_cast<const Structure<Motion *> *>(nn_.get()) != nullptr;
+        }
+    };
+}
+
+TEST(TeamSetup, GivesItsPlannerAKdTreeUnlessToldOtherwise)
+{
+    const auto team = teamOfDiscs();
+    const auto planner = [&](TeamSetup &setup)
+    {
+        ob::ScopedState<> start(team), goal(team);
+        start = std::vector<double>{0.0, 0.0, 3.0, 0.0, -3.0, 0.0};
+        goal = std::vector<double>{0.0, 3.0, 3.0, 3.0, -3.0, 3.0};
+        setup.setStartAndGoalStates(start, goal);
+        const auto rrt = std::make_shared<OpenRrt>(setup.getSpaceInformation());
+        setup.setPlanner(rrt);
+        return rrt;
+    };
+    TeamSetup standard(team, noObstacles(2));
+    const auto first = planner(standard);
+    standard.setup();
+    EXPECT_TRUE(first->uses<PlannerKdTree>());
+    EXPECT_THROW(standard.setNearestStructure(NearestStructure::GNAT), ompl::Exception);
+    EXPECT_TRUE(standard.solve(1.0));
+    EXPECT_TRUE(first->uses<PlannerKdTree>());
+    const auto second = planner(standard);  // the next planner gets one, too
+    standard.setup();
+    EXPECT_TRUE(second->uses<PlannerKdTree>());
+
+    TeamSetup gnat(team, noObstacles(2));
+    gnat.setNearestStructure(NearestStructure::GNAT);
+    const auto stock = planner(gnat);
+    gnat.setup();
+    EXPECT_TRUE(stock->uses<ompl::NearestNeighborsGNATNoThreadSafety>());
+
+    TeamSetup chosen(team, noObstacles(2));
+    const auto linear = planner(chosen);
+    linear->setNearestNeighbors<ompl::NearestNeighborsLinear>();
+    chosen.setup();
+    EXPECT_TRUE(linear->uses<ompl::NearestNeighborsLinear>());
+
+    EXPECT_EQ(allNearestStructures().front(), NearestStructure::KD_TREE);
+    for (const NearestStructure structure : allNearestStructures())
+        EXPECT_EQ(nearestStructureOf(nameOf(structure)), structure);
+    EXPECT_THROW(nearestStructureOf("best"), ompl::Exception);
+}
+
+TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
+{
+    const auto team = teamOfDiscs();
+    for (const Method method : allMethods())
+    {
+        const TeamSetup setup(team, noObstacles(2), method);
+        EXPECT_EQ(setup.getTeamChecker()->getMethodName(), nameOf(method));
+        EXPECT_EQ(setup.getSpaceInformation()->getStateValidityChecker(), setup.getTeamChecker());
+        EXPECT_EQ(&setup.getTeam(), team.get());
+        EXPECT_EQ(setup.getCertificateChecker() == nullptr, method == Method::FCL || method == Method::STANDARD);
+        const auto *validator =
+            dynamic_cast<CertificateMotionValidator *>(setup.getSpaceInformation()->getMotionValidator().get());
+        EXPECT_EQ(validator == nullptr, setup.getCertificateChecker() == nullptr);
+        if (validator)
+        {
+            EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
+        }
+    }
+    EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethodName(), "shared");
+}
+
+TEST(TeamSetup, KnowsTheNamesOfTheMethods)
+{
+    EXPECT_EQ(allMethods().size(), 5U);
+    EXPECT_EQ(allMethods().front(), Method::FCL);
+    for (const Method method : allMethods())
+        EXPECT_EQ(methodOf(nameOf(method)), method);
+    try
+    {
+        methodOf("best");
+        FAIL() << "accepted";
+    }
+    catch (const ompl::Exception &error)
+    {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("'best'"), std::string::npos);
+        for (const Method method : allMethods())
+            EXPECT_NE(text.find(nameOf(method)), std::string::npos);
+    }
+}
+
+TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
+{
+    for (const Method method : allMethods())
+    {
+        SCOPED_TRACE(nameOf(method));
+        EXPECT_THROW(TeamSetup(teamOfDiscs(), nullptr, method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(teamOfDiscs(), noObstacles(3), method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(spatialTeam(), noObstacles(2), method), ompl::Exception);
+        EXPECT_THROW(TeamSetup(std::make_shared<TeamStateSpace>(), noObstacles(2), method), ompl::Exception);
+    }
+}
+
+TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
+{
+    const auto obstacles = [](const Heights &heights)
+    {
+        const Body wall = Body::planarMesh(boxMesh({1.0, 1.0, 9.0}));
+        return std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{wall}}, heights);
+    };
+    const Heights all = planarMeshTeam()->getHeights();
+    EXPECT_NO_THROW(TeamSetup(planarMeshTeam(), obstacles(all)));
+    EXPECT_THROW(TeamSetup(planarMeshTeam(), obstacles({all.low, 0.5 * all.high})), ompl::Exception);
+    // Primitives reach through all heights.
+    EXPECT_NO_THROW(TeamSetup(teamOfDiscs(), obstacles({})));
+    EXPECT_THROW(TeamSetup(teamOfDiscs(), obstacles(all)), ompl::Exception);
+    TeamSetup setup(teamOfDiscs(), obstacles({}));
+    EXPECT_THROW(setup.getTeamChecker()->changeObstacles({obstacles(all), {}, {}}), ompl::Exception);
+}
+
+TEST(Checkers, RefuseSpacesThatAreNotTeams)
+{
+    const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
+    EXPECT_THROW(TeamValidityChecker(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(Basic(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(Partial(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(SharedProjection(si, noObstacles(2)), ompl::Exception);
+    EXPECT_THROW(CertificateMotionValidator(nullptr), ompl::Exception);
+}
+
+TEST(Checkers, AreAtHomeInAnOrdinarySpaceInformation)
+{
+    const auto si = std::make_shared<ob::SpaceInformation>(mixedTeam());
+    Random random(1);
+    const auto checker = std::make_shared<SharedProjection>(si, scatteredObstacles(random, 2, 5));
+    si->setStateValidityChecker(checker);
+    si->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker));
+    EXPECT_NO_THROW(si->setup());
+    const auto state = randomState(random, si->getStateSpace());
+    EXPECT_EQ(si->isValid(state.get()), checker->describeCollision(state.get()).empty());
+}
+
+TEST(Checkers, SayWhichRobotTouchesAnObstacle)
+{
+    const auto team = teamOfDiscs();
+    const auto block =
+        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(1.0, 1.0), planarPose(3.0, 0.0)}});
+    const TeamSetup setup(team, block);
+    ob::ScopedState<> state(team);
+    state = std::vector<double>{0.0, 0.0, 3.0, 0.0, -4.0, 0.0};
+    EXPECT_EQ(setup.getTeamChecker()->describeCollision(state.get()), "robot 'middle' touches an obstacle");
+    state = std::vector<double>{0.0, 0.0, 1.0, 0.0, -4.0, 0.0};
+    EXPECT_EQ(setup.getTeamChecker()->describeCollision(state.get()), "");
+}
+
+TEST(Checkers, KeepTheTeamAsItIs)
+{
+    const auto team = teamOfDiscs();
+    const TeamSetup setup(team, noObstacles(2));
+    EXPECT_THROW(team->addRobot(RigidRobot::disc("late", 0.1, cubeBounds(2, HALF))), ompl::Exception);
+}

@@ -1,0 +1,160 @@
+#include "support/RandomBodies.h"
+#include "support/RandomStates.h"
+
+#include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    RobotPtr randomRobot(Random &random)
+    {
+        const auto plane = cubeBounds(2, 3.0), space = cubeBounds(3, 3.0);
+        switch (random.below(5))
+        {
+            case 0:
+                return RigidRobot::inR2("r", randomBody(random, 2, 1.0), plane);
+            case 1:
+                return RigidRobot::inR3("r", randomBody(random, 3, 1.0), space);
+            case 2:
+                return RigidRobot::inSE2("r", randomBody(random, 2, 1.0), plane);
+            case 3:
+                return RigidRobot::inSE3("r", randomBody(random, 3, 1.0), space);
+            default:
+                return std::make_shared<CarWithTrailer>("r", randomBody(random, 2, 1.0), randomBody(random, 2, 1.0),
+                                                        random.uniform(0.0, 2.0), plane);
+        }
+    }
+
+    /** Where points of all bodies are, each body's some distance from its origin */
+    std::vector<Eigen::Vector3d> probes(const Robot &robot, const ob::State *state,
+                                        const std::vector<Eigen::Vector3d> &offsets)
+    {
+        std::vector<Pose> poses(robot.getBodies().size());
+        robot.computePoses(state, poses.data());
+        std::vector<Eigen::Vector3d> points;
+        for (const Pose &pose : poses)
+            for (const auto &offset : offsets)
+                points.push_back(pose * offset);
+        return points;
+    }
+
+    /** Checks that no probe travels further than the bounds allow between any two of many times. */
+    void checkTravel(Random &random, const Robot &robot, const ob::ScopedState<> &from, const ob::ScopedState<> &to)
+    {
+        const auto &space = robot.getStateSpace();
+        std::vector<TravelBound> bounds(robot.getBodies().size());
+        robot.computeTravelBounds(from.get(), to.get(), bounds.data());
+        std::vector<Eigen::Vector3d> offsets{Eigen::Vector3d::Zero()};
+        for (int i = 0; i < 4; ++i)
+            offsets.push_back(random.point(robot.getWorkspaceDimension(), 2.0));
+        std::vector<double> times{0.0, 1.0};
+        for (int i = 0; i < 15; ++i)
+            times.push_back(random.chance(0.3) ? random.logUniform(1e-9, 1.0) : random.uniform(0.0, 1.0));
+        std::sort(times.begin(), times.end());
+        ob::ScopedState<> at(space);
+        std::vector<std::vector<Eigen::Vector3d>> places;
+        for (const double t : times)
+        {
+            space->interpolate(from.get(), to.get(), t, at.get());
+            // The checks take a motion's ends as they are.
+            const ob::State *state = t == 0.0 ? from.get() : t == 1.0 ? to.get() : at.get();
+            places.push_back(probes(robot, state, offsets));
+        }
+        for (std::size_t a = 0; a < times.size(); ++a)
+            for (std::size_t b = a + 1; b < times.size(); ++b)
+                for (std::size_t i = 0; i < places[a].size(); ++i)
+                {
+                    const double travelled = (places[b][i] - places[a][i]).norm();
+                    const double bound = bounds[i / offsets.size()].at(offsets[i % offsets.size()].norm());
+                    ASSERT_LE(travelled, bound * (times[b] - times[a]) * (1.0 + 1e-9) + 1e-11)
+                        << "from " << times[a] << " to " << times[b];
+                }
+    }
+
+    ob::ScopedState<> se3State(const ob::StateSpacePtr &space, const Eigen::Quaterniond &rotation)
+    {
+        ob::ScopedState<> state(space);
+        auto *q = state->as<ob::SE3StateSpace::StateType>();
+        q->setXYZ(0.0, 0.0, 0.0);
+        setRotation(q->rotation(), rotation);
+        return state;
+    }
+}
+
+TEST(TravelBounds, HoldForAllRobotsBetweenAnyTwoTimes)
+{
+    for (unsigned int seed = 0; seed < scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomRobot(random);
+        const auto from = randomState(random, robot->getStateSpace());
+        checkTravel(random, *robot, from, randomState(random, robot->getStateSpace()));
+        checkTravel(random, *robot, from, randomStateNear(random, from, random.logUniform(1e-9, 1.0)));
+        checkTravel(random, *robot, from, from);
+        if (HasFailure())
+            return;
+    }
+}
+
+TEST(TravelBounds, HoldWhereAnglesWrapAround)
+{
+    const RobotPtr robot = RigidRobot::inSE2("r", Body::box(1.0, 1.0), cubeBounds(2, 3.0));
+    Random random(1);
+    ob::ScopedState<ob::SE2StateSpace> from(robot->getStateSpace()), to(robot->getStateSpace());
+    for (const double a : {M_PI, -M_PI, 3.1, -3.1, 0.0, 1e-9})
+        for (const double b : {M_PI, -M_PI, 3.1, -3.1, 0.0, M_PI / 2})
+        {
+            SCOPED_TRACE(std::to_string(a) + " to " + std::to_string(b));
+            from->setXY(0.0, 0.0);
+            to->setXY(0.5, 0.0);
+            from->setYaw(a);
+            to->setYaw(b);
+            checkTravel(random, *robot, ob::ScopedState<>(from), ob::ScopedState<>(to));
+            TravelBound bound;
+            robot->computeTravelBounds(from.get(), to.get(), &bound);
+            EXPECT_LE(bound.angular, M_PI) << "the longer way round";
+        }
+}
+
+TEST(TravelBounds, HoldForRotationsFromNearlyNoneToHalfATurn)
+{
+    const RobotPtr robot = RigidRobot::inSE3("r", Body::box(1.0, 1.0, 1.0), cubeBounds(3, 3.0));
+    for (unsigned int seed = 0; seed < scaled(1000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double angle = random.chance(0.3) ? M_PI - random.logUniform(1e-12, 1e-2) : random.logUniform(1e-12, 3.0);
+        const Eigen::Quaterniond start = random.rotation();
+        Eigen::Quaterniond end = start * Eigen::AngleAxisd(angle, random.direction(3));
+        if (random.chance(0.5))
+            end.coeffs() *= -1.0;  // the same rotation
+        // OMPL takes quaternions of nearly unit length.
+        end.coeffs() *= 1.0 + random.uniform(-5e-10, 5e-10);
+        checkTravel(random, *robot, se3State(robot->getStateSpace(), start), se3State(robot->getStateSpace(), end));
+        if (HasFailure())
+            return;
+    }
+}
+
+TEST(TravelBounds, AreNotWastefulForRigidRobots)
+{
+    const RobotPtr robot = RigidRobot::inSE3("r", Body::box(1.0, 1.0, 1.0), cubeBounds(3, 3.0));
+    const auto from = se3State(robot->getStateSpace(), Eigen::Quaterniond::Identity());
+    auto to = se3State(robot->getStateSpace(), Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ())));
+    to->as<ob::SE3StateSpace::StateType>()->setXYZ(1.0, 2.0, 2.0);
+    TravelBound bound;
+    robot->computeTravelBounds(from.get(), to.get(), &bound);
+    EXPECT_NEAR(bound.linear, 3.0, 1e-9);
+    EXPECT_NEAR(bound.angular, 1.0, 1e-5);
+    EXPECT_NEAR(bound.at(2.0), 5.0, 1e-4);
+}

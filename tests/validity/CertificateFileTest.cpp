@@ -1,0 +1,197 @@
+#include "ompl_certificates/validity/CertificateFile.h"
+#include "support/Checkers.h"
+#include "support/Folder.h"
+#include "support/RandomMeshes.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    class CertificateFile : public testing::TestWithParam<unsigned int>
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+        }
+
+        /** A checker that knows something */
+        std::shared_ptr<TeamSetup> makeExperienced(const ObstaclesPtr &obstacles, Method method)
+        {
+            auto setup = makeFresh(obstacles, method);
+            Random random(3);
+            for (int i = 0; i < 200; ++i)
+                setup->getTeamChecker()->isValid(randomState(random, team_).get());
+            return setup;
+        }
+
+        std::shared_ptr<TeamSetup> makeFresh(const ObstaclesPtr &obstacles, Method method) const
+        {
+            return std::make_shared<TeamSetup>(team_, obstacles, method);
+        }
+
+        ObstaclesPtr makeObstacles(unsigned int seed = 1) const
+        {
+            Random random(seed);
+            return scatteredObstacles(random, team_->getWorkspaceDimension(), 10);
+        }
+
+        /** Expects a refusal that names the file and contains \e reason, and nothing to have been taken. */
+        void expectRefused(const ObstaclesPtr &obstacles, const std::string &file, const std::string &reason,
+                           Method method = Method::SHARED_PROJECTION) const
+        {
+            const auto setup = makeFresh(obstacles, method);
+            try
+            {
+                loadCertificates(*setup->getCertificateChecker(), file);
+                ADD_FAILURE() << "not refused, though " << reason;
+            }
+            catch (const ompl::Exception &exception)
+            {
+                const std::string told = exception.what();
+                EXPECT_EQ(told.compare(0, file.size(), file), 0) << told;
+                EXPECT_NE(told.find(reason), std::string::npos) << told;
+            }
+            EXPECT_EQ(setup->getCertificateChecker()->getCertificateCount(), 0U);
+        }
+
+        const TeamStateSpacePtr team_ = anyTeam(HasParam() ? GetParam() : 0);
+        const Folder folder_;
+        const std::string file_ = folder_ / "certificates";
+
+    private:
+        static bool HasParam()
+        {
+            return testing::UnitTest::GetInstance()->current_test_info()->value_param() != nullptr;
+        }
+    };
+}
+
+TEST_P(CertificateFile, GivesBackWhatWasSaved)
+{
+    const auto obstacles = makeObstacles();
+    const auto experienced = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker();
+    ASSERT_GT(experienced->getCertificateCount(), 20U);
+    saveCertificates(*experienced, file_);
+    // The same obstacles, made anew and in another order
+    std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
+    std::reverse(bodies.begin(), bodies.end());
+    const auto again = std::make_shared<DearObstacles>(team_->getWorkspaceDimension(), bodies);
+    for (const Method method : {Method::SHARED_PROJECTION, Method::PARTIAL})
+    {
+        const auto checker = makeFresh(again, method)->getCertificateChecker();
+        EXPECT_EQ(loadCertificates(*checker, file_), experienced->getCertificateCount());
+        const auto loaded = checker->getCertificates();
+        const auto saved = experienced->getCertificates();
+        for (std::size_t i = 0; i < loaded.size(); ++i)
+            ASSERT_EQ(loaded[i], saved[i % saved.size()]);
+    }
+}
+
+TEST_P(CertificateFile, SavesChecksAndChangesNoVerdict)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    const auto cold = makeFresh(obstacles, Method::SHARED_PROJECTION);
+    const auto warm = makeFresh(obstacles, Method::SHARED_PROJECTION);
+    loadCertificates(*warm->getCertificateChecker(), file_);
+    const auto standard = makeFresh(obstacles, Method::STANDARD);
+    Random random(4);
+    for (int i = 0; i < 100; ++i)
+    {
+        const ob::ScopedState<> state = randomState(random, team_), copy = state;
+        ASSERT_EQ(warm->getTeamChecker()->isValid(state.get()), standard->getTeamChecker()->isValid(state.get()));
+        cold->getTeamChecker()->isValid(copy.get());
+    }
+    EXPECT_LT(warm->getStatistics().getCounts().asked, cold->getStatistics().getCounts().asked);
+}
+
+INSTANTIATE_TEST_SUITE_P(Teams, CertificateFile, testing::Range(0U, 3U));
+
+TEST_F(CertificateFile, IsRefusedForOtherObstacles)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    expectRefused(makeObstacles(2), file_, "other obstacles");
+    std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
+    bodies[3].pose.translation().x() += 1e-12;
+    expectRefused(std::make_shared<FclObstacles>(2U, bodies), file_, "other obstacles");
+    bodies.erase(bodies.begin() + 3);
+    expectRefused(std::make_shared<FclObstacles>(2U, bodies), file_, "other obstacles");
+    expectRefused(obstacles, file_, "basic", Method::BASIC);
+}
+
+TEST_F(CertificateFile, TellsMeshesAndTheirHeightsApart)
+{
+    Random random(1);
+    const TriangleMeshPtr mesh = boxMesh({1.0, 2.0, 3.0}), other = boxMesh({1.0, 2.0, 3.0 + 1e-9});
+    const auto fingerprint = [](const TriangleMeshPtr &of, const Heights &heights)
+    { return FclObstacles(2U, {{Body::planarMesh(of)}}, heights).getFingerprint(); };
+    EXPECT_EQ(fingerprint(mesh, {}), fingerprint(boxMesh({1.0, 2.0, 3.0}), {}));
+    EXPECT_NE(fingerprint(mesh, {}), fingerprint(other, {}));
+    EXPECT_NE(fingerprint(mesh, {}), fingerprint(mesh, {0.0, 1.0}));
+    EXPECT_NE(fingerprint(mesh, {0.0, 2.0}), fingerprint(mesh, {0.0, 1.0}));
+}
+
+TEST_F(CertificateFile, IsRefusedWhereverItIsCutOrDamaged)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    const std::string bytes = folder_.read("certificates");
+    ASSERT_GT(bytes.size(), 500U);
+    for (std::size_t length = 0; length < bytes.size(); length += length < 60 ? 1 : 97)
+        expectRefused(obstacles, folder_.write("cut", bytes.substr(0, length)), "is ");
+    for (std::size_t at = 0; at < bytes.size(); at += at < 60 ? 1 : 97)
+        for (const int bit : {0, 7})
+        {
+            std::string damaged = bytes;
+            damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
+            expectRefused(obstacles, folder_.write("damaged", damaged), "");
+        }
+    expectRefused(obstacles, folder_.write("longer", bytes + "x"), "damaged");
+    std::string newer = bytes;
+    newer[8] = 2;
+    expectRefused(obstacles, folder_.write("newer", newer),
+                  "has version 2 of the format; this program reads version 1");
+    // A count that would take exabytes
+    std::string huge = bytes;
+    huge.replace(24, 8, 8, '\x7f');
+    expectRefused(obstacles, folder_.write("huge", huge), "cut short");
+    expectRefused(obstacles, folder_ / "absent", "cannot be read");
+}
+
+TEST_F(CertificateFile, StaysAsItWasWhereItCannotBeWritten)
+{
+    const auto obstacles = makeObstacles();
+    const auto checker = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker();
+    EXPECT_THROW(saveCertificates(*checker, "/dev/full"), ompl::Exception);
+    EXPECT_THROW(saveCertificates(*checker, folder_ / "absent/file"), ompl::Exception);
+}
+
+namespace
+{
+    /** Obstacles that cannot tell themselves from others */
+    class Nameless : public DearObstacles
+    {
+    public:
+        using DearObstacles::DearObstacles;
+
+        std::uint64_t getFingerprint() const override
+        {
+            return 0;
+        }
+    };
+}
+
+TEST_F(CertificateFile, NeedsObstaclesThatCanBeRecognized)
+{
+    const auto setup = makeFresh(std::make_shared<Nameless>(2U, std::vector<PlacedBody>()), Method::PARTIAL);
+    EXPECT_THROW(saveCertificates(*setup->getCertificateChecker(), file_), ompl::Exception);
+    EXPECT_THROW(loadCertificates(*setup->getCertificateChecker(), file_), ompl::Exception);
+}
