@@ -10,7 +10,7 @@ iterations=${ITERATIONS:-10000}
 scripts/build.sh plan_team benchmark_team
 mkdir -p out
 
-for method in standard shared; do
+for method in fcl shared; do
   echo
   echo "== plan_team --method $method"
   build/bin/plan_team "$scene" --planner RRTstar --range 10 --iterations "$iterations" --seed 1 --method "$method" \
@@ -19,12 +19,12 @@ for method in standard shared; do
 done
 
 echo
-echo "== standard and shared compared"
-scripts/compare_reports.py out/five_discs_standard.json out/five_discs_shared.json
+echo "== fcl and shared compared"
+scripts/compare_reports.py out/five_discs_fcl.json out/five_discs_shared.json
 
 echo
 echo "== benchmark_team"
-build/bin/benchmark_team "$scene" --planners RRT,RRTConnect --methods standard,shared --runs 2 --time 1 \
+build/bin/benchmark_team "$scene" --planners RRT,RRTConnect --methods fcl,standard,shared --runs 2 --time 1 \
   --log out/benchmark.log
 echo
 echo "Written to out/. The log goes into a database for Planner Arena with"

@@ -8,7 +8,7 @@ usage() {
 usage: scripts/equivalence.sh [options] [SCENE.yaml ...]
 
   --planners A,B,...   planners (RRT,RRTConnect,RRTstar,EST,KPIECE1)
-  --methods A,B,...    methods, the first is what the others are compared with (standard,basic,partial,shared)
+  --methods A,B,...    methods, the first is what the others are compared with (fcl,standard,basic,partial,shared)
   --seeds A,B,...      seeds (1,2)
   --iterations N       iterations of each plan (2000)
   --jobs N             plans at a time (1)
@@ -21,7 +21,7 @@ END
 }
 
 planners=RRT,RRTConnect,RRTstar,EST,KPIECE1
-methods=standard,basic,partial,shared
+methods=fcl,standard,basic,partial,shared
 seeds=1,2
 iterations=2000
 jobs=1
