@@ -200,9 +200,9 @@ namespace
             methods.push_back(methodOf(name));
         }
         const NearestStructure nearest = nearestStructureOf(options.nearest);
-        // The standard method is the one to compare with.
-        std::stable_sort(methods.begin(), methods.end(),
-                         [](Method a, Method b) { return a == Method::STANDARD && b != Method::STANDARD; });
+        // The first one is what the others are compared with: one without certificates, FCL alone foremost.
+        const auto order = [](Method method) { return method == Method::FCL ? 0 : method == Method::STANDARD ? 1 : 2; };
+        std::stable_sort(methods.begin(), methods.end(), [&](Method a, Method b) { return order(a) < order(b); });
 
         std::vector<std::pair<std::string, std::string>> logs;
         for (const std::string &file : options.scenes)

@@ -248,6 +248,7 @@ TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
         ASSERT_TRUE(isFreeThroughout(path, standard));
     }
     EXPECT_GT(solved, 0U);
+    RecordProperty("solved", static_cast<int>(solved));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, OneVerdict, testing::Range(0U, TEAMS + 1));
