@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace ompl_certificates
 {
@@ -17,7 +18,9 @@ namespace ompl_certificates
       : MotionCheck(checker, scratch, s1, s2)
     {
         orient();
-        cells_ = CELLS * std::max(1, static_cast<int>(checker.getTeam().validSegmentCount(from_, to_)));
+        constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / CELLS;
+        const unsigned int segments = checker.getTeam().validSegmentCount(from_, to_);
+        cells_ = CELLS * static_cast<int>(std::min(std::max(segments, 1U), mostSegments));
     }
 
     void ContinuousMotionCheck::orient()
