@@ -2,6 +2,7 @@
 // those that need more than a space and a problem: TSRRT (a task space), VFRRT (a vector field), XXL (a decomposition of
 // the space), QRRT (a sequence of spaces), and LightningRetrieveRepair and ThunderRetrieveRepair (a database of plans).
 
+#include "support/ForgivenLeaks.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/planning/TeamSetup.h"
@@ -51,6 +52,7 @@
 #include <ompl/geometric/planners/stride/STRIDE.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
+#include <set>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -148,6 +150,9 @@ namespace
 
         void expectToSolve(TeamStateSpace::Metric metric)
         {
+            // These leak states in OMPL 1.5.2: they clone goals, samples and propagations that they never free.
+            static const std::set<std::string> leaking{"LazyLBTRRT", "LazyPRM", "LazyPRMstar", "SORRTstar", "SST"};
+            const ForgivenLeaks forgiven(leaking.count(GetParam().name) > 0);
             ompl::RNG::setSeed(1);
             const auto setup = easyProblem(metric);
             setup->setPlanner(GetParam().make(setup->getSpaceInformation()));
