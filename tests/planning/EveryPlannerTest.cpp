@@ -156,15 +156,15 @@ namespace
             ompl::RNG::setSeed(1);
             const auto setup = easyProblem(metric);
             setup->setPlanner(GetParam().make(setup->getSpaceInformation()));
-            // Mostly the first time is enough; the others are for a machine that is busy. The iterations end, for OMPL's
-            // LazyLBTRRT fails an assertion of its own after some random numbers.
+            // Mostly the first time is enough; the others, longer ones, are for a machine that is busy. The iterations end,
+            // for OMPL's LazyLBTRRT fails an assertion of its own after some random numbers.
             const auto end = ompl::time::now() + ompl::time::seconds(10.0);
-            while (!setup->haveExactSolutionPath() && ompl::time::now() < end)
+            for (double seconds = 0.2; !setup->haveExactSolutionPath() && ompl::time::now() < end; seconds *= 2.0)
             {
                 std::atomic<unsigned int> left{3000};
                 const ob::PlannerTerminationCondition condition([&left] { return left == 0 || --left == 0; });
                 ASSERT_NO_THROW(setup->solve(
-                    ob::plannerOrTerminationCondition(condition, ob::timedPlannerTerminationCondition(0.2))));
+                    ob::plannerOrTerminationCondition(condition, ob::timedPlannerTerminationCondition(seconds))));
             }
             ASSERT_TRUE(setup->haveExactSolutionPath());
             EXPECT_TRUE(setup->getSolutionPath().check());
