@@ -209,8 +209,8 @@ namespace demos
             requireNew(node, workspaces, workspace.name);
             workspaces.push_back(std::move(workspace));
         }
-        for (const Method method : allMethods())
-            methods.push_back(method);
+        // The paper's: its standard check is FCL alone.
+        methods = {Method::FCL, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION};
         if (root.has("methods"))
         {
             methods.clear();

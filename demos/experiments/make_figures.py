@@ -105,7 +105,7 @@ def save(figure, folder, name):
 
 def draw_all(cells, folder):
     scenes = sorted(cells["scene"].unique())
-    methods = [method for method in trials.METHODS if method in set(cells["method"]) and method != "standard"]
+    methods = [method for method in trials.METHODS if method in set(cells["method"]) and method not in ("fcl", "standard")]
     for (scene, planner), part in cells.groupby(["scene", "planner"]):
         what = label_of(planner) + (f", {scene}" if len(scenes) > 1 else "")
         if part["fraction_nodes_mean"].notna().any():
@@ -125,7 +125,7 @@ def draw_all(cells, folder):
                  folder, name_of("runtime", scene, planner, scenes))
         stored = part.assign(**{f"memory_mb_{s}": part[f"memory_bytes_{s}"] / 2**20 for s in ("mean", "p10", "p90")})
         rows = [("certificates", "certificates stored", 50, 100), ("memory_mb", "memory grown by, MB", 0.5, 2.0)]
-        save(draw_panels(stored, rows, 100, f"{what}: what is stored", methods + ["standard"]), folder,
+        save(draw_panels(stored, rows, 100, f"{what}: what is stored", methods + ["fcl"]), folder,
              name_of("stored", scene, planner, scenes))
 
 

@@ -92,7 +92,7 @@ def add_relative_times(records):
                                          rest + difficulty * records["obstacle_seconds"])
     key = ["scene", "robots", "planner", "number", "iterations"]
     times = [f"time_{difficulty}" for difficulty in DIFFICULTIES]
-    standard = records.loc[records["method"] == "standard", key + times + ["obstacle_seconds", "checking_seconds"]]
+    standard = records.loc[records["method"] == "fcl", key + times + ["obstacle_seconds", "checking_seconds"]]
     standard = standard.rename(columns={"obstacle_seconds": "standard_obstacle_seconds",
                                         "checking_seconds": "standard_checking_seconds"})
     records = records.merge(standard, on=key, how="left", suffixes=("", "_standard"))

@@ -42,7 +42,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
                                        "--runs", "3", "--time", "0.5", "--log", folder / "teams.log"});
     ASSERT_EQ(program.wait(), 0) << program.errors();
     EXPECT_EQ(program.errors(), "");
-    EXPECT_NE(program.output().find("multiples of those of standard"), std::string::npos);
+    EXPECT_NE(program.output().find("multiples of those of fcl"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "teams.log"));
 
     const std::string log = contentOf(folder / "teams_first.log");
@@ -50,7 +50,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
     // BITstar would read this from another thread by walking through its graph, and crash now and then.
     EXPECT_EQ(log.find("current graph vertices"), std::string::npos);
     std::vector<std::string> states;
-    for (const std::string method : {"standard", "basic", "partial", "shared"})
+    for (const std::string method : {"fcl", "standard", "basic", "partial", "shared"})
     {
         SCOPED_TRACE(method);
         std::vector<std::string> names;
@@ -70,7 +70,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
             EXPECT_GT(count("robot_poses"), 10u);
             EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("asked"));
             // Among few obstacles, robots on their own search for certificates, and keep them, only now and then.
-            if (method == "standard")
+            if (method == "fcl" || method == "standard")
             {
                 EXPECT_EQ(count("certificates"), 0u);
             }

@@ -97,7 +97,7 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
         EXPECT_EQ(end.at("nodes").get<int>() + 1, trial.at("tree").at("states").get<int>());
         EXPECT_LE(end.at("obstacle_seconds").get<double>(), end.at("checking_seconds").get<double>());
         EXPECT_LE(end.at("checking_seconds").get<double>(), end.at("seconds").get<double>());
-        if (trial.at("method") == "standard")
+        if (trial.at("method") == "fcl")
         {
             EXPECT_EQ(end.at("asked"), end.at("robot_poses"));
             EXPECT_TRUE(end.at("node_poses").is_null());

@@ -56,7 +56,7 @@ TEST_F(ExperimentTools, tablesFiguresAndReportShowWhatWasMeasured)
     Answer answer = shell(tool("make_tables.py") + out + " " + tables + " --complete");
     ASSERT_EQ(answer.code, 0) << answer.text;
     const auto trial = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-shared-t0002.json"));
-    const auto standard = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-standard-t0002.json"));
+    const auto standard = nlohmann::json::parse(contentOf(out + "/trials/polygons-r2-RRT-fcl-t0002.json"));
     const auto last = [](const nlohmann::json &of, const std::string &column)
     {
         std::size_t i = 0;
