@@ -2,9 +2,10 @@
 //
 //     continuous demos/scenes/maze.yaml demos/scenes/canyon.yaml
 //
-// Each motion begins at a valid state and leads some way towards another one. Columns: the share of the motions that each
-// mode accepts, the continuous one's as a share of those that the discrete one accepts; microseconds of processor time for a motion, with
-// what has been learned of the motions before; clearances and exact checks for a motion in continuous mode.
+// Each motion begins at a valid state and leads some way towards another one. Columns:
+//   accepted   the share of the motions that the discrete mode accepts, and the share of these that the continuous one does
+//   us         processor time for a motion; certificates stay from motion to motion
+//   clearances, exact checks   for a motion in continuous mode; exact checks are calls of FCL
 
 #include "common/Options.h"
 

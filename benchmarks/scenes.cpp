@@ -1,5 +1,5 @@
-// Teams of one to three robots in every scene there is, checked by FCL alone, by the fastest check without certificates
-// and with certificates, in turns and from equal seeds: what is saved, and that the trees are equal.
+// Plans for teams of one to three robots in every scene there is: what certificates save, and that the trees are equal.
+// Each plan is made with FCL alone, with the fastest check without certificates, and with certificates, from equal seeds.
 //
 //     scenes                                   all scenes of the project, and the shared ones where they are present
 //     scenes maze.yaml --planners RRT --robots 3 --methods basic,partial,shared --seeds 10

@@ -1,6 +1,6 @@
-// Each of OMPL's geometric planners runs in a TeamSetup, with no more said to it than to any other planner. Left out are
-// those that need more than a space and a problem: TSRRT (a task space), VFRRT (a vector field), XXL (a decomposition of
-// the space), QRRT (a sequence of spaces), and LightningRetrieveRepair and ThunderRetrieveRepair (a database of plans).
+// Each of OMPL's geometric planners runs in a TeamSetup, with no more said to it than to any other planner. Planners that
+// need more than a space and a problem are left out. TSRRT needs a task space, VFRRT a vector field, XXL a decomposition of
+// the space, QRRT a sequence of spaces. LightningRetrieveRepair and ThunderRetrieveRepair need a database of plans.
 
 #include "support/ForgivenLeaks.h"
 #include "support/Teams.h"
