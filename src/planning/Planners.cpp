@@ -93,9 +93,8 @@ namespace ompl_certificates
             const char *description;
         };
 
-        /** Left out are the planners that need more than a space information: a task space (TSRRT), a vector field
-            (VFRRT), a decomposition (XXL), a sequence of spaces (QRRT) or a database (those that plan from experience).
-            */
+        /** Planners that need more than a space information are left out. TSRRT needs a task space, VFRRT a vector field,
+            XXL a decomposition and QRRT a sequence of spaces. Those that plan from experience need a database. */
         const std::map<std::string, Entry> &planners()
         {
             static const std::map<std::string, Entry> table{
