@@ -108,14 +108,12 @@ namespace ompl_certificates
     {
         PoseVerdict verdict;
         verdict.by = SettledBy::CLEARANCES;
-        if (query.proofOnly)
+        if (query.isProofOnly())
         {
             settleByClearances(query, learn, verdict, counts);
             return verdict;
         }
-        // Only clearances tell how long a body stays free.
-        TimedSettling settling(policy,
-                               query.minimumReach > 0.0 ? SwitchingPolicy::WITH_CLEARANCES : SwitchingPolicy::ANY);
+        TimedSettling settling(policy, SwitchingPolicy::ANY);
         const auto [clearances, contact] = settling.getWay();
         if (clearances)
         {
@@ -160,7 +158,7 @@ namespace ompl_certificates
                 verdict.clearance = certificate.clearance;
             Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
             // What this proves of other times is to be proved by their own clearances, too.
-            if (query.proofOnly)
+            if (query.isProofOnly())
                 covering.slack -= PROOF_CUSHION * margin;
             // What is nearest to the middle of a body that collides is mostly what it collides with.
             if (clearances == 1 && covering.verdict != Covering::FREE && nearest != NO_PART &&
@@ -182,7 +180,7 @@ namespace ompl_certificates
                 covering.certificate = certificates_.insert(certificate);
             return covering;
         };
-        const unsigned int most = query.proofOnly ? mostBalls(query) : MOST_CLEARANCES;
+        const unsigned int most = query.isProofOnly() ? mostBalls(query) : MOST_CLEARANCES;
         verdict.free = proveFree(query, margin, query.body.isBall() ? 0 : ASKED_LEVELS, most, lookup, verdict);
         counts.clearanceQueries += clearances;
         return verdict.free || collides;

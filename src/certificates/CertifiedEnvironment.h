@@ -15,7 +15,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief Proves from certificates that a body is free for minimumReach: refines its cover where \e lookup, a function from
+    /** \brief Proves from certificates that a body is free for provedReach: refines its cover where \e lookup, a function from
         a BallQuery to a Covering, does not prove that of a coarse ball. Lowers \e verdict.reach to how long the proof
         lasts, and sets its reference; \e verdict is meaningless if the proof fails.
 
@@ -62,7 +62,7 @@ namespace ompl_certificates
             clearances of the balls themselves prove all that older certificates prove. */
         double getProofMargin(const PoseQuery &query) const
         {
-            return getMargin(query.body) * (query.proofOnly ? 1.0 + PROOF_CUSHION : 1.0);
+            return getMargin(query.body) * (query.isProofOnly() ? 1.0 + PROOF_CUSHION : 1.0);
         }
 
         /** \brief The obstacles */
@@ -99,8 +99,8 @@ namespace ompl_certificates
             new clearances would: as many as settle most poses, and one for each further shape of the body. */
         static unsigned int mostBalls(const PoseQuery &query)
         {
-            return query.proofOnly ? 7 + static_cast<unsigned int>(query.body.getParts().size())
-                                   : std::numeric_limits<unsigned int>::max();
+            return query.isProofOnly() ? 7 + static_cast<unsigned int>(query.body.getParts().size())
+                                       : std::numeric_limits<unsigned int>::max();
         }
 
         /** \brief The part of a margin that pays for the rounding between two proofs of the same */

@@ -72,7 +72,7 @@ namespace ompl_certificates
 
     void SwitchingPolicy::judge()
     {
-        for (const Choice choice : {ANY, WITH_CLEARANCES, WITHOUT_CLEARANCES})
+        for (const Choice choice : {ANY, WITHOUT_CLEARANCES})
         {
             std::uint32_t best = best_[choice].load(std::memory_order_relaxed);
             float least = costOf(best) / HYSTERESIS;
@@ -121,7 +121,7 @@ namespace ompl_certificates
             cost->mean.store(0.0F, std::memory_order_relaxed);
             cost->notes.store(0, std::memory_order_relaxed);
         }
-        for (const Choice choice : {ANY, WITH_CLEARANCES, WITHOUT_CLEARANCES})
+        for (const Choice choice : {ANY, WITHOUT_CLEARANCES})
             best_[choice].store(waysOf(choice)[0], std::memory_order_relaxed);
     }
 }

@@ -64,9 +64,7 @@ namespace ompl_certificates
         {
             /// All four.
             ANY,
-            /// Those with clearances, where only they tell what is to be known.
-            WITH_CLEARANCES,
-            /// Those without, where nothing is to be remembered.
+            /// Those without clearances, where nothing is to be remembered.
             WITHOUT_CLEARANCES
         };
 
@@ -110,8 +108,7 @@ namespace ompl_certificates
         /** \brief The numbers of the ways of a choice: from the first to before the second */
         static std::array<std::uint32_t, 2> waysOf(Choice choice)
         {
-            return {choice == WITHOUT_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : 0,
-                    choice == WITH_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : WAYS};
+            return {choice == WITHOUT_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : 0, WAYS};
         }
 
         /** \brief What something has cost lately */
@@ -157,7 +154,7 @@ namespace ompl_certificates
         std::array<Cost, WAYS> exact_;
 
         /** \brief The number of the best way of each choice */
-        std::array<std::atomic<std::uint32_t>, 3> best_{0, 0, FIRST_WITHOUT_CLEARANCES};
+        std::array<std::atomic<std::uint32_t>, 2> best_{0, FIRST_WITHOUT_CLEARANCES};
     };
 }
 

@@ -29,7 +29,7 @@ namespace ompl_certificates
         for (unsigned int subject = 0; subject < subjectCount(); ++subject)
         {
             // Of a motion that collides few samples are looked at before that is found.
-            const PoseVerdict verdict = settle(subject, 1.0, 0.0, false, 0.0);
+            const PoseVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
             // Nothing of this motion was counted before its end.
             counts_.endPoses = counts_.robotPoses;
             counts_.endAsked = counts_.asked;
@@ -70,7 +70,7 @@ namespace ompl_certificates
     PoseVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
     {
         const double samplesAhead = std::max(scratch_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
-        return settle(subject, static_cast<double>(sample) / segments_, 0.0, false, samplesAhead);
+        return settle(subject, static_cast<double>(sample) / segments_, 0.0, samplesAhead);
     }
 
     int DiscreteMotionCheck::samplesWithin(double reach) const

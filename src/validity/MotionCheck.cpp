@@ -53,8 +53,7 @@ namespace ompl_certificates
         moved.placeBodies(component, scratch_.poses.data() + scratch_.firstBody[robot]);
     }
 
-    PoseVerdict MotionCheck::settle(unsigned int subject, double t, double minimumReach, bool proofOnly,
-                                    double samplesAhead)
+    PoseVerdict MotionCheck::settle(unsigned int subject, double t, double provedReach, double samplesAhead)
     {
         const Pose *poses = scratch_.poses.data();
         const TravelBound *travel = scratch_.travel.data();
@@ -63,8 +62,8 @@ namespace ompl_certificates
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, motion(minimumReach, proofOnly, samplesAhead),
-                                        scratch_.references.data(), counts_);
+            return checker_.settleGroup(subject, poses, {travel, provedReach, samplesAhead}, scratch_.references.data(),
+                                        counts_);
         }
         const unsigned int pair = subject - groups_;
         const unsigned int first = checker_.getPairs().getFirst(pair), second = checker_.getPairs().getSecond(pair);
@@ -72,8 +71,7 @@ namespace ompl_certificates
         pose(second, t);
         ++counts_.pairPoses;
         const std::size_t a = scratch_.firstBody[first], b = scratch_.firstBody[second];
-        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b,
-                                          proofOnly ? minimumReach : 0.0, counts_);
+        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b, provedReach, counts_);
     }
 
     void MotionCheck::takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other)

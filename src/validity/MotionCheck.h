@@ -29,10 +29,9 @@ namespace ompl_certificates
         }
 
         /** \brief Settle a subject at time \e t
-            \param minimumReach what proves less of it is passed over
-            \param proofOnly whether only what is proved free for \e minimumReach counts as free
+            \param provedReach see PoseQuery::provedReach
             \param samplesAhead see PoseQuery::samplesAhead */
-        PoseVerdict settle(unsigned int subject, double t, double minimumReach, bool proofOnly, double samplesAhead);
+        PoseVerdict settle(unsigned int subject, double t, double provedReach, double samplesAhead);
 
         /** \brief Begin with the certificates that \e state refers to; with those of \e other for a robot that has none */
         void takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other);
@@ -64,12 +63,6 @@ namespace ompl_certificates
         static constexpr double OVERLAP = 1e-9;
 
     private:
-        /** \brief How fast the bodies move, and what is asked of a proof */
-        CertificateChecker::Motion motion(double minimumReach, bool proofOnly, double samplesAhead) const
-        {
-            return {scratch_.travel.data(), minimumReach, samplesAhead, proofOnly};
-        }
-
         /** \brief How many robots' samples a sample of the subject stands for; a pair's are not counted */
         unsigned int robotsOf(unsigned int subject) const;
     };

@@ -152,8 +152,7 @@ namespace ompl_certificates
             SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
             SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
             const PoseVerdict one = bodies.frame->environment.settle(
-                {bodies.swapped ? b : a, relative, &travel, provedReach, provedReach > 0.0}, NO_CERTIFICATE, policy,
-                asked);
+                {bodies.swapped ? b : a, relative, &travel, provedReach}, NO_CERTIFICATE, policy, asked);
             counts.clearanceQueries += asked.clearanceQueries;
             counts.contactTests += asked.contactTests;
             counts.pairExact += asked.exactCalls;

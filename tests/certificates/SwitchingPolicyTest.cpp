@@ -30,7 +30,8 @@ namespace
         unsigned int clearances{0}, contact{0};
     };
 
-    Tried settle(SwitchingPolicy &policy, unsigned int poses, const Costs &costs, bool needsClearances = false)
+    Tried settle(SwitchingPolicy &policy, unsigned int poses, const Costs &costs,
+                 SwitchingPolicy::Choice choice = SwitchingPolicy::ANY)
     {
         Tried tried;
         unsigned int luck = 0;
@@ -38,8 +39,7 @@ namespace
         {
             luck = (luck + 617) % 1000;
             const bool timed = policy.isTimed();
-            const SwitchingPolicy::Way way =
-                policy.choose(needsClearances ? SwitchingPolicy::WITH_CLEARANCES : SwitchingPolicy::ANY, timed);
+            const SwitchingPolicy::Way way = policy.choose(choice, timed);
             tried.clearances += way.clearances ? 1 : 0;
             tried.contact += way.contact ? 1 : 0;
             const bool clear = luck < costs.settledByClearances;
@@ -151,11 +151,23 @@ TEST(SwitchingPolicy, TriesWhatCostsMuchMoreSeldom)
     EXPECT_GE(settle(policy, 100000, clearancesOf(1, 1000, 1000)).clearances, 99990U);
 }
 
-TEST(SwitchingPolicy, AlwaysAsksClearancesWhereTheyAreNeeded)
+TEST(SwitchingPolicy, WithoutClearancesWeighsTheContactTestAlone)
 {
     SwitchingPolicy policy;
-    EXPECT_EQ(settle(policy, 5000, clearancesOf(10, 200, 1), true).clearances, 5000U);
-    EXPECT_LT(settle(policy, 5000, clearancesOf(10, 200, 1)).clearances, 500U);
+    // Clearances would settle everything at once.
+    Costs costs = clearancesOf(1, 1000, 10);
+    costs.contact = microseconds(20);
+    costs.settledByContact = 900;
+    settle(policy, 1000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
+    Tried tried = settle(policy, 10000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
+    EXPECT_EQ(tried.clearances, 0U);
+    EXPECT_LT(tried.contact, 300U);
+    EXPECT_GT(tried.contact, 20U) << "it would not notice that it pays again";
+    costs.exact = costs.exactWhereClear = microseconds(200);
+    settle(policy, 40000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
+    tried = settle(policy, 10000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
+    EXPECT_EQ(tried.clearances, 0U);
+    EXPECT_GT(tried.contact, 9700U);
 }
 
 TEST(SwitchingPolicy, DoesNotCountWhatTheFirstPosePaysForAll)

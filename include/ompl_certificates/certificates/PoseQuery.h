@@ -19,13 +19,10 @@ namespace ompl_certificates
         /** \brief How fast the body moves, to find how long its verdict lasts; null if it does not move */
         const TravelBound *travel{nullptr};
 
-        /** \brief A certificate that proves less than this, in time of the motion, is passed over for a new clearance */
-        double minimumReach{0.0};
-
-        /** \brief Whether the body counts as free only if its sphere tree is proved free for \e minimumReach, by the clearances
-            of a few of its spheres. That verdict depends on the obstacles and the motion alone, not on what is
-            known of them. If not set, a pose that clearances do not settle gets the exact check. */
-        bool proofOnly{false};
+        /** \brief If positive, the body counts as free only if a few balls of its sphere tree are proved free for this long, in
+            time of the motion. That verdict depends on the obstacles and the motion alone, not on what is known of them.
+            If 0, a pose that clearances do not settle gets the exact check. */
+        double provedReach{0.0};
 
         /** \brief How many samples a proof probably spares that lasts for all of the motion, if the pose lies between free ends;
             else 0. Such a pose is probably free, so collisions are tried last. */
@@ -37,10 +34,16 @@ namespace ompl_certificates
             return travel ? travel->at(ball.center.norm()) : 0.0;
         }
 
-        /** \brief How far the center of a ball of the body moves within minimumReach, at most */
+        /** \brief Whether only a proof settles the body as free */
+        bool isProofOnly() const
+        {
+            return provedReach > 0.0;
+        }
+
+        /** \brief How far the center of a ball of the body moves within provedReach, at most */
         double leastSlack(const Ball &ball) const
         {
-            return minimumReach > 0.0 ? minimumReach * speedOf(ball) : 0.0;
+            return isProofOnly() ? provedReach * speedOf(ball) : 0.0;
         }
     };
 

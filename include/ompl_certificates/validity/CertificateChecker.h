@@ -88,15 +88,12 @@ namespace ompl_certificates
             /** \brief How fast all bodies of the team move, or null if they do not move */
             const TravelBound *travel{nullptr};
 
-            /** \brief Certificates that prove less, in time of the motion, are passed over */
-            double minimumReach{0.0};
+            /** \brief For how long robots must be proved free to count as free, or 0; see PoseQuery::provedReach */
+            double provedReach{0.0};
 
             /** \brief How many samples a proof for all of the motion probably spares, if this one lies between free ends;
                 else 0 */
             double samplesAhead{0.0};
-
-            /** \brief Whether only what is proved free for minimumReach counts as free; see PoseQuery::proofOnly */
-            bool proofOnly{false};
         };
 
         /** \brief Robots that are settled together: those from \e first to \e last - 1 */
@@ -134,12 +131,8 @@ namespace ompl_certificates
         PoseQuery queryOf(unsigned int robot, std::size_t body, const Pose *poses, const Motion &motion) const
         {
             const std::size_t index = getFirstBody(robot) + body;
-            return {team_.getRobot(robot).getBodies()[body],
-                    poses[index],
-                    motion.travel ? motion.travel + index : nullptr,
-                    motion.minimumReach,
-                    motion.proofOnly,
-                    motion.samplesAhead};
+            return {team_.getRobot(robot).getBodies()[body], poses[index],
+                    motion.travel ? motion.travel + index : nullptr, motion.provedReach, motion.samplesAhead};
         }
 
     private:
