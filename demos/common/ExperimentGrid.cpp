@@ -2,7 +2,7 @@
 
 #include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 #include "scene/YamlNode.h"
 
 #include "ompl_certificates/planning/Planners.h"
@@ -134,7 +134,7 @@ namespace demos
             {
                 const YamlNode file = node.at("file");
                 const std::string path = (folder / file.text()).lexically_normal().string();
-                hashed += at(file, [&] { return readTextFile(path); }) + '\0';
+                hashed += at(file, [&] { return readWholeFile(path); }) + '\0';
                 workspace.scene = at(file, [&] { return std::make_shared<YamlScene>(path); });
                 workspace.name = workspace.scene->getName();
                 for (char &c : workspace.name)
@@ -196,7 +196,7 @@ namespace demos
         return part;
     }
 
-    ExperimentGrid::ExperimentGrid(const std::string &file) : text(readTextFile(file))
+    ExperimentGrid::ExperimentGrid(const std::string &file) : text(readWholeFile(file))
     {
         const YamlNode root(parse(text, file), "", file);
         root.allow({"name", "scenes", "planners", "methods", "trials", "seed", "iterations", "seconds", "goal",

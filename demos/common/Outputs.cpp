@@ -1,6 +1,6 @@
 #include "common/Outputs.h"
 
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -85,7 +85,7 @@ namespace demos
     void writeOutput(const std::string &file, const std::string &text)
     {
         if (file != STANDARD_OUTPUT)
-            return ompl_certificates::writeTextFile(file, text);
+            return ompl_certificates::writeWholeFile(file, text);
         for (std::size_t done = 0; done < text.size();)
         {
             const ssize_t written = write(standardOutput, text.data() + done, text.size() - done);

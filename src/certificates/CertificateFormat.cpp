@@ -1,19 +1,15 @@
 #include "CertificateFormat.h"
 
+#include "WholeFile.h"
+
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <ompl/util/Exception.h>
-#include <random>
 
 namespace ompl_certificates
 {
-    namespace fs = std::filesystem;
-
     namespace
     {
         const std::string MAGIC = "OMPLCERT";
@@ -62,55 +58,6 @@ namespace ompl_certificates
             crc.process_bytes(bytes.data(), count);
             return crc.checksum();
         }
-
-        [[noreturn]] void fail(const std::string &file, const std::string &complaint)
-        {
-            throw ompl::Exception(file.empty() ? "''" : file, complaint);
-        }
-
-        /** \e complaint, and why the last operation failed, as the system tells it */
-        [[noreturn]] void failAs(const std::string &file, const std::string &complaint)
-        {
-            fail(file, complaint + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
-        }
-
-        void writeDirectly(const std::string &file, const std::string &bytes, const std::string &named)
-        {
-            errno = 0;
-            std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-            stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-            stream.close();
-            if (!stream)
-                failAs(named, "cannot be written");
-        }
-
-        /** All of it or nothing: another file is written and takes the place of \e file, unless that is a device. What a
-            link points to is replaced. */
-        void writeWhole(const std::string &file, const std::string &bytes)
-        {
-            std::error_code error;
-            const fs::file_status status = fs::status(file, error);
-            if (file.empty() || fs::is_directory(status))
-                fail(file, "is a directory, not a file");
-            if (fs::exists(status) && !fs::is_regular_file(status))
-                return writeDirectly(file, bytes, file);
-            const fs::path linked =
-                fs::is_symlink(fs::symlink_status(file, error)) ? fs::canonical(file, error) : fs::path();
-            const fs::path target = linked.empty() ? fs::path(file) : linked;
-            const fs::path temporary = target.string() + "." + std::to_string(std::random_device()()) + ".tmp";
-            try
-            {
-                writeDirectly(temporary.string(), bytes, file);
-                fs::rename(temporary, target, error);
-                if (error)
-                    fail(file, "cannot be written: " + error.message());
-            }
-            catch (...)
-            {
-                fs::remove(temporary, error);
-                throw;
-            }
-        }
     }
 
     ObstacleIdentity identityOf(const Obstacles &obstacles, const std::string &file)
@@ -139,29 +86,12 @@ namespace ompl_certificates
             append(bytes, certificate.clearance);
         }
         append(bytes, checksumOf(bytes, bytes.size()));
-        writeWhole(file, bytes);
+        writeWholeFile(file, bytes);
     }
 
     std::string readCertificateBytes(const std::string &file)
     {
-        std::error_code error;
-        if (fs::is_directory(file, error))
-            fail(file, "is a directory, not a file");
-        errno = 0;
-        std::ifstream stream(file, std::ios::binary);
-        if (!stream)
-            failAs(file, "cannot be read");
-        std::string bytes;
-        char block[1u << 16u];
-        while (stream.read(block, sizeof(block)) || stream.gcount() > 0)
-        {
-            bytes.append(block, static_cast<std::size_t>(stream.gcount()));
-            if (bytes.size() > MOST_BYTES)
-                fail(file, "is larger than " + std::to_string(MOST_BYTES >> 20u) + " MB");
-        }
-        if (stream.bad())
-            failAs(file, "cannot be read");
-        return bytes;
+        return readWholeFile(file, MOST_BYTES);
     }
 
     std::vector<Certificate> parseCertificates(const std::string &bytes, const std::string &file,

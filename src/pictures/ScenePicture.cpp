@@ -1,7 +1,7 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 
 #include "SceneView.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -288,6 +288,6 @@ namespace ompl_certificates
 
     void ScenePicture::write(const std::string &file) const
     {
-        writeTextFile(file, toSvg());
+        writeWholeFile(file, toSvg());
     }
 }

@@ -1,6 +1,6 @@
 #include "CfgFile.h"
 
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <boost/program_options/options_description.hpp>
@@ -29,7 +29,7 @@ namespace ompl_certificates
     CfgFile::CfgFile(const std::string &file) : name_(file)
     {
         namespace po = boost::program_options;
-        std::istringstream text(readTextFile(file));
+        std::istringstream text(readWholeFile(file));
         // Boost would complain as well, but for ever about a line that has a placeholder of its messages in it.
         for (std::string line; std::getline(text, line);)
         {

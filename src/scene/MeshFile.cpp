@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include "MeshReaders.h"
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -51,7 +51,7 @@ namespace ompl_certificates
     MeshFile::MeshFile(const std::string &file) : name_(file)
     {
         const Reader read = readerOf(file);
-        const std::string content = readTextFile(file, MOST_BYTES);
+        const std::string content = readWholeFile(file, MOST_BYTES);
         if (content.empty())
             fail(file, "is empty");
         try

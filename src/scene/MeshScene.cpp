@@ -2,7 +2,7 @@
 
 #include "MeshBuilder.h"
 #include "SeededRandom.h"
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -427,10 +427,10 @@ namespace ompl_certificates
         const std::filesystem::path path(file);
         const std::string stem = path.stem().string() + "_";
         for (const auto &[name, text] : meshes_)
-            writeTextFile((path.parent_path() / (stem + name)).string(), text);
+            writeWholeFile((path.parent_path() / (stem + name)).string(), text);
         std::string yaml = yaml_;
         for (std::size_t at = yaml.find("file: @"); at != std::string::npos; at = yaml.find("file: @"))
             yaml.replace(at + 6, 1, stem);
-        writeTextFile(file, yaml);
+        writeWholeFile(file, yaml);
     }
 }

@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/PathFile.h"
 
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <charconv>
 #include <ompl/base/SpaceInformation.h>
@@ -99,6 +99,6 @@ namespace ompl_certificates
 
     void writePath(const std::string &file, const ompl::geometric::PathGeometric &path)
     {
-        writeTextFile(file, toCsv(path));
+        writeWholeFile(file, toCsv(path));
     }
 }

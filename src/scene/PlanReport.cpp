@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/PlanReport.h"
 
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,7 @@ namespace ompl_certificates
 
     void PlanReport::write(const std::string &file) const
     {
-        writeTextFile(file, toJson());
+        writeWholeFile(file, toJson());
     }
 
     std::string treeDigest(const ob::PlannerData &data)

@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/YamlScene.h"
 
-#include "TextFile.h"
+#include "certificates/WholeFile.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 
@@ -109,7 +109,7 @@ namespace ompl_certificates
         }
     }
 
-    YamlScene::YamlScene(const std::string &file) : YamlScene(readTextFile(file), file)
+    YamlScene::YamlScene(const std::string &file) : YamlScene(readWholeFile(file), file)
     {
     }
 

@@ -2,7 +2,7 @@
 #include "ompl_certificates/scene/PathFile.h"
 #include "ompl_certificates/scene/PlanReport.h"
 #include "ompl_certificates/scene/YamlScene.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 #include "support/Folder.h"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ namespace ompl_certificates
         report.seed = 18446744073709551615u;
         report.checks.robotPoses = 7;
         report.write(file("report.json"));
-        const auto json = nlohmann::ordered_json::parse(readTextFile(file("report.json")));
+        const auto json = nlohmann::ordered_json::parse(readWholeFile(file("report.json")));
         const auto keysOf = [](const nlohmann::ordered_json &object)
         {
             std::string keys;
@@ -180,7 +180,7 @@ namespace ompl_certificates
 
     TEST(PlanReport, HasTheKeysOfItsPageAndNoOthers)
     {
-        const std::string page = readTextFile(OMPL_CERTIFICATES_SOURCE_DIR "/docs/plan-team.md");
+        const std::string page = readWholeFile(OMPL_CERTIFICATES_SOURCE_DIR "/docs/plan-team.md");
         std::istringstream lines(page.substr(page.find("## The report")));
         std::set<std::string> explained;
         for (std::string line; std::getline(lines, line);)
@@ -193,34 +193,34 @@ namespace ompl_certificates
 
     TEST_F(Output, FilesAreReplacedWhole)
     {
-        writeTextFile(file("a.txt"), "first, and longer");
-        writeTextFile(file("a.txt"), "second");
-        EXPECT_EQ(readTextFile(file("a.txt")), "second");
+        writeWholeFile(file("a.txt"), "first, and longer");
+        writeWholeFile(file("a.txt"), "second");
+        EXPECT_EQ(readWholeFile(file("a.txt")), "second");
         fs::create_symlink(file("a.txt"), file("link.txt"));
-        writeTextFile(file("link.txt"), "third");
+        writeWholeFile(file("link.txt"), "third");
         EXPECT_TRUE(fs::is_symlink(file("link.txt")));
-        EXPECT_EQ(readTextFile(file("a.txt")), "third");
+        EXPECT_EQ(readWholeFile(file("a.txt")), "third");
         EXPECT_EQ(fileCount(), 2u);
-        writeTextFile("/dev/null", "nothing");
+        writeWholeFile("/dev/null", "nothing");
         EXPECT_FALSE(fs::is_regular_file("/dev/null"));
     }
 
     TEST_F(Output, AFullDiskLeavesWhatWasThere)
     {
-        writeTextFile(file("a.txt"), "old");
+        writeWholeFile(file("a.txt"), "old");
         // A limit on the size of files is met as a full disk is: some of the text is written, then no more.
         rlimit before;
         ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
         const rlimit small{10000, before.rlim_max};
         const auto handler = std::signal(SIGXFSZ, SIG_IGN);
         ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-        EXPECT_THROW(writeTextFile(file("a.txt"), std::string(1000000, 'x')), ompl::Exception);
-        EXPECT_THROW(writeTextFile(file("b.txt"), std::string(1000000, 'x')), ompl::Exception);
+        EXPECT_THROW(writeWholeFile(file("a.txt"), std::string(1000000, 'x')), ompl::Exception);
+        EXPECT_THROW(writeWholeFile(file("b.txt"), std::string(1000000, 'x')), ompl::Exception);
         setrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, handler);
-        EXPECT_EQ(readTextFile(file("a.txt")), "old");
+        EXPECT_EQ(readWholeFile(file("a.txt")), "old");
         EXPECT_EQ(fileCount(), 1u) << "neither a part of a file nor a temporary one is left";
-        EXPECT_THROW(writeTextFile("/dev/full", "text"), ompl::Exception);
+        EXPECT_THROW(writeWholeFile("/dev/full", "text"), ompl::Exception);
     }
 
     TEST_F(Output, FilesThatCannotBeWrittenAreNamed)
@@ -228,26 +228,26 @@ namespace ompl_certificates
         for (const std::string &name : {file("no/such/folder/a.txt"), folder_.path()})
             try
             {
-                writeTextFile(name, "text");
+                writeWholeFile(name, "text");
                 ADD_FAILURE() << name;
             }
             catch (const ompl::Exception &exception)
             {
                 EXPECT_EQ(std::string(exception.what()).find(name + ": "), 0u) << exception.what();
             }
-        EXPECT_THROW(writeTextFile("", "text"), ompl::Exception);
+        EXPECT_THROW(writeWholeFile("", "text"), ompl::Exception);
         EXPECT_EQ(fileCount(), 0u);
     }
 
     TEST_F(Output, WhatCannotBeWrittenIsFoundBeforehand)
     {
-        writeTextFile(file("a.txt"), "old");
+        writeWholeFile(file("a.txt"), "old");
         fs::create_symlink(file("a.txt"), file("link.txt"));
         ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
         for (const std::string &name :
              {file("a.txt"), file("link.txt"), file("new.txt"), file("pipe"), std::string("/dev/null")})
             EXPECT_NO_THROW(requireWritable(name)) << name;
-        EXPECT_EQ(readTextFile(file("a.txt")), "old");
+        EXPECT_EQ(readWholeFile(file("a.txt")), "old");
         EXPECT_EQ(fileCount(), 3u);
         // Access rights tell nothing of the last ones to root.
         for (const std::string &name :
@@ -277,7 +277,7 @@ namespace ompl_certificates
         goal[0] = 1.0 / 3.0 + 2.5;
         const ompl::geometric::PathGeometric path(setup->getSpaceInformation(), start.get(), goal.get());
         writePath(file("path.csv"), path);
-        std::istringstream text(readTextFile(file("path.csv")));
+        std::istringstream text(readWholeFile(file("path.csv")));
         std::string line;
         std::getline(text, line);
         EXPECT_EQ(line, "length,disc_1.x,disc_1.y,disc_2.x,disc_2.y,disc_3.x,disc_3.y");
@@ -360,7 +360,7 @@ namespace ompl_certificates
             for (const auto &member : scene.getMembers())
                 EXPECT_NE(full.find(">" + member.robot->getName() + "<"), std::string::npos);
             picture.write(file(name + ".svg"));
-            EXPECT_EQ(readTextFile(file(name + ".svg")), full);
+            EXPECT_EQ(readWholeFile(file(name + ".svg")), full);
         }
     }
 

@@ -1,6 +1,6 @@
 #include "ompl_certificates/scene/MeshScene.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 #include "support/Folder.h"
 #include "support/Random.h"
 
@@ -44,13 +44,13 @@ namespace ompl_certificates
             SCOPED_TRACE(kind.name);
             const std::string name = kind.name, shipped = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/";
             kind.make({}).write(folder / (name + ".yaml"));
-            EXPECT_EQ(readTextFile(folder / (name + ".yaml")), readTextFile(shipped + name + ".yaml"));
+            EXPECT_EQ(readWholeFile(folder / (name + ".yaml")), readWholeFile(shipped + name + ".yaml"));
             for (const std::string mesh : kind.meshes)
             {
                 const std::string file = name + "_" + mesh + ".obj";
                 if (mesh == "terrain" && !std::filesystem::exists(shipped + file))
                     continue;
-                EXPECT_TRUE(readTextFile(folder / file) == readTextFile(shipped + file)) << file;
+                EXPECT_TRUE(readWholeFile(folder / file) == readWholeFile(shipped + file)) << file;
             }
         }
         EXPECT_GE(countTriangles(*loadScene(folder / "canyon.yaml")), 100000u);

@@ -1,5 +1,5 @@
 #include "ompl_certificates/scene/RandomPolygonScene.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -25,7 +25,7 @@ namespace ompl_certificates
             settings.robots = robots;
             settings.seed = 1;
             EXPECT_EQ(RandomPolygonScene(settings).toYaml(),
-                      readTextFile(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/paper_" + std::string(name) + ".yaml"));
+                      readWholeFile(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/paper_" + std::string(name) + ".yaml"));
         }
     }
 

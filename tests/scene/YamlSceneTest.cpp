@@ -1,6 +1,6 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/scene/YamlScene.h"
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -159,7 +159,7 @@ namespace ompl_certificates
 
     TEST(YamlScene, ReadsTheExamplesOfItsDocumentation)
     {
-        const std::string doc = readTextFile((SOURCE / "docs" / "scene-format.md").string());
+        const std::string doc = readWholeFile((SOURCE / "docs" / "scene-format.md").string());
         std::size_t count = 0;
         for (std::size_t begin = doc.find("```yaml\n"); begin != std::string::npos;
              begin = doc.find("```yaml\n", begin))

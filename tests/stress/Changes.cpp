@@ -1,7 +1,7 @@
 #include "Changes.h"
 #include "Compare.h"
 
-#include "scene/TextFile.h"
+#include "certificates/WholeFile.h"
 #include "support/RandomStates.h"
 
 #include "ompl_certificates/validity/CertificateFile.h"
@@ -71,7 +71,7 @@ namespace ompl_certificates
 
             CertificateChecker &loading = random.chance(0.5) ? partial : shared;
             const std::string older = fileAfter(random.below(world.changes + 1));
-            std::string damaged = readTextFile(fileAfter(world.changes));
+            std::string damaged = readWholeFile(fileAfter(world.changes));
             if (random.chance(0.5))
                 damaged.resize(random.below(damaged.size()));
             else

@@ -39,7 +39,7 @@ namespace ompl_certificates
         /** \brief The picture as the text of an SVG file */
         std::string toSvg() const;
 
-        /** \brief Write toSvg() to \e file; see writeTextFile()
+        /** \brief Write toSvg() to \e file; see writeWholeFile()
             \throws ompl::Exception that names the file if it cannot be written */
         void write(const std::string &file) const;
 

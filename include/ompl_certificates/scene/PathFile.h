@@ -16,7 +16,7 @@ namespace ompl_certificates
         docs/plan-team.md. */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
 
-    /** \brief Write toCsv() to \e file; see writeTextFile()
+    /** \brief Write toCsv() to \e file; see writeWholeFile()
         \throws ompl::Exception that names the file if it cannot be written */
     void writePath(const std::string &file, const ompl::geometric::PathGeometric &path);
 }

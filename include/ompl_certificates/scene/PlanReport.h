@@ -77,7 +77,7 @@ namespace ompl_certificates
         /** \brief The report as a JSON object, indented, with keys in a fixed order */
         std::string toJson() const;
 
-        /** \brief Write toJson() to \e file; see writeTextFile()
+        /** \brief Write toJson() to \e file; see writeWholeFile()
             \throws ompl::Exception that names the file if it cannot be written */
         void write(const std::string &file) const;
     };

@@ -1,4 +1,4 @@
-#include "TextFile.h"
+#include "WholeFile.h"
 
 #include <cerrno>
 #include <cstring>
@@ -91,7 +91,7 @@ namespace ompl_certificates
         };
     }
 
-    std::string readTextFile(const std::string &file, std::uintmax_t mostBytes)
+    std::string readWholeFile(const std::string &file, std::uintmax_t mostBytes)
     {
         std::error_code error;
         if (fs::is_directory(file, error))
@@ -113,7 +113,7 @@ namespace ompl_certificates
         return text;
     }
 
-    void writeTextFile(const std::string &file, const std::string &text)
+    void writeWholeFile(const std::string &file, const std::string &text)
     {
         if (isDevice(file))
             return writeDirectly(file, text, file);
