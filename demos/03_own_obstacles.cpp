@@ -37,7 +37,7 @@ public:
     {
         const Pose toBody = pose.inverse();
         const Eigen::Vector3d center = pose.translation();
-        const double reach = body.getReach() + radius_;
+        const double reach = body.getBoundingRadius() + radius_;
         for (double x = std::ceil((center.x() - reach) / spacing_); x <= (center.x() + reach) / spacing_; ++x)
             for (double y = std::ceil((center.y() - reach) / spacing_); y <= (center.y() + reach) / spacing_; ++y)
                 if (body.signedDistance(toBody * Eigen::Vector3d(spacing_ * x, spacing_ * y, 0.0)) <= radius_)

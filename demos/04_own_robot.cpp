@@ -34,8 +34,8 @@ public:
 
     /** \brief The space interpolates both angles linearly: the links turn at constant rates, the first about a fixed
         point and the second about an elbow that moves on an arc. */
-    void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,
-                             TravelBound *bounds) const override
+    void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
+                             MotionBound *bounds) const override
     {
         const double *a = from->as<JointState>()->values, *b = to->as<JointState>()->values;
         const double shoulder = b[0] - a[0], elbow = b[1] - a[1];

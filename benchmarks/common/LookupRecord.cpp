@@ -97,27 +97,28 @@ namespace benchmarks
                 verdict.free = covering.verdict == Covering::UNKNOWN ? !obstacles_->collides(query.body, query.pose)
                                                                      : covering.verdict == Covering::FREE;
                 if (verdict.free)
-                    verdict.reach = covering.slack / query.speedOf(query.body.getCover().getRoot());
+                    verdict.validInterval = covering.slack / query.speedOf(query.body.getSphereTree().getRoot());
                 if (covering.certificate != NO_CERTIFICATE)
                     references[robot] = covering.certificate;
                 return verdict;
             }
 
-            double reachOfReferences(unsigned int robot, const Pose *poses, const TravelBound *travel,
-                                     const CertificateIndex *references) const override
+            double intervalOfReferences(unsigned int robot, const Pose *poses, const MotionBound *travel,
+                                        const CertificateIndex *references) const override
             {
                 const PoseQuery query = queryOf(robot, 0, poses, {travel});
                 const Covering covering = store_.tree.coveringBy(references[robot], ballOf(query));
                 return covering.verdict == Covering::FREE
-                           ? covering.slack / query.speedOf(query.body.getCover().getRoot())
+                           ? covering.slack / query.speedOf(query.body.getSphereTree().getRoot())
                            : 0.0;
             }
 
         private:
             BallQuery ballOf(const PoseQuery &query) const
             {
-                const Ball &ball = query.body.getCover().getRoot();
-                const double margin = obstacles_->getTolerance() + EXACT_CHECK_TOLERANCE * query.body.getReach();
+                const Ball &ball = query.body.getSphereTree().getRoot();
+                const double margin =
+                    obstacles_->getTolerance() + EXACT_CHECK_TOLERANCE * query.body.getBoundingRadius();
                 return {query.pose * ball.center, ball.radius + margin, query.body.getCentralRadius() - margin};
             }
 

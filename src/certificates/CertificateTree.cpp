@@ -69,7 +69,7 @@ namespace ompl_certificates
         store_.clear();
         roots_.clear();
         root_ = &roots_[roots_.append()];
-        root_.load()->place = Place(newBucket(nullptr));
+        root_.load()->subtree = Subtree(newBucket(nullptr));
         stored_ = 0;
         live_ = 0;
     }
@@ -79,23 +79,23 @@ namespace ompl_certificates
         throw ompl::Exception("A certificate tree measures Euclidean distance; it takes no other distance function");
     }
 
-    CertificateTree::Bucket *CertificateTree::newBucket(Fork *fork)
+    CertificateTree::Bucket *CertificateTree::newBucket(InnerNode *innerNode)
     {
         Bucket &bucket = buckets_[buckets_.append()];
-        bucket.fork.store(fork, std::memory_order_relaxed);
+        bucket.innerNode.store(innerNode, std::memory_order_relaxed);
         return &bucket;
     }
 
-    CertificateTree::Fork *CertificateTree::newFork(Bucket *bucket, Fork *parent)
+    CertificateTree::InnerNode *CertificateTree::newInnerNode(Bucket *bucket, InnerNode *parent)
     {
-        Fork &fork = forks_[forks_.append()];
-        fork.bucket.store(bucket, std::memory_order_relaxed);
-        fork.parent.store(parent, std::memory_order_relaxed);
-        for (auto &axis : fork.bound)
+        InnerNode &innerNode = forks_[forks_.append()];
+        innerNode.bucket.store(bucket, std::memory_order_relaxed);
+        innerNode.parent.store(parent, std::memory_order_relaxed);
+        for (auto &axis : innerNode.bound)
             for (Bound &bound : axis)
                 for (auto &pair : bound)
                     pair.store(packed({-FLOAT_INF, -FLOAT_INF}), std::memory_order_relaxed);
-        return &fork;
+        return &innerNode;
     }
 
     void CertificateTree::raise(Bound &bound, unsigned int child, float value)
@@ -107,12 +107,12 @@ namespace ompl_certificates
         bound[child / 2].store(packed(pair), std::memory_order_relaxed);
     }
 
-    void CertificateTree::extend(Fork &fork, unsigned int child, const Certificate &certificate) const
+    void CertificateTree::extend(InnerNode &innerNode, unsigned int child, const Certificate &certificate) const
     {
         for (int axis = 0; axis < dimension_; ++axis)
         {
             const double c = certificate.point[axis], d = certificate.clearance;
-            auto &bounds = fork.bound[axis];
+            auto &bounds = innerNode.bound[axis];
             raise(bounds[0], child, roundUp(c + d));
             raise(bounds[1], child, roundUp(d - c));
             raise(bounds[2], child, roundUp(c - d));
@@ -120,17 +120,17 @@ namespace ompl_certificates
         }
     }
 
-    void CertificateTree::extendByPlace(Fork &fork, unsigned int child, Place place) const
+    void CertificateTree::extendBySubtree(InnerNode &innerNode, unsigned int child, Subtree subtree) const
     {
-        for (const Bucket *at = place.bucket(); at; at = at->next)
+        for (const Bucket *at = subtree.bucket(); at; at = at->next)
             for (std::uint32_t i = 0; i < at->count; ++i)
-                extend(fork, child, store_[at->index[i]].certificate);
-        if (place.isFork())
+                extend(innerNode, child, store_[at->index[i]].certificate);
+        if (subtree.isInnerNode())
             for (int axis = 0; axis < dimension_; ++axis)
                 for (int which = 0; which < 4; ++which)
-                    for (const auto &pair : place.fork()->bound[axis][which])
+                    for (const auto &pair : subtree.innerNode()->bound[axis][which])
                         for (const float value : unpacked(pair))
-                            raise(fork.bound[axis][which], child, value);
+                            raise(innerNode.bound[axis][which], child, value);
     }
 
     void CertificateTree::append(Bucket *first, CertificateIndex index, const Certificate &certificate)
@@ -158,7 +158,7 @@ namespace ompl_certificates
     void CertificateTree::chooseFirstCell()
     {
         const Root &old = *root_.load();
-        const Bucket &bucket = *old.place.load().bucket();
+        const Bucket &bucket = *old.subtree.load().bucket();
         Eigen::AlignedBox3d box;
         for (std::uint32_t i = 0; i < bucket.count; ++i)
             box.extend(store_[bucket.index[i]].certificate.point);
@@ -172,7 +172,7 @@ namespace ompl_certificates
         Root &root = roots_[roots_.append()];
         root.low = low;
         root.high = low.array() + extent;
-        root.place.store(old.place, std::memory_order_relaxed);
+        root.subtree.store(old.subtree, std::memory_order_relaxed);
         root_.store(&root, std::memory_order_release);
     }
 
@@ -196,10 +196,10 @@ namespace ompl_certificates
         while (!isInside(root_.load()->cell()))
         {
             const Root &old = *root_.load();
-            const Place place = old.place;
+            const Subtree subtree = old.subtree;
             Bucket *bucket = newBucket(nullptr);
-            Fork *fork = newFork(bucket, nullptr);
-            bucket->fork.store(fork, std::memory_order_relaxed);
+            InnerNode *innerNode = newInnerNode(bucket, nullptr);
+            bucket->innerNode.store(innerNode, std::memory_order_relaxed);
             Root &root = roots_[roots_.append()];
             root.low = old.low;
             root.high = old.high;
@@ -214,13 +214,13 @@ namespace ompl_certificates
                 (below ? root.low : root.high)[axis] += below ? -extent : extent;
                 side += below ? 2U >> i : 0U;
             }
-            extendByPlace(*fork, side, place);
-            fork->child[side].store(place, std::memory_order_relaxed);
-            if (place.isFork())
-                place.fork()->parent.store(fork, std::memory_order_release);
+            extendBySubtree(*innerNode, side, subtree);
+            innerNode->child[side].store(subtree, std::memory_order_relaxed);
+            if (subtree.isInnerNode())
+                subtree.innerNode()->parent.store(innerNode, std::memory_order_release);
             else
-                place.bucket()->fork.store(fork, std::memory_order_release);
-            root.place.store(Place(fork), std::memory_order_relaxed);
+                subtree.bucket()->innerNode.store(innerNode, std::memory_order_release);
+            root.subtree.store(Subtree(innerNode), std::memory_order_relaxed);
             root_.store(&root, std::memory_order_release);
         }
     }
@@ -244,8 +244,8 @@ namespace ompl_certificates
         store_[index].certificate = certificate;
         // Before it is in the tree: who finds it there may ask for it by its index at once.
         stored_.store(index + 1, std::memory_order_release);
-        const auto isFull = [](Place place) { return place.bucket()->count == BUCKET_SIZE; };
-        if (root_.load()->cell().isEmpty() && isFull(root_.load()->place))
+        const auto isFull = [](Subtree subtree) { return subtree.bucket()->count == BUCKET_SIZE; };
+        if (root_.load()->cell().isEmpty() && isFull(root_.load()->subtree))
             chooseFirstCell();
         if (!root_.load()->cell().isEmpty())
             growRootTo(certificate.point);
@@ -254,30 +254,30 @@ namespace ompl_certificates
         Eigen::AlignedBox3d cell = root.cell();
         const double smallest = cell.isEmpty() ? INF : smallestCell(cell);
         int axis = root.firstAxis;
-        Fork *parent = nullptr;
-        for (std::atomic<Place> *link = &root.place;;)
+        InnerNode *parent = nullptr;
+        for (std::atomic<Subtree> *link = &root.subtree;;)
         {
-            const Place place = *link;
-            if (place.isNothing())
+            const Subtree subtree = *link;
+            if (subtree.isNothing())
             {
                 Bucket *bucket = newBucket(parent);
                 append(bucket, index, certificate);
-                link->store(Place(bucket), std::memory_order_release);
+                link->store(Subtree(bucket), std::memory_order_release);
                 break;
             }
             const bool isTooSmall = cell.isEmpty() || cell.sizes().head(dimension_).minCoeff() <= smallest;
-            if (!isFull(place) || (!place.isFork() && isTooSmall))
+            if (!isFull(subtree) || (!subtree.isInnerNode() && isTooSmall))
             {
-                append(place.bucket(), index, certificate);
+                append(subtree.bucket(), index, certificate);
                 break;
             }
-            if (place.isFork())
-                parent = place.fork();
+            if (subtree.isInnerNode())
+                parent = subtree.innerNode();
             else
             {
-                parent = newFork(place.bucket(), parent);
-                link->store(Place(parent), std::memory_order_release);
-                place.bucket()->fork.store(parent, std::memory_order_release);
+                parent = newInnerNode(subtree.bucket(), parent);
+                link->store(Subtree(parent), std::memory_order_release);
+                subtree.bucket()->innerNode.store(parent, std::memory_order_release);
             }
             unsigned int side = 0;
             for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)

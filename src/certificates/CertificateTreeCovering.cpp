@@ -54,7 +54,7 @@ namespace ompl_certificates
             return (x | x << 2) & 0x1249249249249249U;
         }
 
-        /** The sides of the divisions of a cell that a point is on, from the highest bits down, two for each fork */
+        /** The sides of the divisions of a cell that a point is on, from the highest bits down, two for each inner node */
         template <int DIMENSION>
         std::uint64_t wayTo(const Eigen::Vector3d &point, const Eigen::Vector3d &low, const Eigen::Vector3d &high,
                             int firstAxis)
@@ -95,15 +95,15 @@ namespace ompl_certificates
         }
 
         /** Below which children there may be a certificate that proves the query, as bits */
-        unsigned int among(const Fork &fork) const
+        unsigned int among(const InnerNode &innerNode) const
         {
             Flags free{-1, -1, -1, -1}, colliding{-1, -1, -1, -1};
             for (int axis = 0; axis < DIMENSION; ++axis)
             {
-                free &= exceeded[axis][0] < load(fork.bound[axis][0]);
-                free &= exceeded[axis][1] < load(fork.bound[axis][1]);
-                colliding &= exceeded[axis][2] < load(fork.bound[axis][2]);
-                colliding &= exceeded[axis][3] < load(fork.bound[axis][3]);
+                free &= exceeded[axis][0] < load(innerNode.bound[axis][0]);
+                free &= exceeded[axis][1] < load(innerNode.bound[axis][1]);
+                colliding &= exceeded[axis][2] < load(innerNode.bound[axis][2]);
+                colliding &= exceeded[axis][3] < load(innerNode.bound[axis][3]);
             }
             const Words either = reinterpret_cast<Words>((free | colliding) & Flags{1, 2, 4, 8});
             const std::uint64_t halves = either[0] | either[1];
@@ -111,7 +111,7 @@ namespace ompl_certificates
         }
 
         /** Find the certificate of a bucket that proves the query, of several the one that leaves most room: it will
-            serve the longest stretch of a motion. */
+            serve the longest interval of a motion. */
         bool isIn(const Bucket &bucket)
         {
             const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
@@ -190,33 +190,33 @@ namespace ompl_certificates
         if (seed >= stored_.load(std::memory_order_acquire))
             return covering(query);
         const Bucket *bucket = store_[seed].bucket.load(std::memory_order_acquire);
-        Fork *fork = bucket ? bucket->fork.load(std::memory_order_acquire) : nullptr;
-        if (!fork)
+        InnerNode *innerNode = bucket ? bucket->innerNode.load(std::memory_order_acquire) : nullptr;
+        if (!innerNode)
             return covering(query);
-        return dimension_ == 2 ? coveringFromFork<2>(query, fork) : coveringFromFork<3>(query, fork);
+        return dimension_ == 2 ? coveringFromNode<2>(query, innerNode) : coveringFromNode<3>(query, innerNode);
     }
 
     template <int DIMENSION>
-    void CertificateTree::prefetch(const Fork &fork)
+    void CertificateTree::prefetch(const InnerNode &innerNode)
     {
-        const Bucket &bucket = *fork.bucket.load(std::memory_order_acquire);
+        const Bucket &bucket = *innerNode.bucket.load(std::memory_order_acquire);
         __builtin_prefetch(bucket.x);
         __builtin_prefetch(bucket.clearance);
         if constexpr (DIMENSION == 3)
             __builtin_prefetch(bucket.z);
         for (int axis = 0; axis < DIMENSION; ++axis)
-            __builtin_prefetch(&fork.bound[axis]);
+            __builtin_prefetch(&innerNode.bound[axis]);
     }
 
     template <int DIMENSION>
     Covering CertificateTree::coveringFromRoot(const BallQuery &query) const
     {
         const Root &root = *root_.load(std::memory_order_acquire);
-        Place place = root.place.load(std::memory_order_acquire);
+        Subtree subtree = root.subtree.load(std::memory_order_acquire);
         CoverSearch<DIMENSION> search(query);
-        if (!place.isFork())
+        if (!subtree.isInnerNode())
         {
-            searchBuckets(place.bucket(), search);
+            searchBuckets(subtree.bucket(), search);
             return search.found;
         }
         // Down to the smallest cell about the query's center, whose certificates are the likeliest, and up from there.
@@ -224,43 +224,43 @@ namespace ompl_certificates
         const auto sideAt = [way](unsigned int depth)
         { return static_cast<unsigned int>(way >> (62 - 2 * depth)) & 3U; };
         constexpr unsigned int deepest = 31;
-        Fork *path[deepest];
+        InnerNode *path[deepest];
         unsigned int depth = 0;
-        while (place.isFork() && depth < deepest)
+        while (subtree.isInnerNode() && depth < deepest)
         {
-            path[depth] = place.fork();
-            place = path[depth]->child[sideAt(depth)].load(std::memory_order_acquire);
+            path[depth] = subtree.innerNode();
+            subtree = path[depth]->child[sideAt(depth)].load(std::memory_order_acquire);
             ++depth;
         }
         // What is looked at next, if the smallest cell has nothing, comes from memory meanwhile.
         prefetch<DIMENSION>(*path[depth - 1]);
         if (depth > 1)
             prefetch<DIMENSION>(*path[depth - 2]);
-        if (!place.isNothing() && searchDown(place, ALL_CHILDREN, search))
+        if (!subtree.isNothing() && searchDown(subtree, ALL_CHILDREN, search))
             return search.found;
         while (depth > 0)
         {
             if (depth > 2)
                 prefetch<DIMENSION>(*path[depth - 3]);
             --depth;
-            if (searchDown(Place(path[depth]), ALL_CHILDREN & ~(1U << sideAt(depth)), search))
+            if (searchDown(Subtree(path[depth]), ALL_CHILDREN & ~(1U << sideAt(depth)), search))
                 break;
         }
         return search.found;
     }
 
     template <int DIMENSION>
-    Covering CertificateTree::coveringFromFork(const BallQuery &query, Fork *start) const
+    Covering CertificateTree::coveringFromNode(const BallQuery &query, InnerNode *start) const
     {
         CoverSearch<DIMENSION> search(query);
-        if (searchDown(Place(start), ALL_CHILDREN, search))
+        if (searchDown(Subtree(start), ALL_CHILDREN, search))
             return search.found;
-        for (Fork *at = start, *parent; (parent = at->parent.load(std::memory_order_acquire)); at = parent)
+        for (InnerNode *at = start, *parent; (parent = at->parent.load(std::memory_order_acquire)); at = parent)
         {
             unsigned int from = 0;
-            while (parent->child[from].load(std::memory_order_acquire).fork() != at)
+            while (parent->child[from].load(std::memory_order_acquire).innerNode() != at)
                 ++from;
-            if (searchDown(Place(parent), ALL_CHILDREN & ~(1U << from), search))
+            if (searchDown(Subtree(parent), ALL_CHILDREN & ~(1U << from), search))
                 return search.found;
         }
         return search.found;
@@ -276,28 +276,28 @@ namespace ompl_certificates
     }
 
     template <int DIMENSION>
-    bool CertificateTree::searchDown(Place place, unsigned int children, CoverSearch<DIMENSION> &search)
+    bool CertificateTree::searchDown(Subtree subtree, unsigned int children, CoverSearch<DIMENSION> &search)
     {
-        if (searchBuckets(place.bucket(), search))
+        if (searchBuckets(subtree.bucket(), search))
             return true;
-        if (!place.isFork())
+        if (!subtree.isInnerNode())
             return false;
         // Forks on the way down, with those of their children that are yet to be searched
         struct Pending
         {
-            const Fork *fork;
+            const InnerNode *innerNode;
             unsigned int children;
         };
         constexpr std::size_t capacity = 128;
         Pending pending[capacity];
         std::size_t depth = 0;
-        if ((children &= search.among(*place.fork())) != 0)
-            pending[depth++] = {place.fork(), children};
+        if ((children &= search.among(*subtree.innerNode())) != 0)
+            pending[depth++] = {subtree.innerNode(), children};
         while (depth > 0)
         {
             Pending &last = pending[depth - 1];
             const auto side = static_cast<unsigned int>(__builtin_ctz(last.children));
-            const Place child = last.fork->child[side].load(std::memory_order_acquire);
+            const Subtree child = last.innerNode->child[side].load(std::memory_order_acquire);
             last.children &= last.children - 1;
             if (last.children == 0)
                 --depth;
@@ -305,13 +305,13 @@ namespace ompl_certificates
                 continue;
             if (searchBuckets(child.bucket(), search))
                 return true;
-            if (!child.isFork())
+            if (!child.isInnerNode())
                 continue;
-            const unsigned int below = search.among(*child.fork());
+            const unsigned int below = search.among(*child.innerNode());
             if (below == 0)
                 continue;
             if (depth < capacity)
-                pending[depth++] = {child.fork(), below};
+                pending[depth++] = {child.innerNode(), below};
             // Cells that deep are rare: points that are very far apart in some places and close in others.
             else if (searchDown(child, ALL_CHILDREN, search))
                 return true;

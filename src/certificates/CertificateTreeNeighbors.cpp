@@ -62,13 +62,13 @@ namespace ompl_certificates
     void CertificateTree::nearFromRoot(NearSearch &search) const
     {
         const Root &root = *root_.load(std::memory_order_acquire);
-        nearDown(root.place.load(std::memory_order_acquire), root.cell(), root.firstAxis, search);
+        nearDown(root.subtree.load(std::memory_order_acquire), root.cell(), root.firstAxis, search);
         std::sort_heap(search.heap.begin(), search.heap.end());
     }
 
-    void CertificateTree::nearDown(Place place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
+    void CertificateTree::nearDown(Subtree subtree, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
     {
-        for (const Bucket *at = place.bucket(); at; at = at->next.load(std::memory_order_acquire))
+        for (const Bucket *at = subtree.bucket(); at; at = at->next.load(std::memory_order_acquire))
         {
             const std::uint32_t count = at->count.load(std::memory_order_acquire);
             for (std::uint32_t i = 0; i < count; ++i)
@@ -78,7 +78,7 @@ namespace ompl_certificates
                     search.consider((point - search.center).squaredNorm(), at->index[i]);
             }
         }
-        if (!place.isFork())
+        if (!subtree.isInnerNode())
             return;
         const int axes[2] = {axis, (axis + 1) % dimension_};
         const Eigen::Vector3d middle = cell.center();
@@ -87,7 +87,7 @@ namespace ompl_certificates
         for (const unsigned int across : {0U, 1U, 2U, 3U})
         {
             const unsigned int side = near ^ across;
-            const Place child = place.fork()->child[side].load(std::memory_order_acquire);
+            const Subtree child = subtree.innerNode()->child[side].load(std::memory_order_acquire);
             if (child.isNothing())
                 continue;
             Eigen::AlignedBox3d part = cell;

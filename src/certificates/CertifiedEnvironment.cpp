@@ -10,7 +10,7 @@ namespace ompl_certificates
     {
         Ball enclosingBall(const PoseQuery &query)
         {
-            const Ball &ball = query.body.getCover().getRoot();
+            const Ball &ball = query.body.getSphereTree().getRoot();
             return {query.pose * ball.center, ball.radius};
         }
 
@@ -40,7 +40,7 @@ namespace ompl_certificates
     {
         // A certificate that does not even hold the body's center, as that of a far state, proves nothing of finer balls.
         const double margin = getProofMargin(query);
-        const Eigen::Vector3d center = query.pose * query.body.getCover().getRoot().center;
+        const Eigen::Vector3d center = query.pose * query.body.getSphereTree().getRoot().center;
         if (certificates_.coveringBy(hint, {center, margin, -INF}).verdict != Covering::FREE)
             return false;
         const auto lookup = [&](const BallQuery &ball) { return certificates_.coveringBy(hint, ball); };
@@ -65,7 +65,7 @@ namespace ompl_certificates
             return askAndLearn(query, false, policy, counts);
 
         // From the root: seeded at the hint, which has failed, the search takes about twice as long.
-        const Ball &ball = query.body.getCover().getRoot();
+        const Ball &ball = query.body.getSphereTree().getRoot();
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.noteLookup(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
@@ -73,13 +73,13 @@ namespace ompl_certificates
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
-            verdict.reach = (covering.slack + query.leastSlack(ball)) / query.speedOf(ball);
+            verdict.validInterval = (covering.slack + query.leastSlack(ball)) / query.speedOf(ball);
         return verdict;
     }
 
     BallQuery CertifiedEnvironment::wholeBodyQuery(const PoseQuery &query) const
     {
-        const Ball &ball = query.body.getCover().getRoot();
+        const Ball &ball = query.body.getSphereTree().getRoot();
         // A clearance that is only a lower bound proves no collision.
         const double collidingRadius =
             obstacles_->provesCollisions() ? query.body.getCentralRadius() - getMargin(query.body) : -INF;
@@ -119,14 +119,14 @@ namespace ompl_certificates
         {
             const bool settled = settleByClearances(query, learn, verdict, counts);
             // A proof settles the samples that it reaches as well.
-            const double more = verdict.free ? std::min(verdict.reach, 1.0) * query.samplesAhead : 0.0;
+            const double more = verdict.free ? std::min(verdict.validInterval, 1.0) * query.samplesAhead : 0.0;
             settling.noteClearances(settled ? 1.0 + more : 0.0);
             if (settled)
                 return verdict;
         }
         else
             ++counts.steppedAside;
-        verdict.reach = 0.0;
+        verdict.validInterval = 0.0;
         if (query.samplesAhead > 0.0 && hitsAgain(query, counts))
             verdict.by = clearances ? SettledBy::CLEARANCES : SettledBy::CERTIFICATE;
         else
@@ -168,7 +168,7 @@ namespace ompl_certificates
                 return covering;
             }
             if (covering.verdict != Covering::FREE && provesCollisions)
-                for (const Ball &core : query.body.getCore())
+                for (const Ball &core : query.body.getInnerSpheres())
                     if ((query.pose * core.center - ball.center).norm() + certificate.clearance < core.radius - margin)
                     {
                         collides = true;

@@ -15,8 +15,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Proves from certificates that a body is free for provedReach: refines its cover where \e lookup, a function from
-        a BallQuery to a Covering, does not prove that of a coarse ball. Lowers \e verdict.reach to how long the proof
+    /** \brief Proves from certificates that a body is free for requiredInterval: refines its cover where \e lookup, a function from
+        a BallQuery to a Covering, does not prove that of a coarse ball. Lowers \e verdict.validInterval to how long the proof
         lasts, and sets its reference; \e verdict is meaningless if the proof fails.
 
         \param margin what radii must be enlarged by
@@ -54,7 +54,7 @@ namespace ompl_certificates
         /** \brief What the radii of the balls of \e body are enlarged by to count as free, or shrunk by to collide */
         double getMargin(const Body &body) const
         {
-            return obstacles_->getTolerance() + exactCheckTolerance(body.getReach());
+            return obstacles_->getTolerance() + exactCheckTolerance(body.getBoundingRadius());
         }
 
         /** \brief What the radii of the balls of a query's body are enlarged by to be proved free by a certificate that was not
@@ -135,11 +135,11 @@ namespace ompl_certificates
             unsigned int level;
         };
         // Depth first: there are open siblings at each level at most.
-        std::array<Open, Cover::MOST_LEVELS> stack;
+        std::array<Open, SphereTree::MOST_LEVELS> stack;
         std::size_t open = 0;
         stack[open++] = {0, 1, 0};
-        verdict.reach = std::numeric_limits<double>::infinity();
-        const auto &nodes = query.body.getCover().getNodes();
+        verdict.validInterval = std::numeric_limits<double>::infinity();
+        const auto &nodes = query.body.getSphereTree().getNodes();
         while (open > 0)
         {
             Open &top = stack[open - 1];
@@ -152,7 +152,7 @@ namespace ompl_certificates
                 return false;
             const std::uint32_t index = top.next++;
             const unsigned int level = top.level;
-            const Cover::Node &node = nodes[index];
+            const SphereTree::Node &node = nodes[index];
             const double leastSlack = query.leastSlack(node.ball);
             const Covering covering =
                 lookup(BallQuery{query.pose * node.ball.center, node.ball.radius + margin + leastSlack,
@@ -161,7 +161,8 @@ namespace ompl_certificates
             {
                 if (index == 0 || verdict.reference == NO_CERTIFICATE)
                     verdict.reference = covering.certificate;
-                verdict.reach = std::min(verdict.reach, (covering.slack + leastSlack) / query.speedOf(node.ball));
+                verdict.validInterval =
+                    std::min(verdict.validInterval, (covering.slack + leastSlack) / query.speedOf(node.ball));
                 continue;
             }
             if (level == levels || node.childCount == 0)

@@ -22,7 +22,7 @@ namespace ompl_certificates
         constexpr float HYSTERESIS = 1.1F;
 
         /** What a proof is worth in later motions, to which it is handed on: poses settled without clearances count as so
-            much dearer. */
+            much more expensive. */
         constexpr float WORTH_OF_PROOFS = 1.5F;
 
         /** Another way that costs the same is tried in one of so many timed poses, at first and later; one that costs more

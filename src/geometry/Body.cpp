@@ -1,6 +1,6 @@
 #include "ompl_certificates/geometry/Body.h"
 
-#include "CoverBuilder.h"
+#include "SphereTreeBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,9 @@ namespace ompl_certificates
             return part.pose.translation().norm() + (flat ? std::hypot(halfLength, radius) : halfLength + radius);
         }
 
-        Heights heightsOf(const std::vector<Body::Part> &parts)
+        ZInterval zIntervalOf(const std::vector<Body::Part> &parts)
         {
-            Heights heights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+            ZInterval zInterval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
             for (const auto &part : parts)
             {
                 const TriangleMesh *mesh = part.shape.getMesh();
@@ -47,9 +47,9 @@ namespace ompl_certificates
                     return {};
                 const Eigen::AlignedBox3d &box = mesh->getBounds();
                 const double lift = part.pose.translation().z();
-                heights = heights.unitedWith({box.min().z() + lift, box.max().z() + lift});
+                zInterval = zInterval.unitedWith({box.min().z() + lift, box.max().z() + lift});
             }
-            return heights;
+            return zInterval;
         }
 
         Body single(Shape shape)
@@ -169,14 +169,14 @@ namespace ompl_certificates
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
             if (!part.pose.matrix().allFinite())
                 throw ompl::Exception("The pose of a body's shape must be finite");
-            if (!part.shape.putInPlace(part.pose))
+            if (!part.shape.snapToPlane(part.pose))
                 throw ompl::Exception("A planar shape turns about the z axis only, and is at z = 0 if it is no mesh");
         }
         data_ = std::make_shared<Data>();
         data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
         for (const Part &part : parts)
-            data_->reach = std::max(data_->reach, reachOf(part));
-        data_->heights = heightsOf(parts);
+            data_->boundingRadius = std::max(data_->boundingRadius, reachOf(part));
+        data_->zInterval = zIntervalOf(parts);
         data_->parts = std::move(parts);
     }
 
@@ -185,12 +185,12 @@ namespace ompl_certificates
         const std::lock_guard<std::mutex> lock(mutex);
         if (!balls)
         {
-            Cover cover = buildCover(parts);
+            SphereTree cover = buildSphereTree(parts);
             std::vector<Part> solids;
             for (const Part &part : parts)
                 if (!part.shape.getMesh())
                     solids.push_back(part);
-            std::vector<Ball> core = buildCore(solids, cover);
+            std::vector<Ball> core = buildInnerSpheres(solids, cover);
             const double depth = -ompl_certificates::signedDistance(solids, cover.getRoot().center);
             const double centralRadius = depth >= 0.0 ? depth : -std::numeric_limits<double>::infinity();
             balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core), centralRadius});

@@ -223,7 +223,7 @@ namespace ompl_certificates
         throw ompl::Exception("Unknown kind of shape");
     }
 
-    bool Shape::putInPlace(Eigen::Isometry3d &pose) const
+    bool Shape::snapToPlane(Eigen::Isometry3d &pose) const
     {
         constexpr double rounding = 1e-12;
         if (dimension_ != 2)

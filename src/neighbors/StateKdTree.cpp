@@ -54,7 +54,7 @@ namespace ompl_certificates
         nodes_.clear();
         boxes_.clear();
         leaves_.clear();
-        places_.clear();
+        slots_.clear();
         blocks_.clear();
         magnitude_ = 0.0;
     }
@@ -122,7 +122,7 @@ namespace ompl_certificates
         for (unsigned int d = 0; d < metric_->getDimension(); ++d)
             leaf.columns(position, d) = row[d];
         leaf.indices.push_back(index);
-        places_[index] = {&leaf, position};
+        slots_[index] = {&leaf, position};
     }
 
     float StateKdTree::chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high,
@@ -215,8 +215,8 @@ namespace ompl_certificates
             const Node &at = nodes_[node];
             node = at.child + (row[at.coordinate] < at.cut ? 0 : 1);
         }
-        const auto index = static_cast<Index>(places_.size());
-        places_.emplace_back();
+        const auto index = static_cast<Index>(slots_.size());
+        slots_.emplace_back();
         if (blocks_.size() * BLOCK_SIZE == index)
             blocks_.emplace_back(new double[BLOCK_SIZE * exactDistance_->getSize()]);
         exactDistance_->copy(state, exactRow(index));
@@ -226,22 +226,22 @@ namespace ompl_certificates
 
     void StateKdTree::remove(Index index)
     {
-        const Place place = places_[index];
-        Leaf &leaf = *place.leaf;
+        const Slot slot = slots_[index];
+        Leaf &leaf = *slot.leaf;
         const auto last = static_cast<std::uint32_t>(leaf.indices.size() - 1);
-        leaf.columns.row(place.position) = leaf.columns.row(last).eval();
-        leaf.indices[place.position] = leaf.indices[last];
-        places_[leaf.indices[place.position]] = place;
+        leaf.columns.row(slot.position) = leaf.columns.row(last).eval();
+        leaf.indices[slot.position] = leaf.indices[last];
+        slots_[leaf.indices[slot.position]] = slot;
         leaf.indices.pop_back();
         // The last state's number
-        const auto end = static_cast<Index>(places_.size() - 1);
+        const auto end = static_cast<Index>(slots_.size() - 1);
         if (index != end)
         {
-            places_[index] = places_[end];
-            places_[index].leaf->indices[places_[index].position] = index;
+            slots_[index] = slots_[end];
+            slots_[index].leaf->indices[slots_[index].position] = index;
             std::copy_n(exactRow(end), exactDistance_->getSize(), exactRow(index));
         }
-        places_.pop_back();
+        slots_.pop_back();
     }
 
     StateKdTree::Index StateKdTree::find(const ob::State *state, const std::function<bool(Index)> &is) const

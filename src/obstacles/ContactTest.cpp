@@ -16,7 +16,7 @@ namespace ompl_certificates
         bool unknown = false;
         if (primitives_.size() > 0)
         {
-            const Ball &ball = body.getCover().getRoot();
+            const Ball &ball = body.getSphereTree().getRoot();
             unknown = primitives_.signedDistance(pose * ball.center) <= ball.radius + margin;
         }
         for (const auto &part : body.getParts())

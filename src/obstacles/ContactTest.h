@@ -25,7 +25,7 @@ namespace ompl_certificates
         /** \brief What the test leaves to the exact check */
         double marginOf(const Body &body) const
         {
-            return tolerance_ + exactCheckTolerance(body.getReach());
+            return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         }
 
         const MeshSurface &surface_;

@@ -43,7 +43,7 @@ namespace ompl_certificates
                 for (const auto &part : body.getParts())
                 {
                     Pose partPose = pose * part.pose;
-                    if (!part.shape.putInPlace(partPose))
+                    if (!part.shape.snapToPlane(partPose))
                         throw ompl::Exception(
                             "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "
                             "mesh");
@@ -59,21 +59,22 @@ namespace ompl_certificates
         }
     }
 
-    FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const Heights &heights)
-      : dimension_(dimension), heights_(heights), bodies_(obstacles), primitives_(std::make_unique<ClearanceTree>())
+    FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles,
+                               const ZInterval &zInterval)
+      : dimension_(dimension), zInterval_(zInterval), bodies_(obstacles), primitives_(std::make_unique<ClearanceTree>())
     {
         const PlacedShapes shapes = placed(obstacles, dimension);
         for (const PlacedShape &shape : shapes)
             if (!isMesh(shape))
                 primitives_->add(shape.shape, shape.pose);
         primitives_->build();
-        surface_ = std::make_unique<MeshSurface>(shapes, dimension, heights);
+        surface_ = std::make_unique<MeshSurface>(shapes, dimension, zInterval);
 
         // In the plane, primitives are checked against meshes as prisms that are as high as those.
         double prismHeight = 0.0;
         if (dimension == 2)
         {
-            const Heights &meshes = surface_->getHeights();
+            const ZInterval &meshes = surface_->getZInterval();
             if (std::any_of(shapes.begin(), shapes.end(), isMesh))
                 prismHeight = std::max(0.0, meshes.high - meshes.low);
             check_ = std::make_unique<PlanarCheck>(shapes, meshes);
@@ -85,8 +86,8 @@ namespace ompl_certificates
     }
 
     FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
-                               unsigned int dimension, const Heights &heights)
-      : FclObstacles(dimension, bodiesOf(objects, dimension), heights)
+                               unsigned int dimension, const ZInterval &zInterval)
+      : FclObstacles(dimension, bodiesOf(objects, dimension), zInterval)
     {
     }
 
@@ -124,9 +125,10 @@ namespace ompl_certificates
 
     std::uint64_t FclObstacles::getFingerprint() const
     {
-        // Heights matter only where they cut meshes.
+        // ZInterval matter only where they cut meshes.
         const bool cuts = dimension_ == 2 && !surface_->isEmpty();
-        std::uint64_t sum = fingerprintOf({double(dimension_), cuts ? heights_.low : 0.0, cuts ? heights_.high : 0.0});
+        std::uint64_t sum =
+            fingerprintOf({double(dimension_), cuts ? zInterval_.low : 0.0, cuts ? zInterval_.high : 0.0});
         for (const PlacedBody &body : bodies_)
             sum += fingerprintOf(body);
         return sum == 0 ? 1 : sum;

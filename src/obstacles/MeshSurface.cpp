@@ -40,7 +40,7 @@ namespace ompl_certificates
         }
     }
 
-    MeshSurface::MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const Heights &heights)
+    MeshSurface::MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const ZInterval &zInterval)
       : isPlanar_(dimension == 2)
     {
         for (const auto &[shape, pose] : obstacles)
@@ -48,22 +48,22 @@ namespace ompl_certificates
                 addTriangles(*mesh, pose, triangles_);
         triangles_.build();
         if (isPlanar_ && !isEmpty())
-            project(heights);
+            project(zInterval);
     }
 
-    void MeshSurface::project(const Heights &robotHeights)
+    void MeshSurface::project(const ZInterval &robotZInterval)
     {
         const Eigen::AlignedBox3d bounds = triangles_.getBounds();
         const double size = bounds.sizes().maxCoeff();
         // A little more than the robots reach, so that rounding leaves nothing out; prisms reach still a little farther.
         const double slack = EXACT_CHECK_TOLERANCE * size;
-        heights_ = Heights{robotHeights.low - 2.0 * slack, robotHeights.high + 2.0 * slack}.intersectedWith(
+        zInterval_ = ZInterval{robotZInterval.low - 2.0 * slack, robotZInterval.high + 2.0 * slack}.intersectedWith(
             {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
         for (std::uint32_t i = 0; i < triangles_.size(); ++i)
         {
             const auto &corners = triangles_.getTriangle(i).corners;
             std::vector<Eigen::Vector3d> outline =
-                between(corners, robotHeights.low - slack, robotHeights.high + slack);
+                between(corners, robotZInterval.low - slack, robotZInterval.high + slack);
             for (auto &corner : outline)
                 corner.z() = 0.0;
             if (outline.empty())

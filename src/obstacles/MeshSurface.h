@@ -3,7 +3,7 @@
 
 #include "PlacedShape.h"
 
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/geometry/TriangleTree.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 
@@ -13,8 +13,8 @@ namespace ompl_certificates
     class MeshSurface
     {
     public:
-        /** \param heights in the plane: how far up and down the robots reach */
-        MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const Heights &heights);
+        /** \param zInterval in the plane: how far up and down the robots reach */
+        MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const ZInterval &zInterval);
 
         bool isEmpty() const
         {
@@ -28,9 +28,9 @@ namespace ompl_certificates
         }
 
         /** \brief In the plane: what the meshes have in common with the robots' heights */
-        const Heights &getHeights() const
+        const ZInterval &getZInterval() const
         {
-            return heights_;
+            return zInterval_;
         }
 
         /** \brief The distance of \e point to the nearest triangle, or its outline in the plane, if less than \e most; else
@@ -44,7 +44,7 @@ namespace ompl_certificates
         double findNearest(const Eigen::Vector3d &point, double most, ObstaclePart &part) const;
 
     private:
-        void project(const Heights &robotHeights);
+        void project(const ZInterval &robotZInterval);
 
         /** \brief The tree that distances are found in */
         const TriangleTree &near() const
@@ -57,7 +57,7 @@ namespace ompl_certificates
 
         /** \brief In the plane: the projections, by their position in triangles_ */
         TriangleTree outlines_;
-        Heights heights_;
+        ZInterval zInterval_;
     };
 }
 

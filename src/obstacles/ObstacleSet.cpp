@@ -6,14 +6,15 @@
 
 namespace ompl_certificates
 {
-    ObstacleSet::ObstacleSet(unsigned int dimension, const Heights &heights) : dimension_(dimension), heights_(heights)
+    ObstacleSet::ObstacleSet(unsigned int dimension, const ZInterval &zInterval)
+      : dimension_(dimension), zInterval_(zInterval)
     {
         make({});
     }
 
     ObstaclesPtr ObstacleSet::make(const std::vector<PlacedBody> &obstacles) const
     {
-        return std::make_shared<FclObstacles>(dimension_, obstacles, heights_);
+        return std::make_shared<FclObstacles>(dimension_, obstacles, zInterval_);
     }
 
     std::map<ObstacleSet::Id, PlacedBody>::iterator ObstacleSet::find(Id obstacle)

@@ -20,7 +20,8 @@ namespace ompl_certificates
         }
     }
 
-    PlanarCheck::PlanarCheck(const PlacedShapes &obstacles, const Heights &meshHeights) : meshHeights_(meshHeights)
+    PlanarCheck::PlanarCheck(const PlacedShapes &obstacles, const ZInterval &meshZInterval)
+      : meshZInterval_(meshZInterval)
     {
         for (const PlacedShape &placed : obstacles)
         {
@@ -62,10 +63,10 @@ namespace ompl_certificates
     {
         if (!primitives_.isEmpty() && primitives_.collides(shape.getCollisionGeometry(), poseForFcl(shape, partPose)))
             return true;
-        if (meshes_.isEmpty() || meshHeights_.low > meshHeights_.high)
+        if (meshes_.isEmpty() || meshZInterval_.low > meshZInterval_.high)
             return false;
-        const double height = meshHeights_.high - meshHeights_.low,
-                     middle = 0.5 * (meshHeights_.low + meshHeights_.high);
+        const double height = meshZInterval_.high - meshZInterval_.low,
+                     middle = 0.5 * (meshZInterval_.low + meshZInterval_.high);
         return robotPrisms_.get(shape, height).collides(meshes_, partPose, middle);
     }
 }

@@ -6,7 +6,7 @@
 #include "PlacedShape.h"
 #include "Prisms.h"
 
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 
 namespace ompl_certificates
 {
@@ -15,8 +15,8 @@ namespace ompl_certificates
     class PlanarCheck : public FclCheck
     {
     public:
-        /** \param meshHeights what the obstacles' meshes have in common with the robots' heights */
-        PlanarCheck(const PlacedShapes &obstacles, const Heights &meshHeights);
+        /** \param meshZInterval what the obstacles' meshes have in common with the robots' heights */
+        PlanarCheck(const PlacedShapes &obstacles, const ZInterval &meshZInterval);
 
         bool collides(const Body &body, const Pose &pose) const override;
 
@@ -26,7 +26,7 @@ namespace ompl_certificates
 
         Broadphase primitives_;
         Broadphase meshes_;
-        Heights meshHeights_;
+        ZInterval meshZInterval_;
         RobotPrisms robotPrisms_;
         ObstaclePrisms obstaclePrisms_;
     };

@@ -19,7 +19,7 @@ namespace ompl_certificates
             return (a + t * along - point).norm();
         }
 
-        /** The corners of a stretch of \e line that keep it within \e tolerance (Douglas and Peucker), its end left out */
+        /** The corners of a interval of \e line that keep it within \e tolerance (Douglas and Peucker), its end left out */
         void simplify(const std::vector<Eigen::Vector2d> &line, std::size_t first, std::size_t last, double tolerance,
                       std::vector<Eigen::Vector2d> &result)
         {

@@ -31,7 +31,7 @@ namespace ompl_certificates
         /** The radius of a ring about the first body of \e robot, in pixels */
         double ringOf(const Robot &robot, const SceneView &view)
         {
-            return std::max(7.0, view.getScale() * robot.getBodies().front().getReach() + 4.0);
+            return std::max(7.0, view.getScale() * robot.getBodies().front().getBoundingRadius() + 4.0);
         }
 
         void cross(SvgWriter &svg, const Eigen::Vector2d &center, double size, const std::string &attributes)
@@ -217,9 +217,9 @@ namespace ompl_certificates
         // In space obstacles hide each other, and the robots.
         svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
                                : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
-        const Heights heights = scene_.getHeights();
+        const ZInterval zInterval = scene_.getZInterval();
         for (const PlacedBody &obstacle : scene_.getObstacles())
-            view.draw(svg, obstacle.body, obstacle.pose, heights, spatial ? 8 : 1);
+            view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
         svg.endGroup();
 
         drawTreeAndPath(svg, view);

@@ -41,7 +41,7 @@ namespace ompl_certificates
         return corner_ + scale_ * Eigen::Vector2d(point.x() - left_, top_ - point[up_]);
     }
 
-    void SceneView::drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const Heights &heights,
+    void SceneView::drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const ZInterval &zInterval,
                              int levels) const
     {
         // Seen from above what is higher is nearer, seen from the side what has the smaller y.
@@ -70,7 +70,7 @@ namespace ompl_certificates
             const auto [lowest, highest] =
                 std::minmax({mesh.getVertices()[triangle[0]].z(), mesh.getVertices()[triangle[1]].z(),
                              mesh.getVertices()[triangle[2]].z()});
-            if (lowest <= heights.high && highest >= heights.low)
+            if (lowest <= zInterval.high && highest >= zInterval.low)
                 outline.add(corners);
         }
         for (int level = 0; level < levels; ++level)
@@ -78,7 +78,8 @@ namespace ompl_certificates
                      level == 0 ? "" : "fill-opacity='0.1' stroke-width='0.3'");
     }
 
-    void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose, const Heights &heights, int levels) const
+    void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose, const ZInterval &zInterval,
+                         int levels) const
     {
         for (const Body::Part &part : body.getParts())
         {
@@ -92,7 +93,7 @@ namespace ompl_certificates
             }
             if (const TriangleMesh *mesh = shape.getMesh())
             {
-                drawMesh(svg, *mesh, place, heights, levels);
+                drawMesh(svg, *mesh, place, zInterval, levels);
                 continue;
             }
             std::vector<Eigen::Vector3d> points;

@@ -39,14 +39,14 @@ namespace ompl_certificates
         Eigen::Vector2d project(const Eigen::Vector3d &point) const;
 
         /** \brief Draw the outline of \e body at \e pose, each of its shapes for itself
-            \param heights of planar meshes only the triangles that reach into them are drawn
+            \param zInterval of planar meshes only the triangles that reach into them are drawn
             \param levels how many outlines a mesh gets: the whole, and those of the parts that are nearer and nearer to
             who looks at it */
-        void draw(SvgWriter &svg, const Body &body, const Pose &pose, const Heights &heights = Heights(),
+        void draw(SvgWriter &svg, const Body &body, const Pose &pose, const ZInterval &zInterval = ZInterval(),
                   int levels = 1) const;
 
     private:
-        void drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const Heights &heights,
+        void drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const ZInterval &zInterval,
                       int levels) const;
 
         int up_;

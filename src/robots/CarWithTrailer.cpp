@@ -59,7 +59,7 @@ namespace ompl_certificates
                               car.getY() - hitchLength_ * std::sin(heading), heading);
     }
 
-    void CarWithTrailer::computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const
+    void CarWithTrailer::computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const
     {
         const auto &a = carOf(from), &b = carOf(to);
         const double linear = distanceOf(a, b), turn = turnOf(trailerOf(from), trailerOf(to));

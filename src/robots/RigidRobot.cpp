@@ -105,7 +105,7 @@ namespace ompl_certificates
         }
     }
 
-    void RigidRobot::computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const
+    void RigidRobot::computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const
     {
         switch (kind_)
         {

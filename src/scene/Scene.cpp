@@ -82,12 +82,12 @@ namespace ompl_certificates
 
     std::shared_ptr<FclObstacles> Scene::makeObstacles() const
     {
-        return std::make_shared<FclObstacles>(getDimension(), obstacles_, getHeights());
+        return std::make_shared<FclObstacles>(getDimension(), obstacles_, getZInterval());
     }
 
-    Heights Scene::getHeights() const
+    ZInterval Scene::getZInterval() const
     {
-        return makeTeam()->getHeights();
+        return makeTeam()->getZInterval();
     }
 
     ob::ScopedState<> Scene::makeState(const TeamStateSpacePtr &team, std::vector<double> Member::*coordinates) const
@@ -138,7 +138,7 @@ namespace ompl_certificates
         const auto describeObstacle = [&](const Body &body, const Pose &pose) -> std::string
         {
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
-                if (FclObstacles(getDimension(), {obstacles_[i]}, team->getHeights()).collides(body, pose))
+                if (FclObstacles(getDimension(), {obstacles_[i]}, team->getZInterval()).collides(body, pose))
                     return "environment.obstacles[" + std::to_string(i) + "]";
             return "an obstacle";
         };

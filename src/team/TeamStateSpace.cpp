@@ -85,15 +85,15 @@ namespace ompl_certificates
         return robots_.empty() ? 0 : robots_.front()->getWorkspaceDimension();
     }
 
-    Heights TeamStateSpace::getHeights() const
+    ZInterval TeamStateSpace::getZInterval() const
     {
         if (robots_.empty())
             return {};
-        Heights heights = robots_.front()->getBodies().front().getHeights();
+        ZInterval zInterval = robots_.front()->getBodies().front().getZInterval();
         for (const RobotPtr &robot : robots_)
             for (const Body &body : robot->getBodies())
-                heights = heights.unitedWith(body.getHeights());
-        return heights;
+                zInterval = zInterval.unitedWith(body.getZInterval());
+        return zInterval;
     }
 
     TeamStateSpace::Composition TeamStateSpace::getComposition() const

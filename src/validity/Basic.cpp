@@ -64,7 +64,7 @@ namespace ompl_certificates
         if (team >= teamCertificates_.load(std::memory_order_acquire))
             return false;
         verdict.free = true;
-        verdict.reach = std::numeric_limits<double>::infinity();
+        verdict.validInterval = std::numeric_limits<double>::infinity();
         verdict.reference = team;
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
             for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
@@ -78,7 +78,7 @@ namespace ompl_certificates
                 if (!proveFree(query, environment_->getProofMargin(query), LEVELS,
                                CertifiedEnvironment::mostBalls(query), lookup, one))
                     return false;
-                verdict.reach = std::min(verdict.reach, one.reach);
+                verdict.validInterval = std::min(verdict.validInterval, one.validInterval);
             }
         return true;
     }
@@ -107,9 +107,9 @@ namespace ompl_certificates
                 SwitchingPolicy &policy = isAdaptive() ? policies_[getFirstBody(robot) + body] : indifferent;
                 const PoseVerdict one = environment_->ask(query, policy, counts);
                 whole.free = one.free;
-                whole.reach = std::min(whole.reach, one.reach);
+                whole.validInterval = std::min(whole.validInterval, one.validInterval);
                 by = std::max(by, one.by);
-                fresh.push_back({query.pose * query.body.getCover().getRoot().center, one.clearance});
+                fresh.push_back({query.pose * query.body.getSphereTree().getRoot().center, one.clearance});
             }
             countRobotPose(counts, by, whole.free);
         }
@@ -128,10 +128,10 @@ namespace ompl_certificates
         return whole;
     }
 
-    double Basic::reachOfReferences(unsigned int /*group*/, const Pose *poses, const TravelBound *travel,
-                                    const CertificateIndex *references) const
+    double Basic::intervalOfReferences(unsigned int /*group*/, const Pose *poses, const MotionBound *travel,
+                                       const CertificateIndex *references) const
     {
         PoseVerdict verdict;
-        return proveTeamFree(references[0], poses, {travel}, verdict) ? verdict.reach : 0.0;
+        return proveTeamFree(references[0], poses, {travel}, verdict) ? verdict.validInterval : 0.0;
     }
 }

@@ -9,7 +9,7 @@ namespace ompl_certificates
         // Best first: the smallest bound is refined until it is a leaf's.
         using Bound = std::pair<double, std::uint32_t>;
         std::priority_queue<Bound, std::vector<Bound>, std::greater<>> open;
-        const auto &nodes = body.getCover().getNodes();
+        const auto &nodes = body.getSphereTree().getNodes();
         const auto push = [&](std::uint32_t index)
         {
             const Ball &ball = nodes[index].ball;
@@ -19,7 +19,7 @@ namespace ompl_certificates
         for (;;)
         {
             const auto [bound, index] = open.top();
-            const Cover::Node &node = nodes[index];
+            const SphereTree::Node &node = nodes[index];
             if (node.childCount == 0)
                 return bound;
             open.pop();

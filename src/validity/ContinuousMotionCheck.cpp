@@ -43,7 +43,7 @@ namespace ompl_certificates
         const int counted = reversed_ ? cells_ - 1 - cell : cell;
         const PoseVerdict verdict =
             settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, cell == cells_ - 1 ? 0.0 : 1.0);
-        const double reach = std::min(verdict.reach, 1.0) * (1.0 - OVERLAP);
+        const double reach = std::min(verdict.validInterval, 1.0) * (1.0 - OVERLAP);
         around = std::max(0, static_cast<int>(reach * cells_ - 0.5));
         return verdict.free;
     }
@@ -77,7 +77,7 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleStart()
     {
         takeReferences(s1_, s2_);
-        for (Stretch &open : scratch_.open)
+        for (OpenInterval &open : scratch_.open)
         {
             int around;
             if (!settleCell(open.subject, 0, around))

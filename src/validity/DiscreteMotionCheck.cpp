@@ -35,7 +35,7 @@ namespace ompl_certificates
             counts_.endAsked = counts_.asked;
             if (!verdict.free)
                 return false;
-            scratch_.endReach[subject] = verdict.reach;
+            scratch_.endInterval[subject] = verdict.validInterval;
         }
         giveReferences(s2_);
         return true;
@@ -50,20 +50,20 @@ namespace ompl_certificates
                 scratch_.references[robot] = own;
         }
         const Pose *poses = scratch_.poses.data();
-        const TravelBound *travel = scratch_.travel.data();
+        const MotionBound *travel = scratch_.travel.data();
         for (unsigned int group = 0; group < groups_; ++group)
-            if (scratch_.endReach[group] < 1.0)
-                scratch_.startReach[group] =
-                    checker_.reachOfReferences(group, poses, travel, scratch_.references.data());
+            if (scratch_.endInterval[group] < 1.0)
+                scratch_.startInterval[group] =
+                    checker_.intervalOfReferences(group, poses, travel, scratch_.references.data());
         const RobotPairs &pairs = checker_.getPairs();
         for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
         {
-            if (scratch_.endReach[groups_ + pair] >= 1.0)
+            if (scratch_.endInterval[groups_ + pair] >= 1.0)
                 continue;
             const std::size_t a = scratch_.firstBody[pairs.getFirst(pair)],
                               b = scratch_.firstBody[pairs.getSecond(pair)];
-            scratch_.startReach[groups_ + pair] =
-                pairs.reachOfEnclosingBalls(pair, poses + a, poses + b, travel + a, travel + b);
+            scratch_.startInterval[groups_ + pair] =
+                pairs.intervalOfEnclosingBalls(pair, poses + a, poses + b, travel + a, travel + b);
         }
     }
 
@@ -81,8 +81,8 @@ namespace ompl_certificates
 
     std::pair<int, int> DiscreteMotionCheck::openSamples(unsigned int subject) const
     {
-        return {1 + samplesWithin(scratch_.startReach[subject]),
-                segments_ - 1 - samplesWithin(scratch_.endReach[subject])};
+        return {1 + samplesWithin(scratch_.startInterval[subject]),
+                segments_ - 1 - samplesWithin(scratch_.endInterval[subject])};
     }
 
     bool DiscreteMotionCheck::isFree()
@@ -117,7 +117,7 @@ namespace ompl_certificates
             const PoseVerdict verdict = settleSample(subject, middle);
             if (!verdict.free)
                 return false;
-            const int within = samplesWithin(verdict.reach);
+            const int within = samplesWithin(verdict.validInterval);
             skip(subject, std::min(within, middle - first) + std::min(within, last - middle));
             if (middle - 1 - within >= first)
                 queue.push_back({subject, first, middle - 1 - within});
@@ -148,7 +148,7 @@ namespace ompl_certificates
                         invalid = sample;
                         break;
                     }
-                    const int within = samplesWithin(verdict.reach);
+                    const int within = samplesWithin(verdict.validInterval);
                     skip(subject, std::min(within, last - sample));
                     sample += 1 + within;
                 }

@@ -23,10 +23,10 @@ namespace ompl_certificates
         /** \brief Find the number of segments between samples. Not needed where the end of the motion is invalid. */
         void countSegments();
 
-        /** \brief Settle all subjects at the end of the motion; fills endReach. False if one is not free. */
+        /** \brief Settle all subjects at the end of the motion; fills endInterval. False if one is not free. */
         bool settleEnd();
 
-        /** \brief Fill startReach with how long the references of the first state prove the subjects free */
+        /** \brief Fill startInterval with how long the references of the first state prove the subjects free */
         void proveFromStart();
 
         /** \brief Settle a subject at an inner sample */

@@ -16,8 +16,8 @@ namespace ompl_certificates
     {
         ++counts_.motions;
         std::fill(scratch_.sampledAt.begin(), scratch_.sampledAt.end(), -1.0);
-        scratch_.startReach.assign(subjectCount(), 0.0);
-        scratch_.endReach.assign(subjectCount(), 0.0);
+        scratch_.startInterval.assign(subjectCount(), 0.0);
+        scratch_.endInterval.assign(subjectCount(), 0.0);
     }
 
     const CheckCounts &MotionCheck::getCounts()
@@ -42,7 +42,7 @@ namespace ompl_certificates
         const ompl::base::State *from = from_->components[robot], *to = to_->components[robot];
         // Only now is it of interest how fast the robot moves.
         if (scratch_.sampledAt[robot] < 0.0)
-            moved.computeTravelBounds(from, to, scratch_.travel.data() + scratch_.firstBody[robot]);
+            moved.computeMotionBounds(from, to, scratch_.travel.data() + scratch_.firstBody[robot]);
         scratch_.sampledAt[robot] = t;
         const ompl::base::State *component = t == 0.0 ? from : to;
         if (t > 0.0 && t < 1.0)
@@ -53,17 +53,17 @@ namespace ompl_certificates
         moved.placeBodies(component, scratch_.poses.data() + scratch_.firstBody[robot]);
     }
 
-    PoseVerdict MotionCheck::settle(unsigned int subject, double t, double provedReach, double samplesAhead)
+    PoseVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
     {
         const Pose *poses = scratch_.poses.data();
-        const TravelBound *travel = scratch_.travel.data();
+        const MotionBound *travel = scratch_.travel.data();
         if (subject < groups_)
         {
             const auto [first, last] = checker_.getGroup(subject);
             for (unsigned int robot = first; robot < last; ++robot)
                 pose(robot, t);
-            return checker_.settleGroup(subject, poses, {travel, provedReach, samplesAhead}, scratch_.references.data(),
-                                        counts_);
+            return checker_.settleGroup(subject, poses, {travel, requiredInterval, samplesAhead},
+                                        scratch_.references.data(), counts_);
         }
         const unsigned int pair = subject - groups_;
         const unsigned int first = checker_.getPairs().getFirst(pair), second = checker_.getPairs().getSecond(pair);
@@ -71,7 +71,8 @@ namespace ompl_certificates
         pose(second, t);
         ++counts_.pairPoses;
         const std::size_t a = scratch_.firstBody[first], b = scratch_.firstBody[second];
-        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b, provedReach, counts_);
+        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b, requiredInterval,
+                                          counts_);
     }
 
     void MotionCheck::takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other)

@@ -29,9 +29,9 @@ namespace ompl_certificates
         }
 
         /** \brief Settle a subject at time \e t
-            \param provedReach see PoseQuery::provedReach
+            \param requiredInterval see PoseQuery::requiredInterval
             \param samplesAhead see PoseQuery::samplesAhead */
-        PoseVerdict settle(unsigned int subject, double t, double provedReach, double samplesAhead);
+        PoseVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
         /** \brief Begin with the certificates that \e state refers to; with those of \e other for a robot that has none */
         void takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other);
@@ -59,7 +59,7 @@ namespace ompl_certificates
         const unsigned int groups_;
         CheckCounts counts_;
 
-        /** \brief Stretches overlap by this fraction, which pays for the rounding of times */
+        /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
         static constexpr double OVERLAP = 1e-9;
 
     private:

@@ -13,9 +13,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief A stretch of a motion in which one subject, a group of robots or a pair, is yet to be proved free: from its first
+    /** \brief A interval of a motion in which one subject, a group of robots or a pair, is yet to be proved free: from its first
         to its last sample, or cell in continuous mode */
-    struct Stretch
+    struct OpenInterval
     {
         unsigned int subject;
         int first, last;
@@ -61,14 +61,14 @@ namespace ompl_certificates
         std::vector<Pose> poses;
         std::vector<double> sampledAt;
 
-        std::vector<TravelBound> travel;
+        std::vector<MotionBound> travel;
         std::vector<CertificateIndex> references;
 
         /** \brief The time before which, and after which, each subject is proved free from the ends of the motion */
-        std::vector<double> startReach, endReach;
+        std::vector<double> startInterval, endInterval;
 
-        /** \brief The stretches that are yet to be looked at */
-        std::vector<Stretch> open;
+        /** \brief The intervals that are yet to be looked at */
+        std::vector<OpenInterval> open;
 
         /** \brief The values of two states */
         std::vector<unsigned char> serialized;
@@ -88,8 +88,8 @@ namespace ompl_certificates
 
         ~MotionScratchPool()
         {
-            for (Place &place : places_)
-                delete place.scratch.load();
+            for (Slot &slot : slots_)
+                delete slot.scratch.load();
         }
 
         /** \brief A scratch for the time of the lease's life */
@@ -97,8 +97,8 @@ namespace ompl_certificates
         {
         public:
             explicit Lease(MotionScratchPool &pool)
-              : place_(pool.places_[threadNumber() % PLACES].scratch)
-              , scratch_(place_.exchange(nullptr, std::memory_order_acquire))
+              : slot_(pool.slots_[threadNumber() % SLOTS].scratch)
+              , scratch_(slot_.exchange(nullptr, std::memory_order_acquire))
             {
                 if (!scratch_)
                     scratch_ = new MotionScratch(*pool.team_->as<TeamStateSpace>());
@@ -107,8 +107,8 @@ namespace ompl_certificates
             ~Lease()
             {
                 MotionScratch *empty = nullptr;
-                if (!place_.compare_exchange_strong(empty, scratch_, std::memory_order_release,
-                                                    std::memory_order_relaxed))
+                if (!slot_.compare_exchange_strong(empty, scratch_, std::memory_order_release,
+                                                   std::memory_order_relaxed))
                     delete scratch_;
             }
 
@@ -121,23 +121,23 @@ namespace ompl_certificates
             }
 
         private:
-            std::atomic<MotionScratch *> &place_;
+            std::atomic<MotionScratch *> &slot_;
             MotionScratch *scratch_;
         };
 
     private:
-        static constexpr std::size_t PLACES = 32;
+        static constexpr std::size_t SLOTS = 32;
 
         /** Each thread has a place of its own, as long as there are no more than these: what a thread used last is in its
             core's cache. */
-        struct alignas(64) Place
+        struct alignas(64) Slot
         {
             std::atomic<MotionScratch *> scratch{nullptr};
         };
 
         /** Kept alive: a validator may outlive the space information that it was made for. */
         const ompl::base::StateSpacePtr team_;
-        std::array<Place, PLACES> places_;
+        std::array<Slot, SLOTS> slots_;
     };
 }
 

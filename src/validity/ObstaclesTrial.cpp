@@ -45,7 +45,7 @@ namespace ompl_certificates
                 for (unsigned int i = 0; i < samples; ++i)
                     tryLipschitz(anyPoint());
                 // A disc reaches through all heights.
-                if (dimension_ == 3 || obstacles_.getHeights().contain({}))
+                if (dimension_ == 3 || obstacles_.getZInterval().contain({}))
                     for (unsigned int i = 0; i < samples; ++i)
                         tryBalls(anyPoint());
             }
@@ -55,7 +55,7 @@ namespace ompl_certificates
                 require(body.getDimension() == dimension_, "they have " + std::to_string(dimension_) +
                                                                " dimensions, body " + std::to_string(index) + " " +
                                                                std::to_string(body.getDimension()));
-                require(dimension_ == 3 || obstacles_.getHeights().contain(body.getHeights()),
+                require(dimension_ == 3 || obstacles_.getZInterval().contain(body.getZInterval()),
                         "body " + std::to_string(index) + " reaches beyond the heights that they were made for");
                 for (unsigned int i = 0; i < samples; ++i)
                     tryPose(body, anyPose(body), "body " + std::to_string(index));
@@ -103,7 +103,7 @@ namespace ompl_certificates
                 for (int attempt = 0; attempt < 8; ++attempt)
                 {
                     pose.translation() = anyPoint();
-                    if (std::abs(clearanceOf(pose.translation())) <= body.getReach())
+                    if (std::abs(clearanceOf(pose.translation())) <= body.getBoundingRadius())
                         break;
                 }
                 return pose;
@@ -165,7 +165,8 @@ namespace ompl_certificates
             {
                 const bool collides = obstacles_.collides(body, pose);
                 tryQuickTests(body, pose, collides, name);
-                const double margin = obstacles_.getTolerance() + exactCheckTolerance(body.getReach()) + slack_;
+                const double margin =
+                    obstacles_.getTolerance() + exactCheckTolerance(body.getBoundingRadius()) + slack_;
                 const auto blame = [&](const std::string &what) {
                     require(false, "collides() finds " + name + " at " + textOf(pose) + " " + verdictOf(collides) +
                                        ", but " + what);
@@ -174,7 +175,7 @@ namespace ompl_certificates
                     blame("clearance() is larger than the radius at the center of each ball that it lies in");
                 if (collides || !obstacles_.provesCollisions())
                     return;
-                for (const Ball &ball : body.getCore())
+                for (const Ball &ball : body.getInnerSpheres())
                     if (const double clearance = clearanceOf(pose * ball.center); clearance < ball.radius - margin)
                         blame("clearance() is " + textOf(clearance) + " at the center " +
                               textOf(Eigen::Vector3d(pose * ball.center)) + " of the ball of radius " +
@@ -183,8 +184,8 @@ namespace ompl_certificates
 
             bool isFreeByClearances(const Body &body, const Pose &pose, double margin) const
             {
-                const auto &nodes = body.getCover().getNodes();
-                const auto isFree = [&](const Cover::Node &node)
+                const auto &nodes = body.getSphereTree().getNodes();
+                const auto isFree = [&](const SphereTree::Node &node)
                 { return clearanceOf(pose * node.ball.center) > node.ball.radius + margin; };
                 if (isFree(nodes.front()))
                     return true;
@@ -202,7 +203,7 @@ namespace ompl_certificates
                 require(touching == Touching::UNKNOWN || (touching == Touching::YES) == collides,
                         "touches() says " + std::string(touching == Touching::YES ? "YES" : "NO") + " of " + name +
                             " at " + textOf(pose) + ", which collides() finds " + verdictOf(collides));
-                obstacles_.findNearest(pose * body.getCover().getRoot().center, nearest);
+                obstacles_.findNearest(pose * body.getSphereTree().getRoot().center, nearest);
                 for (const ObstaclePart part : {hit, nearest})
                     require(collides || part == NO_PART || !obstacles_.certainlyHits(body, pose, part),
                             "certainlyHits() says that " + name + " at " + textOf(pose) + " hits part " +

@@ -66,7 +66,7 @@ namespace ompl_certificates
         const CertifiedEnvironment &environment = environmentOf(robot);
         PoseVerdict whole;
         whole.free = true;
-        whole.reach = std::numeric_limits<double>::infinity();
+        whole.validInterval = std::numeric_limits<double>::infinity();
         whole.reference = references[robot];
         for (std::size_t body = 0; whole.free && body < team_.getRobot(robot).getBodies().size(); ++body)
         {
@@ -75,7 +75,7 @@ namespace ompl_certificates
             const PoseVerdict one =
                 environment.settle(queryOf(robot, body, poses, motion), whole.reference, policy, counts);
             whole.free = one.free;
-            whole.reach = std::min(whole.reach, one.reach);
+            whole.validInterval = std::min(whole.validInterval, one.validInterval);
             whole.by = std::max(whole.by, one.by);
             if (one.reference != NO_CERTIFICATE)
                 whole.reference = one.reference;
@@ -85,8 +85,8 @@ namespace ompl_certificates
         return whole;
     }
 
-    double ProjectedChecker::reachOfReferences(unsigned int robot, const Pose *poses, const TravelBound *travel,
-                                               const CertificateIndex *references) const
+    double ProjectedChecker::intervalOfReferences(unsigned int robot, const Pose *poses, const MotionBound *travel,
+                                                  const CertificateIndex *references) const
     {
         double reach = std::numeric_limits<double>::infinity();
         for (std::size_t body = 0; body < team_.getRobot(robot).getBodies().size(); ++body)
@@ -94,7 +94,7 @@ namespace ompl_certificates
             PoseVerdict verdict;
             if (!environmentOf(robot).settleByHint(queryOf(robot, body, poses, {travel}), references[robot], verdict))
                 return 0.0;
-            reach = std::min(reach, verdict.reach);
+            reach = std::min(reach, verdict.validInterval);
         }
         return reach;
     }

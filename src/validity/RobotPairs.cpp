@@ -51,11 +51,11 @@ namespace ompl_certificates
                     {
                         // The body with the coarser cover is looked up in the frame of the other.
                         const bool swapped =
-                            second[b].getCover().getNodes().size() < first[a].getCover().getNodes().size();
+                            second[b].getSphereTree().getNodes().size() < first[a].getSphereTree().getNodes().size();
                         const bool balls = first[a].isBall() && second[b].isBall();
                         pairs_.back().bodies.push_back(
                             {a, b, swapped, balls ? nullptr : frameOf(swapped ? first[a] : second[b]),
-                             2.0 * exactCheckTolerance(first[a].getReach() + second[b].getReach())});
+                             2.0 * exactCheckTolerance(first[a].getBoundingRadius() + second[b].getBoundingRadius())});
                     }
             }
     }
@@ -66,7 +66,7 @@ namespace ompl_certificates
             if (frame->body == body)
                 return frame;
         auto obstacles =
-            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getHeights());
+            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getZInterval());
         frames_.push_back(
             std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles, limit_), {}, {}}));
         return frames_.back();
@@ -90,7 +90,7 @@ namespace ompl_certificates
         {
             const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
             const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-            const double gap = gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB);
+            const double gap = gapOf(a.getSphereTree().getRoot(), poseA, b.getSphereTree().getRoot(), poseB);
             if (!bodies.frame)
             {
                 if (gap <= 0.0)
@@ -116,47 +116,47 @@ namespace ompl_certificates
     }
 
     PoseVerdict RobotPairs::settle(unsigned int index, const Pose *first, const Pose *second,
-                                   const TravelBound *firstTravel, const TravelBound *secondTravel, double provedReach,
-                                   CheckCounts &counts) const
+                                   const MotionBound *firstBounds, const MotionBound *secondBounds,
+                                   double requiredInterval, CheckCounts &counts) const
     {
         const Pair &pair = pairs_[index];
         PoseVerdict verdict;
-        verdict.reach = INF;
+        verdict.validInterval = INF;
         for (const BodyPair &bodies : pair.bodies)
         {
             const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
             const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-            const Ball &ballA = a.getCover().getRoot(), &ballB = b.getCover().getRoot();
-            const TravelBound travelA = firstTravel ? firstTravel[bodies.firstBody] : TravelBound{};
-            const TravelBound travelB = secondTravel ? secondTravel[bodies.secondBody] : TravelBound{};
+            const Ball &ballA = a.getSphereTree().getRoot(), &ballB = b.getSphereTree().getRoot();
+            const MotionBound boundA = firstBounds ? firstBounds[bodies.firstBody] : MotionBound{};
+            const MotionBound boundB = secondBounds ? secondBounds[bodies.secondBody] : MotionBound{};
             const double gap = gapOf(ballA, poseA, ballB, poseB);
-            const double speed = travelA.at(ballA.center.norm()) + travelB.at(ballB.center.norm());
-            if (gap > bodies.margin + (provedReach > 0.0 ? provedReach * speed : 0.0))
+            const double speed = boundA.at(ballA.center.norm()) + boundB.at(ballB.center.norm());
+            if (gap > bodies.margin + (requiredInterval > 0.0 ? requiredInterval * speed : 0.0))
             {
-                verdict.reach = std::min(verdict.reach, reachOf(gap, bodies.margin, speed));
+                verdict.validInterval = std::min(verdict.validInterval, reachOf(gap, bodies.margin, speed));
                 continue;
             }
             if (!bodies.frame)
             {
-                verdict.reach = 0.0;
-                if (gap <= 0.0 || provedReach > 0.0)
+                verdict.validInterval = 0.0;
+                if (gap <= 0.0 || requiredInterval > 0.0)
                     return verdict;
                 continue;
             }
             // Seen from the environment's frame, the other body moves as fast as both do together.
             const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
-            const TravelBound &own = bodies.swapped ? travelB : travelA, &frame = bodies.swapped ? travelA : travelB;
-            const double frameReach = (bodies.swapped ? a : b).getReach();
-            const TravelBound travel{own.linear + frame.at(frameReach), own.angular};
+            const MotionBound &own = bodies.swapped ? boundB : boundA, &frame = bodies.swapped ? boundA : boundB;
+            const double frameRadius = (bodies.swapped ? a : b).getBoundingRadius();
+            const MotionBound travel{own.linear + frame.at(frameRadius), own.angular};
             CheckCounts asked;
             SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
             SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
             const PoseVerdict one = bodies.frame->environment.settle(
-                {bodies.swapped ? b : a, relative, &travel, provedReach}, NO_CERTIFICATE, policy, asked);
+                {bodies.swapped ? b : a, relative, &travel, requiredInterval}, NO_CERTIFICATE, policy, asked);
             counts.clearanceQueries += asked.clearanceQueries;
             counts.contactTests += asked.contactTests;
             counts.pairExact += asked.exactCalls;
-            verdict.reach = std::min(verdict.reach, one.reach);
+            verdict.validInterval = std::min(verdict.validInterval, one.validInterval);
             if (!one.free)
                 return verdict;
         }
@@ -164,20 +164,20 @@ namespace ompl_certificates
         return verdict;
     }
 
-    double RobotPairs::reachOfEnclosingBalls(unsigned int index, const Pose *first, const Pose *second,
-                                             const TravelBound *firstTravel, const TravelBound *secondTravel) const
+    double RobotPairs::intervalOfEnclosingBalls(unsigned int index, const Pose *first, const Pose *second,
+                                                const MotionBound *firstBounds, const MotionBound *secondBounds) const
     {
         const Pair &pair = pairs_[index];
         double reach = INF;
         for (const BodyPair &bodies : pair.bodies)
         {
-            const Ball &a = firstBody(pair, bodies).getCover().getRoot(),
-                       &b = secondBody(pair, bodies).getCover().getRoot();
+            const Ball &a = firstBody(pair, bodies).getSphereTree().getRoot(),
+                       &b = secondBody(pair, bodies).getSphereTree().getRoot();
             const double gap = gapOf(a, first[bodies.firstBody], b, second[bodies.secondBody]);
             if (gap <= bodies.margin)
                 return 0.0;
             const double speed =
-                firstTravel[bodies.firstBody].at(a.center.norm()) + secondTravel[bodies.secondBody].at(b.center.norm());
+                firstBounds[bodies.firstBody].at(a.center.norm()) + secondBounds[bodies.secondBody].at(b.center.norm());
             reach = std::min(reach, reachOf(gap, bodies.margin, speed));
         }
         return reach;
@@ -192,7 +192,8 @@ namespace ompl_certificates
             const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
             const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
             if (!bodies.frame)
-                nearest = std::min(nearest, gapOf(a.getCover().getRoot(), poseA, b.getCover().getRoot(), poseB));
+                nearest =
+                    std::min(nearest, gapOf(a.getSphereTree().getRoot(), poseA, b.getSphereTree().getRoot(), poseB));
             else if (bodies.swapped)
                 nearest = std::min(nearest,
                                    bodyClearance(bodies.frame->environment.getObstacles(), b, poseA.inverse() * poseB));

@@ -19,7 +19,7 @@ namespace ompl_certificates
         /** What rounding may do to coordinates and rotations, relative to their size */
         constexpr double ROUNDING = 1e-9;
 
-        /** The shortest stretch of a motion that is looked at: below, rounding hides the travel. */
+        /** The shortest interval of a motion that is looked at: below, rounding hides the travel. */
         constexpr double SHORTEST = 1e-3;
 
         constexpr unsigned int STRETCHES = 8;
@@ -88,17 +88,17 @@ namespace ompl_certificates
                 return poses;
             }
 
-            std::vector<TravelBound> boundsOf(const ob::State *from, const ob::State *to) const
+            std::vector<MotionBound> boundsOf(const ob::State *from, const ob::State *to) const
             {
-                std::vector<TravelBound> bounds(bodies_ + 1, TravelBound{NONE, NONE});
-                robot_.computeTravelBounds(from, to, bounds.data());
+                std::vector<MotionBound> bounds(bodies_ + 1, MotionBound{NONE, NONE});
+                robot_.computeMotionBounds(from, to, bounds.data());
                 for (std::size_t i = 0; i < bodies_; ++i)
                     if (!(bounds[i].linear >= 0.0 && bounds[i].angular >= 0.0))
                         fail("the travel bound of body " + std::to_string(i) + " " + motionText(from, to) +
                              " must not be negative, and must be written: it is " + textOf(bounds[i].linear) + " and " +
                              textOf(bounds[i].angular));
                 if (!std::isnan(bounds[bodies_].linear))
-                    fail("computeTravelBounds() writes more than the bounds of its " + std::to_string(bodies_) +
+                    fail("computeMotionBounds() writes more than the bounds of its " + std::to_string(bodies_) +
                          " bodies");
                 return bounds;
             }
@@ -115,7 +115,7 @@ namespace ompl_certificates
 
             void tryMotion(const ob::State *from, const ob::State *to)
             {
-                const std::vector<TravelBound> bounds = boundsOf(from, to);
+                const std::vector<MotionBound> bounds = boundsOf(from, to);
                 std::vector<double> times{0.0, 1.0};
                 for (unsigned int i = 0; i < STRETCHES; ++i)
                 {
@@ -130,14 +130,14 @@ namespace ompl_certificates
                     for (std::size_t k = i + 1; k < times.size(); ++k)
                         if (times[k] - times[i] >= SHORTEST)
                             for (std::size_t body = 0; body < bodies_; ++body)
-                                tryStretch(from, to, times[i], times[k], body, poses[i][body], poses[k][body],
-                                           bounds[body]);
+                                tryInterval(from, to, times[i], times[k], body, poses[i][body], poses[k][body],
+                                            bounds[body]);
             }
 
-            void tryStretch(const ob::State *from, const ob::State *to, double first, double last, std::size_t body,
-                            const Pose &before, const Pose &after, const TravelBound &bound) const
+            void tryInterval(const ob::State *from, const ob::State *to, double first, double last, std::size_t body,
+                             const Pose &before, const Pose &after, const MotionBound &bound) const
             {
-                const double radius = robot_.getBodies()[body].getReach();
+                const double radius = robot_.getBodies()[body].getBoundingRadius();
                 const Eigen::Vector3d moved = after.translation() - before.translation();
                 const Eigen::Matrix3d turned = after.linear() - before.linear();
                 const double slack = ROUNDING * (1.0 + radius + before.translation().norm());

@@ -33,10 +33,10 @@ namespace ompl_certificates
                 throw ompl::Exception("The obstacles have " + std::to_string(obstacles->getDimension()) +
                                       " dimensions, the team's workspace " +
                                       std::to_string(team.getWorkspaceDimension()));
-            if (team.getWorkspaceDimension() == 2 && !obstacles->getHeights().contain(team.getHeights()))
+            if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
                 throw ompl::Exception(
                     "The robots reach higher or lower than the heights that the obstacles were made for; "
-                    "give them the team's, TeamStateSpace::getHeights()");
+                    "give them the team's, TeamStateSpace::getZInterval()");
         }
     }
 

@@ -72,17 +72,18 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
         {
             const Eigen::Vector3d velocity = random.point(GetParam(), 4.0);
             const double spin = random.uniform(0.0, 3.0);
-            const TravelBound travel{velocity.norm(), spin};
+            const MotionBound travel{velocity.norm(), spin};
             const Pose pose = random.pose(GetParam(), 4.0);
             const PoseVerdict verdict = environment.settle({body, pose, &travel}, NO_CERTIFICATE, policy, counts);
             for (int k = 0; verdict.free && k < 20; ++k)
             {
-                const double time = std::min(verdict.reach, 1.0) * random.uniform(-1.0, 1.0);
+                const double time = std::min(verdict.validInterval, 1.0) * random.uniform(-1.0, 1.0);
                 Pose later = pose;
                 later.translation() += time * velocity;
                 later.linear() =
                     Eigen::AngleAxisd(time * spin, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.linear();
-                ASSERT_FALSE(obstacles->collides(body, later)) << "reach " << verdict.reach << ", time " << time;
+                ASSERT_FALSE(obstacles->collides(body, later))
+                    << "reach " << verdict.validInterval << ", time " << time;
             }
         }
     }

@@ -111,7 +111,7 @@ TEST(Body, LaysAPlanarCapsuleAlongX)
     const Body body = Body::planarCapsule(0.5, 4.0);
     EXPECT_NEAR(body.signedDistance({2.5, 0.0, 0.0}), 0.0, 1e-15);
     EXPECT_NEAR(body.signedDistance({0.0, 2.5, 0.0}), 2.0, 1e-15);
-    EXPECT_NEAR(body.getReach(), 2.5, 1e-12);
+    EXPECT_NEAR(body.getBoundingRadius(), 2.5, 1e-12);
 }
 
 TEST(Body, EqualsABodyOfTheSamePartsInTheSameOrder)
@@ -138,11 +138,11 @@ TEST(Body, ReachesAsFarAsItsFarthestPoint)
         const unsigned int dimension = 2 + random.below(2);
         const Body body = randomBody(random, dimension, 1.0);
         for (int i = 0; i < 200; ++i)
-            ASSERT_LE(pointOf(random, body).norm(), body.getReach() * (1.0 + 1e-12));
+            ASSERT_LE(pointOf(random, body).norm(), body.getBoundingRadius() * (1.0 + 1e-12));
     }
-    EXPECT_DOUBLE_EQ(Body::box(6.0, 8.0).getReach(), 5.0);
-    EXPECT_DOUBLE_EQ(Body::cylinder(3.0, 8.0).getReach(), 5.0);
-    EXPECT_DOUBLE_EQ(Body::disc(0.0).getReach(), 0.0);
+    EXPECT_DOUBLE_EQ(Body::box(6.0, 8.0).getBoundingRadius(), 5.0);
+    EXPECT_DOUBLE_EQ(Body::cylinder(3.0, 8.0).getBoundingRadius(), 5.0);
+    EXPECT_DOUBLE_EQ(Body::disc(0.0).getBoundingRadius(), 0.0);
 }
 
 TEST(Body, MakesItsBallsOnceForAllThreads)
@@ -150,13 +150,13 @@ TEST(Body, MakesItsBallsOnceForAllThreads)
     for (int round = 0; round < 20; ++round)
     {
         const Body body = Body::box(1.0, 2.0, 3.0);
-        const Cover *covers[4];
+        const SphereTree *covers[4];
         std::vector<std::thread> threads;
         for (auto &cover : covers)
-            threads.emplace_back([&cover, copy = body] { cover = &copy.getCover(); });
+            threads.emplace_back([&cover, copy = body] { cover = &copy.getSphereTree(); });
         for (auto &thread : threads)
             thread.join();
-        for (const Cover *cover : covers)
-            EXPECT_EQ(cover, &body.getCover());
+        for (const SphereTree *cover : covers)
+            EXPECT_EQ(cover, &body.getSphereTree());
     }
 }

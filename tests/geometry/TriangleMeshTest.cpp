@@ -92,24 +92,24 @@ TEST(TriangleMesh, BodiesAreEqualIfTheirMeshesAre)
 
 TEST(TriangleMesh, BodiesReachAsFarAsTheirVertices)
 {
-    EXPECT_DOUBLE_EQ(Body::mesh(boxMesh({2, 4, 4})).getReach(), 3.0);
-    EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({6, 8, 4})).getReach(), 5.0);
+    EXPECT_DOUBLE_EQ(Body::mesh(boxMesh({2, 4, 4})).getBoundingRadius(), 3.0);
+    EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({6, 8, 4})).getBoundingRadius(), 5.0);
     const Body planar = Body::planarMesh(boxMesh({6, 8, 4}, {0, 0, 1}));
-    EXPECT_EQ(planar.getHeights().low, -1.0);
-    EXPECT_EQ(planar.getHeights().high, 3.0);
+    EXPECT_EQ(planar.getZInterval().low, -1.0);
+    EXPECT_EQ(planar.getZInterval().high, 3.0);
     EXPECT_EQ(planar.getDimension(), 2U);
-    EXPECT_TRUE(std::isinf(Body::mesh(boxMesh({2, 4, 4})).getHeights().low));
-    EXPECT_TRUE(std::isinf(Body::disc(1.0).getHeights().high));
+    EXPECT_TRUE(std::isinf(Body::mesh(boxMesh({2, 4, 4})).getZInterval().low));
+    EXPECT_TRUE(std::isinf(Body::disc(1.0).getZInterval().high));
     Pose lifted = planarPose(1.0, 2.0, 0.5);
     lifted.translation().z() = 10.0;
     const Body two(
         {{Shape::mesh(2, boxMesh({1, 1, 2})), lifted}, {Shape::mesh(2, boxMesh({1, 1, 1})), Pose::Identity()}});
-    EXPECT_EQ(two.getHeights().low, -0.5);
-    EXPECT_EQ(two.getHeights().high, 11.0);
-    EXPECT_EQ(two.getCover().getRoot().center.z(), 0.0);
+    EXPECT_EQ(two.getZInterval().low, -0.5);
+    EXPECT_EQ(two.getZInterval().high, 11.0);
+    EXPECT_EQ(two.getSphereTree().getRoot().center.z(), 0.0);
     const Body mixed({{Shape::mesh(2, boxMesh({1, 1, 2})), lifted}, {Shape::ball(2, 1.0), Pose::Identity()}});
-    EXPECT_TRUE(std::isinf(mixed.getHeights().low));
-    EXPECT_TRUE(std::isinf(mixed.getHeights().high));
+    EXPECT_TRUE(std::isinf(mixed.getZInterval().low));
+    EXPECT_TRUE(std::isinf(mixed.getZInterval().high));
 }
 
 TEST(TriangleMesh, HasNoInside)
@@ -117,7 +117,7 @@ TEST(TriangleMesh, HasNoInside)
     const Body body = Body::mesh(boxMesh({2, 2, 2}));
     EXPECT_DOUBLE_EQ(body.signedDistance({0, 0, 0.25}), 0.75);
     EXPECT_DOUBLE_EQ(body.signedDistance({0, 0, 3}), 2.0);
-    EXPECT_TRUE(body.getCore().empty());
+    EXPECT_TRUE(body.getInnerSpheres().empty());
     EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({2, 2, 2})).signedDistance({0, 0, 0}), 0.0);
     EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({2, 2, 2})).signedDistance({4, 5, 0}), 5.0);
 }

@@ -90,7 +90,7 @@ TEST_P(RandomObstacles, CollideWithABodyIfOneOfItsPointsIsInside)
             [](Random &random, const FclObstacles &obstacles, double unit)
             {
                 const Body body = randomBody(random, obstacles.getDimension(), unit);
-                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
                 for (int i = 0; i < 20; ++i)
                 {
                     const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);
@@ -107,12 +107,12 @@ TEST_P(RandomObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
             [](Random &random, const FclObstacles &obstacles, double unit)
             {
                 const Body body = randomBody(random, obstacles.getDimension(), unit);
-                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
                 for (int i = 0; i < 20; ++i)
                 {
                     const Pose pose = random.pose(obstacles.getDimension(), 5.0 * unit);
                     bool apart = true;
-                    for (const auto &node : body.getCover().getNodes())
+                    for (const auto &node : body.getSphereTree().getNodes())
                         if (node.childCount == 0)
                             apart = apart && obstacles.clearance(pose * node.ball.center) > node.ball.radius + margin;
                     if (apart)

@@ -121,13 +121,13 @@ TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
 
 TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
 {
-    unsigned int byCore = 0, bySurface = 0;
+    unsigned int byInnerSpheres = 0, bySurface = 0;
     forMany(300, 0.3,
             [&](Random &random, const FclObstacles &obstacles, double unit)
             {
                 const Body body = random.chance(0.5) ? randomBody(random, GetParam(), unit)
                                                      : meshBody(GetParam(), randomMesh(random, unit));
-                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+                const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
                 for (int i = 0; i < 30; ++i)
                 {
                     const Pose pose = nearPose(random, obstacles, body, unit);
@@ -136,7 +136,7 @@ TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
                         ++bySurface;
                         continue;
                     }
-                    for (const Ball &ball : body.getCore())
+                    for (const Ball &ball : body.getInnerSpheres())
                         ASSERT_GE(obstacles.clearance(pose * ball.center), ball.radius - margin) << pose.matrix();
                     for (int k = 0; k < 20; ++k)
                     {
@@ -145,10 +145,10 @@ TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
                             point.z() = 0.0;
                         ASSERT_GE(obstacles.clearance(point), -margin) << pose.matrix();
                     }
-                    ++byCore;
+                    ++byInnerSpheres;
                 }
             });
-    EXPECT_GT(byCore, scaled(300));
+    EXPECT_GT(byInnerSpheres, scaled(300));
     EXPECT_GT(bySurface, scaled(300));
 }
 
@@ -163,7 +163,7 @@ TEST_P(MeshObstacles, HoldForBodiesFarSmallerThanTheirTriangles)
                                                    random.pose(GetParam(), 300.0 * unit)}});
         const Body body =
             random.chance(0.7) ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
-        const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
+        const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
         for (int i = 0; i < 50; ++i)
         {
             const Pose pose = nearPose(random, obstacles, body, unit);
@@ -172,7 +172,7 @@ TEST_P(MeshObstacles, HoldForBodiesFarSmallerThanTheirTriangles)
             {
                 ASSERT_FALSE(collides) << pose.matrix();
             }
-            for (const Ball &ball : body.getCore())
+            for (const Ball &ball : body.getInnerSpheres())
                 if (obstacles.clearance(pose * ball.center) < ball.radius - margin)
                 {
                     ASSERT_TRUE(collides) << pose.matrix();
@@ -203,7 +203,7 @@ TEST(MeshObstacles, CountInThePlaneWhereTheRobotsReach)
     const std::vector<PlacedBody> bodies{{Body::planarMesh(boxMesh({1, 10, 10}, {0, 0, 5}))},
                                          {Body::planarMesh(boxMesh({20, 20, 1}, {0, 0, 12}))}};
     const Body robot = Body::planarMesh(boxMesh({1, 1, 2}, {0, 0, 3}));
-    const FclObstacles obstacles(2, bodies, robot.getHeights());
+    const FclObstacles obstacles(2, bodies, robot.getZInterval());
     EXPECT_DOUBLE_EQ(obstacles.clearance({3, 0, 0}), 2.5);
     EXPECT_FALSE(obstacles.collides(robot, planarPose(1.1, 0.0)));
     EXPECT_TRUE(obstacles.collides(robot, planarPose(0.9, 0.0)));

@@ -12,8 +12,8 @@ namespace
     /** Whether a core ball of the body holds an obstacle point, by more than the tolerance */
     bool isCertifiedColliding(const FclObstacles &obstacles, const Body &body, const Pose &pose)
     {
-        const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
-        return std::any_of(body.getCore().begin(), body.getCore().end(),
+        const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
+        return std::any_of(body.getInnerSpheres().begin(), body.getInnerSpheres().end(),
                            [&](const Ball &ball)
                            { return obstacles.clearance(pose * ball.center) + margin < ball.radius; });
     }

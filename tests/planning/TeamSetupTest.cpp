@@ -134,12 +134,12 @@ TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
 
 TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
 {
-    const auto obstacles = [](const Heights &heights)
+    const auto obstacles = [](const ZInterval &zInterval)
     {
         const Body wall = Body::planarMesh(boxMesh({1.0, 1.0, 9.0}));
-        return std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{wall}}, heights);
+        return std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{wall}}, zInterval);
     };
-    const Heights all = planarMeshTeam()->getHeights();
+    const ZInterval all = planarMeshTeam()->getZInterval();
     EXPECT_NO_THROW(TeamSetup(planarMeshTeam(), obstacles(all)));
     EXPECT_THROW(TeamSetup(planarMeshTeam(), obstacles({all.low, 0.5 * all.high})), ompl::Exception);
     // Primitives reach through all heights.

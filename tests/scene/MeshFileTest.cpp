@@ -395,11 +395,12 @@ namespace ompl_certificates
 
         // In the plane a mesh keeps its heights, whatever its reference, unless it is turned.
         const std::string plane = "{min: [0, 0], max: [9, 9]}", robot = "space: SE2, start: [1, 1, 0], goal: [5, 5, 0]";
-        const auto heightsOf = [&](const std::string &shape) { return read(plane, shape, robot).getHeights(); };
-        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, reference: mean}").high, 3.0, 1e-6);
-        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, reference: mean}").low, 0.0, 1e-6);
-        EXPECT_NEAR(heightsOf("{type: mesh, file: a.obj, rotation: {axis: [1, 0, 0], angle: 1.5707963267948966}}").high,
-                    2.0, 1e-6);
+        const auto zIntervalOf = [&](const std::string &shape) { return read(plane, shape, robot).getZInterval(); };
+        EXPECT_NEAR(zIntervalOf("{type: mesh, file: a.obj, reference: mean}").high, 3.0, 1e-6);
+        EXPECT_NEAR(zIntervalOf("{type: mesh, file: a.obj, reference: mean}").low, 0.0, 1e-6);
+        EXPECT_NEAR(
+            zIntervalOf("{type: mesh, file: a.obj, rotation: {axis: [1, 0, 0], angle: 1.5707963267948966}}").high, 2.0,
+            1e-6);
         const YamlScene about = read(plane, "{type: mesh, file: a.obj, reference: mean}", robot);
         const Eigen::AlignedBox3d box = boxOf(about.getMembers()[0].robot->getBodies().front());
         EXPECT_LT(box.min().x(), 0.0);

@@ -1,6 +1,6 @@
 #include "Checked.h"
 
-#include "support/DearObstacles.h"
+#include "support/ExpensiveObstacles.h"
 
 #include "ompl_certificates/validity/Basic.h"
 #include "ompl_certificates/validity/Partial.h"
@@ -15,10 +15,10 @@ namespace ompl_certificates
         std::shared_ptr<const FclObstacles> Checked::makeObstacles(const std::vector<PlacedBody> &bodies) const
         {
             const unsigned int dimension = team->getWorkspaceDimension();
-            const Heights heights = team->getHeights();
-            if (dear_)
-                return std::make_shared<test::DearObstacles>(dimension, bodies, heights);
-            return std::make_shared<FclObstacles>(dimension, bodies, heights);
+            const ZInterval zInterval = team->getZInterval();
+            if (expensive_)
+                return std::make_shared<test::ExpensiveObstacles>(dimension, bodies, zInterval);
+            return std::make_shared<FclObstacles>(dimension, bodies, zInterval);
         }
 
         void Checked::makeStandard()
@@ -36,7 +36,8 @@ namespace ompl_certificates
             makeStandard();
         }
 
-        Checked::Checked(const TeamStateSpacePtr &space, const Setting &setting) : team(space), dear_(setting.dear)
+        Checked::Checked(const TeamStateSpacePtr &space, const Setting &setting)
+          : team(space), expensive_(setting.expensive)
         {
             obstacles = makeObstacles(setting.obstacles);
             si = std::make_shared<ob::SpaceInformation>(team);

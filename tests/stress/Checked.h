@@ -20,7 +20,7 @@ namespace ompl_certificates
             std::vector<PlacedBody> obstacles;
 
             /** \brief Whether certificates are searched for at every chance, even where clearances are cheap */
-            bool dear{false};
+            bool expensive{false};
 
             /** \brief Length of a discrete step, as a fraction of the space's extent */
             double resolution{0.01};
@@ -60,7 +60,7 @@ namespace ompl_certificates
             std::shared_ptr<const FclObstacles> makeObstacles(const std::vector<PlacedBody> &bodies) const;
             void makeStandard();
 
-            bool dear_;
+            bool expensive_;
         };
     }
 }

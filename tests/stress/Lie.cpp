@@ -80,7 +80,7 @@ namespace ompl_certificates
             }
             const Checked checked(team, setting);
             out << "  tolerance " << checked.obstacles->getTolerance() << ", resolution " << setting.resolution
-                << (setting.dear ? ", dear obstacles" : "") << '\n';
+                << (setting.expensive ? ", expensive obstacles" : "") << '\n';
             auto *state = team->allocState();
             for (const auto &reals : lie.states)
             {

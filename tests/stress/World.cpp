@@ -39,10 +39,10 @@ namespace ompl_certificates
             meshChance_ = meshChances[random.below(4)];
             makeTeam(meshChance_);
             setting.obstacles = randomObstacles(meshChance_);
-            setting.dear = random.chance(0.5);
+            setting.expensive = random.chance(0.5);
             setting.resolution = random.logUniform(0.003, 0.1);
             checked = std::make_unique<Checked>(team, setting);
-            set_ = std::make_unique<ObstacleSet>(dimension, team->getHeights());
+            set_ = std::make_unique<ObstacleSet>(dimension, team->getZInterval());
             for (const PlacedBody &obstacle : setting.obstacles)
                 names_.push_back(set_->add(obstacle));
             set_->takeChange();

@@ -54,8 +54,8 @@ namespace ompl_certificates
         /** \brief Whether the finest balls of the body's cover are all free */
         inline bool isCertifiedFree(const FclObstacles &obstacles, const Body &body, const Pose &pose)
         {
-            const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getReach());
-            for (const auto &node : body.getCover().getNodes())
+            const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
+            for (const auto &node : body.getSphereTree().getNodes())
                 if (node.childCount == 0 && obstacles.clearance(pose * node.ball.center) <= node.ball.radius + margin)
                     return false;
             return true;

@@ -21,8 +21,8 @@ namespace ompl_certificates
         inline std::vector<Eigen::Vector3d> hullPoints(Random &random, unsigned int dimension, double size)
         {
             std::vector<Eigen::Vector3d> points;
-            const Eigen::Vector3d stretch(extent(random, size, 0.2), extent(random, size, 0.2),
-                                          extent(random, size, 0.2));
+            const Eigen::Vector3d interval(extent(random, size, 0.2), extent(random, size, 0.2),
+                                           extent(random, size, 0.2));
             const unsigned int count = dimension + 1 + random.below(7);
             const bool onGrid = random.chance(0.3);
             for (unsigned int i = 0; i < count; ++i)
@@ -30,7 +30,7 @@ namespace ompl_certificates
                 Eigen::Vector3d point = onGrid ? random.point(dimension, 0.5) : 0.5 * random.direction(dimension);
                 if (onGrid)
                     point = (point * 4.0).array().round() / 4.0;
-                points.push_back(point.cwiseProduct(stretch));
+                points.push_back(point.cwiseProduct(interval));
             }
             if (random.chance(0.2))
                 points.push_back(points.front());

@@ -74,10 +74,10 @@ namespace ompl_certificates
                 vertices.push_back(at + random.point(3, extent));
                 return static_cast<std::uint32_t>(vertices.size() - 1);
             };
-            const Eigen::Vector3d stretch(extentOf(random), extentOf(random), extentOf(random));
+            const Eigen::Vector3d interval(extentOf(random), extentOf(random), extentOf(random));
             for (unsigned int count = 1 + random.below(random.chance(0.2) ? 60 : 12); count > 0; --count)
             {
-                const Eigen::Vector3d at = stretch.cwiseProduct(random.point(3, 0.5 * size));
+                const Eigen::Vector3d at = interval.cwiseProduct(random.point(3, 0.5 * size));
                 const double extent = size * random.logUniform(0.01, 0.5);
                 TriangleMesh::Triangle triangle{corner(at, extent), corner(at, extent), corner(at, extent)};
                 if (random.chance(0.2))  // a neighbor

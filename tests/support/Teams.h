@@ -6,7 +6,7 @@
 #include "RandomStates.h"
 
 #include "ompl_certificates/robots/CarWithTrailer.h"
-#include "support/DearObstacles.h"
+#include "support/ExpensiveObstacles.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
@@ -113,7 +113,7 @@ namespace ompl_certificates
                 const Body body = randomBody(random, dimension, unit * random.uniform(0.3, 1.5));
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
-            return std::make_shared<DearObstacles>(dimension, bodies);
+            return std::make_shared<ExpensiveObstacles>(dimension, bodies);
         }
 
         /** \brief Obstacles for team \e which of anyTeam(): those above, and most of them meshes for a team of meshes */
@@ -132,7 +132,7 @@ namespace ompl_certificates
                     random.chance(0.2) ? randomBody(random, dimension, size) : randomMeshBody(random, dimension, size);
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
-            return std::make_shared<DearObstacles>(dimension, bodies, team->getHeights());
+            return std::make_shared<ExpensiveObstacles>(dimension, bodies, team->getZInterval());
         }
     }
 }

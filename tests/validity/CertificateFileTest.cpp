@@ -82,7 +82,7 @@ TEST_P(CertificateFile, GivesBackWhatWasSaved)
     // The same obstacles, made anew and in another order
     std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
     std::reverse(bodies.begin(), bodies.end());
-    const auto again = std::make_shared<DearObstacles>(team_->getWorkspaceDimension(), bodies);
+    const auto again = std::make_shared<ExpensiveObstacles>(team_->getWorkspaceDimension(), bodies);
     for (const Method method : {Method::SHARED_PROJECTION, Method::PARTIAL})
     {
         const auto checker = makeFresh(again, method)->getCertificateChecker();
@@ -131,8 +131,8 @@ TEST_F(CertificateFile, TellsMeshesAndTheirHeightsApart)
 {
     Random random(1);
     const TriangleMeshPtr mesh = boxMesh({1.0, 2.0, 3.0}), other = boxMesh({1.0, 2.0, 3.0 + 1e-9});
-    const auto fingerprint = [](const TriangleMeshPtr &of, const Heights &heights)
-    { return FclObstacles(2U, {{Body::planarMesh(of)}}, heights).getFingerprint(); };
+    const auto fingerprint = [](const TriangleMeshPtr &of, const ZInterval &zInterval)
+    { return FclObstacles(2U, {{Body::planarMesh(of)}}, zInterval).getFingerprint(); };
     EXPECT_EQ(fingerprint(mesh, {}), fingerprint(boxMesh({1.0, 2.0, 3.0}), {}));
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(other, {}));
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(mesh, {0.0, 1.0}));
@@ -177,10 +177,10 @@ TEST_F(CertificateFile, StaysAsItWasWhereItCannotBeWritten)
 namespace
 {
     /** Obstacles that cannot tell themselves from others */
-    class Nameless : public DearObstacles
+    class Nameless : public ExpensiveObstacles
     {
     public:
-        using DearObstacles::DearObstacles;
+        using ExpensiveObstacles::ExpensiveObstacles;
 
         std::uint64_t getFingerprint() const override
         {

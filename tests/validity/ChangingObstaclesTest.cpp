@@ -62,7 +62,7 @@ TEST_P(ChangingObstacles, LeaveVerdictsAndClearancesOfFreshCheckers)
         const bool meshes = seed % 2 == 0;
         const TeamStateSpacePtr team = anyTeam(GetParam());
         const unsigned int dimension = team->getWorkspaceDimension();
-        ObstacleSet set(dimension, team->getHeights());
+        ObstacleSet set(dimension, team->getZInterval());
         std::vector<ObstacleSet::Id> there;
         for (unsigned int i = 0; i < 8; ++i)
             there.push_back(set.add(randomObstacle(random, dimension, meshes)));
@@ -243,16 +243,16 @@ TEST_F(ChangingObstacles, KeepCertificatesOverALimitThatWasLowered)
 namespace
 {
     /** Obstacles that try to change the world of the checker that asks them */
-    class Meddling : public DearObstacles
+    class Meddling : public ExpensiveObstacles
     {
     public:
-        using DearObstacles::DearObstacles;
+        using ExpensiveObstacles::ExpensiveObstacles;
 
         bool collides(const Body &body, const Pose &pose) const override
         {
             if (checker)
                 checker->changeObstacles({std::make_shared<FclObstacles>(2U, std::vector<PlacedBody>()), {}, {}});
-            return DearObstacles::collides(body, pose);
+            return ExpensiveObstacles::collides(body, pose);
         }
 
         TeamValidityChecker *checker{nullptr};

@@ -1,4 +1,4 @@
-#include "support/DearObstacles.h"
+#include "support/ExpensiveObstacles.h"
 #include "support/Checkers.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ namespace
             team_ = std::make_shared<TeamStateSpace>();
             team_->addRobot(RigidRobot::disc("a", 0.1, cubeBounds(2, HALF)));
             team_->addRobot(RigidRobot::disc("b", 0.1, cubeBounds(2, HALF)));
-            obstacles_ =
-                std::make_shared<DearObstacles>(2, std::vector<PlacedBody>{{Body::disc(1.0), planarPose(-3.0, 3.0)},
-                                                                           {Body::disc(1.0), planarPose(3.0, 3.0)}});
+            obstacles_ = std::make_shared<ExpensiveObstacles>(
+                2, std::vector<PlacedBody>{{Body::disc(1.0), planarPose(-3.0, 3.0)},
+                                           {Body::disc(1.0), planarPose(3.0, 3.0)}});
         }
 
         /** How many robots had to be checked exactly, at a state without references */

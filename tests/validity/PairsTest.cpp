@@ -144,7 +144,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
         const auto team = crowdedTeam(random, dimension);
         const RobotPairs pairs(*team);
         std::vector<std::vector<Pose>> poses;
-        std::vector<std::vector<TravelBound>> travel;
+        std::vector<std::vector<MotionBound>> travel;
         const auto from = randomState(random, team), to = randomState(random, team);
         const auto place = [&](const ob::State *state)
         {
@@ -155,7 +155,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
                 poses.emplace_back(team->getRobot(i).getBodies().size());
                 travel.emplace_back(poses.back().size());
                 team->getRobot(i).computePoses(state->as<ob::CompoundState>()->components[i], poses.back().data());
-                team->getRobot(i).computeTravelBounds(from->as<ob::CompoundState>()->components[i],
+                team->getRobot(i).computeMotionBounds(from->as<ob::CompoundState>()->components[i],
                                                       to->as<ob::CompoundState>()->components[i], travel.back().data());
             }
         };
@@ -171,9 +171,9 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
                 pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), 0.0, counts);
             ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
-            const double byBalls =
-                pairs.reachOfEnclosingBalls(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data());
-            const double reach = std::max(verdict.free ? verdict.reach : 0.0, byBalls);
+            const double byBalls = pairs.intervalOfEnclosingBalls(pair, poses[a].data(), poses[b].data(),
+                                                                  travel[a].data(), travel[b].data());
+            const double reach = std::max(verdict.free ? verdict.validInterval : 0.0, byBalls);
             for (int i = 0; reach > 0.0 && i < 30; ++i)
             {
                 const double later = time + random.uniform(-1.0, 1.0) * std::min(reach, 1.0);

@@ -34,7 +34,7 @@ namespace
                 poses[0] = wobbly(random, poses[0]);
         }
 
-        void computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const override
+        void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
         {
             const auto &a = *from->as<ob::SE2StateSpace::StateType>(), &b = *to->as<ob::SE2StateSpace::StateType>();
             const auto *turn = getStateSpace()->as<ob::CompoundStateSpace>()->getSubspace(1).get();
@@ -101,7 +101,7 @@ namespace
         return team;
     }
 
-    ObstaclesPtr obstaclesOf(unsigned int kind, bool exact, const Heights &heights)
+    ObstaclesPtr obstaclesOf(unsigned int kind, bool exact, const ZInterval &zInterval)
     {
         Random random(7);
         std::vector<PlacedBody> bodies;
@@ -111,7 +111,7 @@ namespace
             const Pose pose = random.pose(2, HALF), rounded = wobbly(random, pose);
             bodies.push_back({body, exact ? pose : rounded});
         }
-        return std::make_shared<FclObstacles>(2, bodies, heights);
+        return std::make_shared<FclObstacles>(2, bodies, zInterval);
     }
 }
 
@@ -127,20 +127,20 @@ protected:
 TEST_P(PlanarRounding, LeavesTheBallsOfABodyExactlyInThePlane)
 {
     const Body body = bodyOf(GetParam(), false), clean = bodyOf(GetParam(), true);
-    for (const auto &node : body.getCover().getNodes())
+    for (const auto &node : body.getSphereTree().getNodes())
         EXPECT_EQ(node.ball.center.z(), 0.0);
-    for (const Ball &ball : body.getCore())
+    for (const Ball &ball : body.getInnerSpheres())
         EXPECT_EQ(ball.center.z(), 0.0);
-    EXPECT_NEAR(body.getReach(), clean.getReach(), 1e-11);
-    EXPECT_EQ(body.getCover().getNodes().size(), clean.getCover().getNodes().size());
+    EXPECT_NEAR(body.getBoundingRadius(), clean.getBoundingRadius(), 1e-11);
+    EXPECT_EQ(body.getSphereTree().getNodes().size(), clean.getSphereTree().getNodes().size());
 }
 
 TEST_P(PlanarRounding, ChangesNoVerdictAndThrowsInNoCheck)
 {
     const auto exactTeam = teamOf(GetParam(), true), team = teamOf(GetParam(), false);
-    const Heights heights = team->getHeights().unitedWith(exactTeam->getHeights());
-    const Checkers exact(exactTeam, obstaclesOf(GetParam(), true, heights));
-    const auto obstacles = obstaclesOf(GetParam(), false, heights);
+    const ZInterval zInterval = team->getZInterval().unitedWith(exactTeam->getZInterval());
+    const Checkers exact(exactTeam, obstaclesOf(GetParam(), true, zInterval));
+    const auto obstacles = obstaclesOf(GetParam(), false, zInterval);
     const Checkers rounded(team, obstacles);
     const TeamSetup continuous(team, obstacles, Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
     continuous.getSpaceInformation()->setup();

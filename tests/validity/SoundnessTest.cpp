@@ -1,5 +1,5 @@
 #include "support/Checkers.h"
-#include "support/DearObstacles.h"
+#include "support/ExpensiveObstacles.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -59,8 +59,8 @@ namespace
             bodies.push_back({body, pose});
         }
         if (random.chance(0.5))
-            return std::make_shared<DearObstacles>(dimension, bodies, team.getHeights());
-        return std::make_shared<FclObstacles>(dimension, bodies, team.getHeights());
+            return std::make_shared<ExpensiveObstacles>(dimension, bodies, team.getZInterval());
+        return std::make_shared<FclObstacles>(dimension, bodies, team.getZInterval());
     }
 
     /** Moves one robot of a state along a line, to where its verdict changes. */

@@ -32,21 +32,21 @@ namespace
     }
 
     /** Obstacles whose clearances take longer than any exact check */
-    class SlowClearances : public DearObstacles
+    class SlowClearances : public ExpensiveObstacles
     {
     public:
-        using DearObstacles::DearObstacles;
+        using ExpensiveObstacles::ExpensiveObstacles;
 
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override
         {
             pause();
-            return DearObstacles::findNearest(point, part);
+            return ExpensiveObstacles::findNearest(point, part);
         }
 
         double clearance(const Eigen::Vector3d &point) const override
         {
             pause();
-            return DearObstacles::clearance(point);
+            return ExpensiveObstacles::clearance(point);
         }
 
     private:
@@ -167,7 +167,7 @@ TEST(Statistics, RepeatThemselvesWhereNoClockDecides)
         }
         return all;
     };
-    const auto quick = walkAmong(std::make_shared<DearObstacles>(2, bodies), false);
+    const auto quick = walkAmong(std::make_shared<ExpensiveObstacles>(2, bodies), false);
     EXPECT_EQ(walkAmong(std::make_shared<SlowClearances>(2, bodies), false), quick);
     const auto adapted = walkAmong(std::make_shared<SlowClearances>(2, bodies), true);
     for (std::size_t method = 0; method < quick.size(); ++method)

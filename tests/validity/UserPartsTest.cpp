@@ -85,7 +85,7 @@ namespace
             poses[1] = elbow * planarPose(0.6, 0.0);
         }
 
-        void computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const override
+        void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
         {
             const auto *a = from->as<ob::CompoundState>(), *b = to->as<ob::CompoundState>();
             const auto *space = getStateSpace()->as<ob::CompoundStateSpace>();

@@ -76,7 +76,7 @@ namespace
                 poses[1].linear().col(0) *= -1.0;
         }
 
-        void computeTravelBounds(const ob::State *from, const ob::State *to, TravelBound *bounds) const override
+        void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
         {
             const auto &a = *from->as<ob::SE2StateSpace::StateType>(), &b = *to->as<ob::SE2StateSpace::StateType>();
             const auto *angles = getStateSpace()->as<ob::CompoundStateSpace>()->getSubspace(1).get();
@@ -121,9 +121,9 @@ namespace
             return truth->getDimension();
         }
 
-        Heights getHeights() const override
+        ZInterval getZInterval() const override
         {
-            return truth->getHeights();
+            return truth->getZInterval();
         }
 
         bool collides(const Body &body, const Pose &pose) const override

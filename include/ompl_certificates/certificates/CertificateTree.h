@@ -147,20 +147,20 @@ namespace ompl_certificates
         static constexpr std::uint32_t BUCKET_SIZE = 4;
 
         struct Bucket;
-        struct Fork;
+        struct InnerNode;
 
-        /** \brief What a cell of the tree leads to: nothing, the bucket of an undivided cell, or a fork. One word: pointers,
+        /** \brief What a cell of the tree leads to: nothing, the bucket of an undivided cell, or an inner node. One word: pointers,
             for a search is mostly the wait for the next node on the way down. */
-        class Place
+        class Subtree
         {
         public:
-            Place() = default;
+            Subtree() = default;
 
-            explicit Place(Bucket *bucket) : word_(reinterpret_cast<std::uintptr_t>(bucket) | UNDIVIDED)
+            explicit Subtree(Bucket *bucket) : word_(reinterpret_cast<std::uintptr_t>(bucket) | UNDIVIDED)
             {
             }
 
-            explicit Place(Fork *fork) : word_(reinterpret_cast<std::uintptr_t>(fork))
+            explicit Subtree(InnerNode *innerNode) : word_(reinterpret_cast<std::uintptr_t>(innerNode))
             {
             }
 
@@ -169,22 +169,22 @@ namespace ompl_certificates
                 return word_ == 0;
             }
 
-            bool isFork() const
+            bool isInnerNode() const
             {
                 return word_ != 0 && (word_ & UNDIVIDED) == 0;
             }
 
-            /** \brief The fork, if it is one */
-            Fork *fork() const
+            /** \brief The inner node, if it is one */
+            InnerNode *innerNode() const
             {
-                return reinterpret_cast<Fork *>(word_);
+                return reinterpret_cast<InnerNode *>(word_);
             }
 
             /** \brief The first bucket of the cell, or null if it is nothing */
             Bucket *bucket() const
             {
-                return isFork() ? fork()->bucket.load(std::memory_order_acquire)
-                                : reinterpret_cast<Bucket *>(word_ & ~UNDIVIDED);
+                return isInnerNode() ? innerNode()->bucket.load(std::memory_order_acquire)
+                                     : reinterpret_cast<Bucket *>(word_ & ~UNDIVIDED);
             }
 
         private:
@@ -203,20 +203,20 @@ namespace ompl_certificates
             /** More certificates of a cell that is too small to be divided */
             std::atomic<Bucket *> next{nullptr};
             double z[BUCKET_SIZE];
-            /** The cell's fork, or the one above it while it is undivided */
-            std::atomic<Fork *> fork{nullptr};
+            /** The cell's inner node, or the one above it while it is undivided */
+            std::atomic<InnerNode *> innerNode{nullptr};
         };
 
         /** \brief A float for each of four children. Two share an atomic, so that readers may load it while it grows. */
         using Bound = std::atomic<std::uint64_t>[2];
 
         /** \brief A cell that is divided into four, along two axes. The way down needs the first 64 bytes only. */
-        struct alignas(64) Fork
+        struct alignas(64) InnerNode
         {
             /** The four cells, by the high bit for the side of the first axis and the low bit for the other's */
-            std::atomic<Place> child[4]{};
+            std::atomic<Subtree> child[4]{};
             std::atomic<Bucket *> bucket{nullptr};
-            std::atomic<Fork *> parent{nullptr};
+            std::atomic<InnerNode *> parent{nullptr};
 
             /** Bounds of the certificates below each of the children: by axis, the largest c + d, d - c, c - d and -c - d of
                 the points c and the clearances d, rounded up. The first two bound the balls that are free, the others
@@ -234,7 +234,7 @@ namespace ompl_certificates
         /** \brief The whole tree. A new one when it has to grow beyond its cell, so that readers find place and cell in one. */
         struct Root
         {
-            std::atomic<Place> place{};
+            std::atomic<Subtree> subtree{};
             /** Its extents are powers of two, so that halving them is exact. Empty until the first bucket is full. */
             Eigen::Vector3d low{1.0, 1.0, 1.0}, high{0.0, 0.0, 0.0};
             /** Where in the turns of the axes the first division of the cell is */
@@ -256,11 +256,11 @@ namespace ompl_certificates
         /** \brief insert() with a place that the limit gave */
         CertificateIndex store(const Certificate &certificate);
 
-        Bucket *newBucket(Fork *fork);
-        Fork *newFork(Bucket *bucket, Fork *parent);
+        Bucket *newBucket(InnerNode *innerNode);
+        InnerNode *newInnerNode(Bucket *bucket, InnerNode *parent);
         static void raise(Bound &bound, unsigned int child, float value);
-        void extend(Fork &fork, unsigned int child, const Certificate &certificate) const;
-        void extendByPlace(Fork &fork, unsigned int child, Place place) const;
+        void extend(InnerNode &innerNode, unsigned int child, const Certificate &certificate) const;
+        void extendBySubtree(InnerNode &innerNode, unsigned int child, Subtree subtree) const;
         void append(Bucket *first, CertificateIndex index, const Certificate &certificate);
         void chooseFirstCell();
         double smallestCell(const Eigen::AlignedBox3d &cell) const;
@@ -269,21 +269,21 @@ namespace ompl_certificates
         template <int DIMENSION>
         Covering coveringFromRoot(const BallQuery &query) const;
         template <int DIMENSION>
-        Covering coveringFromFork(const BallQuery &query, Fork *start) const;
+        Covering coveringFromNode(const BallQuery &query, InnerNode *start) const;
         template <int DIMENSION>
-        static void prefetch(const Fork &fork);
+        static void prefetch(const InnerNode &innerNode);
         template <int DIMENSION>
         static bool searchBuckets(const Bucket *first, CoverSearch<DIMENSION> &search);
         template <int DIMENSION>
-        static bool searchDown(Place place, unsigned int children, CoverSearch<DIMENSION> &search);
-        void nearDown(Place place, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const;
+        static bool searchDown(Subtree subtree, unsigned int children, CoverSearch<DIMENSION> &search);
+        void nearDown(Subtree subtree, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const;
         void nearFromRoot(NearSearch &search) const;
 
         const int dimension_;
         const std::shared_ptr<CertificateLimit> limit_;
         mutable std::mutex insertMutex_;
         ChunkedArray<Bucket> buckets_;
-        ChunkedArray<Fork> forks_;
+        ChunkedArray<InnerNode> forks_;
         ChunkedArray<Stored> store_;
         ChunkedArray<Root> roots_;
         std::atomic<Root *> root_{nullptr};

@@ -61,7 +61,7 @@ namespace ompl_certificates
         /** \brief Robots at samples of motions, their ends included: looked at or skipped */
         std::uint64_t motionSamples{0};
 
-        /** \brief … of which were skipped, for they lie in a stretch of the motion that is certified free */
+        /** \brief … of which were skipped, for they lie in a interval of the motion that is certified free */
         std::uint64_t motionSamplesSkipped{0};
 
         /** \brief Those of \e robotPoses that are at the ends of motions: in RRT and its kin, at the new samples. Not

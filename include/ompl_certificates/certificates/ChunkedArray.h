@@ -83,14 +83,14 @@ namespace ompl_certificates
         static constexpr std::size_t FIRST_CHUNK = 64;
         static constexpr std::size_t CHUNKS = 25;  // 2^31 elements
 
-        struct Place
+        struct Position
         {
             std::size_t chunk;
             std::size_t offset;
         };
 
         /** Chunk k begins at FIRST_CHUNK * (2^k - 1). */
-        static Place locate(std::uint32_t index)
+        static Position locate(std::uint32_t index)
         {
             const std::uint64_t position = index / FIRST_CHUNK + 1;
             const auto chunk = static_cast<std::size_t>(63 - __builtin_clzll(position));

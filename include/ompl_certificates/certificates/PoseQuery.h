@@ -4,7 +4,7 @@
 #include "ompl_certificates/certificates/Certificate.h"
 #include "ompl_certificates/certificates/CheckCounts.h"
 #include "ompl_certificates/geometry/Body.h"
-#include "ompl_certificates/geometry/TravelBound.h"
+#include "ompl_certificates/geometry/MotionBound.h"
 
 #include <limits>
 
@@ -17,12 +17,12 @@ namespace ompl_certificates
         const Pose &pose;
 
         /** \brief How fast the body moves, to find how long its verdict lasts; null if it does not move */
-        const TravelBound *travel{nullptr};
+        const MotionBound *travel{nullptr};
 
         /** \brief If positive, the body counts as free only if a few balls of its sphere tree are proved free for this long, in
             time of the motion. That verdict depends on the obstacles and the motion alone, not on what is known of them.
             If 0, a pose that clearances do not settle gets the exact check. */
-        double provedReach{0.0};
+        double requiredInterval{0.0};
 
         /** \brief How many samples a proof probably spares that lasts for all of the motion, if the pose lies between free ends;
             else 0. Such a pose is probably free, so collisions are tried last. */
@@ -37,13 +37,13 @@ namespace ompl_certificates
         /** \brief Whether only a proof settles the body as free */
         bool isProofOnly() const
         {
-            return provedReach > 0.0;
+            return requiredInterval > 0.0;
         }
 
-        /** \brief How far the center of a ball of the body moves within provedReach, at most */
+        /** \brief How far the center of a ball of the body moves within requiredInterval, at most */
         double leastSlack(const Ball &ball) const
         {
-            return isProofOnly() ? provedReach * speedOf(ball) : 0.0;
+            return isProofOnly() ? requiredInterval * speedOf(ball) : 0.0;
         }
     };
 
@@ -53,7 +53,7 @@ namespace ompl_certificates
         bool free{false};
 
         /** \brief The body is free while the motion's time differs by less than this; 0 if no clearance says so */
-        double reach{0.0};
+        double validInterval{0.0};
 
         /** \brief A certificate that took part in the proof, or NO_CERTIFICATE */
         CertificateIndex reference{NO_CERTIFICATE};

@@ -1,8 +1,8 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_BODY_
 #define OMPL_CERTIFICATES_GEOMETRY_BODY_
 
-#include "ompl_certificates/geometry/Cover.h"
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/SphereTree.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Shape.h"
 
@@ -92,14 +92,14 @@ namespace ompl_certificates
         }
 
         /** \brief Balls that contain the body, coarse to fine */
-        const Cover &getCover() const
+        const SphereTree &getSphereTree() const
         {
             return data_->getBalls().cover;
         }
 
         /** \brief Balls that the body contains, the largest first. Empty for meshes, which are surfaces; else not: the body of a
             point has a ball of radius 0. */
-        const std::vector<Ball> &getCore() const
+        const std::vector<Ball> &getInnerSpheres() const
         {
             return data_->getBalls().core;
         }
@@ -118,16 +118,16 @@ namespace ompl_certificates
         }
 
         /** \brief The largest distance of a point of the body from the origin of its frame (an upper bound) */
-        double getReach() const
+        double getBoundingRadius() const
         {
-            return data_->reach;
+            return data_->boundingRadius;
         }
 
         /** \brief How far up and down a planar body of meshes reaches. All heights for one with primitives, which stand for
             upright prisms without end, and for bodies in space. */
-        const Heights &getHeights() const
+        const ZInterval &getZInterval() const
         {
-            return data_->heights;
+            return data_->zInterval;
         }
 
         /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside primitives.
@@ -141,7 +141,7 @@ namespace ompl_certificates
         /** \brief The balls of a body; made when they are first asked for, since obstacles need none */
         struct Balls
         {
-            Cover cover;
+            SphereTree cover;
             std::vector<Ball> core;
             double centralRadius;
         };
@@ -150,8 +150,8 @@ namespace ompl_certificates
         {
             std::vector<Part> parts;
             bool isBall{false};
-            double reach{0.0};
-            Heights heights;
+            double boundingRadius{0.0};
+            ZInterval zInterval;
             mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;
             mutable std::atomic<const Balls *> made{nullptr};

@@ -107,7 +107,7 @@ namespace ompl_certificates
         /** \brief Whether a planar shape at \e pose stays in the plane, but for rounding: upright and, but for meshes, at z = 0;
             balls may be turned anyhow, capsules must lie. If so, the rounding (1e-12 at most) is taken out of \e pose, so
             that all that is computed from it lies exactly in the plane. Spatial shapes may be anywhere. */
-        bool putInPlace(Eigen::Isometry3d &pose) const;
+        bool snapToPlane(Eigen::Isometry3d &pose) const;
 
         /** \brief The smallest box along the axes of the shape's frame that contains the shape */
         Eigen::AlignedBox3d getBounds() const;

@@ -85,7 +85,7 @@ namespace ompl_certificates
         /** \brief The number of states */
         std::size_t size() const
         {
-            return places_.size();
+            return slots_.size();
         }
 
         /** \brief Remove all states */
@@ -98,7 +98,7 @@ namespace ompl_certificates
         struct Leaf;
         struct Search;
 
-        struct Place
+        struct Slot
         {
             Leaf *leaf;
             std::uint32_t position;
@@ -137,7 +137,7 @@ namespace ompl_certificates
         /** The box of what is, or was, in node i: a row of low coordinates, then one of high ones */
         std::vector<float> boxes_;
         std::vector<std::unique_ptr<Leaf>> leaves_;
-        std::deque<Place> places_;
+        std::deque<Slot> slots_;
         /** The states' own coordinates */
         std::vector<std::unique_ptr<double[]>> blocks_;
         bool exact_;

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_OBSTACLES_FCL_OBSTACLES_
 #define OMPL_CERTIFICATES_OBSTACLES_FCL_OBSTACLES_
 
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <fcl/narrowphase/collision_object.h>
@@ -28,12 +28,12 @@ namespace ompl_certificates
     {
     public:
         /** \brief Obstacles in a workspace of \e dimension 2 or 3, possibly none
-            \param heights in the plane: how far up and down the robots reach, which TeamStateSpace::getHeights() tells; what
+            \param zInterval in the plane: how far up and down the robots reach, which TeamStateSpace::getZInterval() tells; what
             planar meshes have above or below does not count then. Checkers refuse robots that reach farther; primitives
             reach through all heights.
             \throws ompl::Exception if one has another dimension or a pose that is not finite, or if one in the plane is
             tilted or, being no mesh, not at z = 0 */
-        FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const Heights &heights = {});
+        FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const ZInterval &zInterval = {});
 
         /** \brief Obstacles from the collision objects of an FCL program: spheres, boxes, capsules, cylinders, convex
             polytopes and meshes (fcl::BVHModel of OBBRSS or OBB) at their present poses.
@@ -43,7 +43,7 @@ namespace ompl_certificates
             and are taken as they are.
             \throws ompl::Exception if an object is null, of another kind, or not upright where it must be */
         explicit FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
-                              unsigned int dimension = 3, const Heights &heights = {});
+                              unsigned int dimension = 3, const ZInterval &zInterval = {});
 
         ~FclObstacles() override;
 
@@ -52,9 +52,9 @@ namespace ompl_certificates
             return dimension_;
         }
 
-        Heights getHeights() const override
+        ZInterval getZInterval() const override
         {
-            return heights_;
+            return zInterval_;
         }
 
         bool collides(const Body &body, const Pose &pose) const override;
@@ -91,7 +91,7 @@ namespace ompl_certificates
 
     private:
         unsigned int dimension_;
-        Heights heights_;
+        ZInterval zInterval_;
         std::vector<PlacedBody> bodies_;
 
         std::unique_ptr<ClearanceTree> primitives_;

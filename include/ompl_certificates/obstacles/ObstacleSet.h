@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_OBSTACLES_OBSTACLE_SET_
 #define OMPL_CERTIFICATES_OBSTACLES_OBSTACLE_SET_
 
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/obstacles/ObstacleChange.h"
 
 #include <map>
@@ -27,9 +27,9 @@ namespace ompl_certificates
         using Id = std::uint64_t;
 
         /** \brief No obstacles yet, in a workspace of \e dimension 2 or 3
-            \param heights see FclObstacles::FclObstacles()
+            \param zInterval see FclObstacles::FclObstacles()
             \throws ompl::Exception for another dimension */
-        explicit ObstacleSet(unsigned int dimension, const Heights &heights = {});
+        explicit ObstacleSet(unsigned int dimension, const ZInterval &zInterval = {});
 
         /** \brief Add an obstacle
             \throws ompl::Exception if FclObstacles would not take it */
@@ -58,7 +58,7 @@ namespace ompl_certificates
         ObstaclesPtr make(const std::vector<PlacedBody> &obstacles) const;
 
         unsigned int dimension_;
-        Heights heights_;
+        ZInterval zInterval_;
         Id next_{0};
 
         /** \brief The obstacles now, and when the last change was taken */

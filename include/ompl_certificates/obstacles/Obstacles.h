@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_OBSTACLES_OBSTACLES_
 
 #include "ompl_certificates/geometry/Body.h"
-#include "ompl_certificates/geometry/Heights.h"
+#include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/geometry/Pose.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ namespace ompl_certificates
         virtual unsigned int getDimension() const = 0;
 
         /** \brief In the plane: how far up and down bodies may reach that these obstacles are asked about */
-        virtual Heights getHeights() const
+        virtual ZInterval getZInterval() const
         {
             return {};
         }

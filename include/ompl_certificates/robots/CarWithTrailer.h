@@ -24,8 +24,8 @@ namespace ompl_certificates
 
         void computePoses(const ompl::base::State *state, Pose *poses) const override;
 
-        void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,
-                                 TravelBound *bounds) const override;
+        void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                 MotionBound *bounds) const override;
 
     private:
         double hitchLength_;

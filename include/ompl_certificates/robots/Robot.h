@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_ROBOTS_ROBOT_
 
 #include "ompl_certificates/geometry/Body.h"
-#include "ompl_certificates/geometry/TravelBound.h"
+#include "ompl_certificates/geometry/MotionBound.h"
 
 #include <memory>
 #include <ompl/base/StateSpace.h>
@@ -61,8 +61,8 @@ namespace ompl_certificates
 
         /** \brief Write how far each body can travel along the space's interpolation from \e from to \e to: one bound
             per body, to \e bounds[0], … A bound may be too large, which costs time, but never too small. */
-        virtual void computeTravelBounds(const ompl::base::State *from, const ompl::base::State *to,
-                                         TravelBound *bounds) const = 0;
+        virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                         MotionBound *bounds) const = 0;
 
     private:
         std::string name_;

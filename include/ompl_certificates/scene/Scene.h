@@ -114,11 +114,11 @@ namespace ompl_certificates
         /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots. */
         TeamStateSpacePtr makeTeam() const;
 
-        /** \brief How far up and down the robots of a planar scene reach; see Body::getHeights(). All heights if there is
+        /** \brief How far up and down the robots of a planar scene reach; see Body::getZInterval(). All heights if there is
             no robot, or one of primitives. */
-        Heights getHeights() const;
+        ZInterval getZInterval() const;
 
-        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getHeights() reaches
+        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getZInterval() reaches
             */
         std::shared_ptr<FclObstacles> makeObstacles() const;
 

@@ -103,8 +103,8 @@ namespace ompl_certificates
         /** \brief The dimension of the team's workspace: 2 or 3; 0 while there is no robot */
         unsigned int getWorkspaceDimension() const;
 
-        /** \brief The heights that the robots' bodies reach from and to, for planar teams of meshes; see Body::getHeights() */
-        Heights getHeights() const;
+        /** \brief The heights that the robots' bodies reach from and to, for planar teams of meshes; see Body::getZInterval() */
+        ZInterval getZInterval() const;
 
         /** \brief Forget the certificate references of \e state */
         void clearReferences(const ompl::base::State *state) const;

@@ -86,10 +86,10 @@ namespace ompl_certificates
         struct Motion
         {
             /** \brief How fast all bodies of the team move, or null if they do not move */
-            const TravelBound *travel{nullptr};
+            const MotionBound *travel{nullptr};
 
-            /** \brief For how long robots must be proved free to count as free, or 0; see PoseQuery::provedReach */
-            double provedReach{0.0};
+            /** \brief For how long robots must be proved free to count as free, or 0; see PoseQuery::requiredInterval */
+            double requiredInterval{0.0};
 
             /** \brief How many samples a proof for all of the motion probably spares, if this one lies between free ends;
                 else 0 */
@@ -123,8 +123,8 @@ namespace ompl_certificates
                                         CertificateIndex *references, CheckCounts &counts) const = 0;
 
         /** \brief For how long the certificates referred to prove a group free; 0 if they do not. Looks no further. */
-        virtual double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
-                                         const CertificateIndex *references) const = 0;
+        virtual double intervalOfReferences(unsigned int group, const Pose *poses, const MotionBound *travel,
+                                            const CertificateIndex *references) const = 0;
 
     protected:
         /** \brief What a body is asked of its environment; \e body counts within the robot */
@@ -132,7 +132,7 @@ namespace ompl_certificates
         {
             const std::size_t index = getFirstBody(robot) + body;
             return {team_.getRobot(robot).getBodies()[body], poses[index],
-                    motion.travel ? motion.travel + index : nullptr, motion.provedReach, motion.samplesAhead};
+                    motion.travel ? motion.travel + index : nullptr, motion.requiredInterval, motion.samplesAhead};
         }
 
     private:

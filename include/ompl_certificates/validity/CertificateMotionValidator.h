@@ -11,7 +11,7 @@ namespace ompl_certificates
     class MotionScratchPool;
     struct MotionScratch;
 
-    /** \brief Checks motions by certified stretches: where a clearance proves a robot free for a while, the samples in that
+    /** \brief Checks motions by certified intervals: where a clearance proves a robot free for a while, the samples in that
         while are skipped.
 
         In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator.

@@ -30,8 +30,8 @@ namespace ompl_certificates
         PoseVerdict settleGroup(unsigned int group, const Pose *poses, const Motion &motion,
                                 CertificateIndex *references, CheckCounts &counts) const override;
 
-        double reachOfReferences(unsigned int group, const Pose *poses, const TravelBound *travel,
-                                 const CertificateIndex *references) const override;
+        double intervalOfReferences(unsigned int group, const Pose *poses, const MotionBound *travel,
+                                    const CertificateIndex *references) const override;
 
     protected:
         /** \brief A checker with one tree of certificates for all robots, if they \e share it, or else one for each */

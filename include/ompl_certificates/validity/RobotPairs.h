@@ -49,15 +49,15 @@ namespace ompl_certificates
                      CheckCounts &counts) const;
 
         /** \brief Like collide(), by clearances and certificates where possible, and for how long the two stay apart
-            \param firstTravel how fast the first robot's bodies move
-            \param secondTravel how fast the second robot's bodies move
-            \param provedReach if positive, the two are taken to be apart only if that is proved for this long */
-        PoseVerdict settle(unsigned int pair, const Pose *first, const Pose *second, const TravelBound *firstTravel,
-                           const TravelBound *secondTravel, double provedReach, CheckCounts &counts) const;
+            \param firstBounds how fast the first robot's bodies move
+            \param secondBounds how fast the second robot's bodies move
+            \param requiredInterval if positive, the two are taken to be apart only if that is proved for this long */
+        PoseVerdict settle(unsigned int pair, const Pose *first, const Pose *second, const MotionBound *firstBounds,
+                           const MotionBound *secondBounds, double requiredInterval, CheckCounts &counts) const;
 
         /** \brief For how long the two robots of a pair stay apart, judged by their enclosing balls alone; 0 if those touch */
-        double reachOfEnclosingBalls(unsigned int pair, const Pose *first, const Pose *second,
-                                     const TravelBound *firstTravel, const TravelBound *secondTravel) const;
+        double intervalOfEnclosingBalls(unsigned int pair, const Pose *first, const Pose *second,
+                                        const MotionBound *firstBounds, const MotionBound *secondBounds) const;
 
         /** \brief A lower bound of the distance between the two robots of a pair, to within the accuracy of their covers;
             negative if they may touch */

@@ -16,9 +16,9 @@ namespace ompl_certificates
 {
     /** \brief Try whether \e robot keeps what Robot asks of it, along random motions between states of its space:
 
-        - computePoses() and computeTravelBounds() write one finite pose and one bound for each body;
+        - computePoses() and computeMotionBounds() write one finite pose and one bound for each body;
         - a pose is a rotation and a translation, and those of a planar robot stay in the plane;
-        - no point within a body's bounding radius travels farther, in any stretch of the motion, than its bound says.
+        - no point within a body's bounding radius travels farther, in any interval of the motion, than its bound says.
 
         \param robot the robot; its space is set up
         \param motions how many motions to try; some 10 µs each for a rigid robot

@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_GEOMETRY_COVER_BUILDER_
-#define OMPL_CERTIFICATES_GEOMETRY_COVER_BUILDER_
+#ifndef OMPL_CERTIFICATES_GEOMETRY_SPHERE_TREE_BUILDER_
+#define OMPL_CERTIFICATES_GEOMETRY_SPHERE_TREE_BUILDER_
 
 #include "ompl_certificates/geometry/Body.h"
 
@@ -7,10 +7,10 @@ namespace ompl_certificates
 {
     /** \brief Balls that contain \e parts, as a tree: pieces of every shape, halved across their longest extent until
         their balls are an eighth of the shape's own or fit their piece tightly. Takes well under a millisecond. */
-    Cover buildCover(const std::vector<Body::Part> &parts);
+    SphereTree buildSphereTree(const std::vector<Body::Part> &parts);
 
     /** \brief A few large balls inside \e parts, the largest first: the largest ones about the centers of \e cover */
-    std::vector<Ball> buildCore(const std::vector<Body::Part> &parts, const Cover &cover);
+    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &cover);
 
     /** \brief Signed distance of \e point to the nearest of \e parts */
     double signedDistance(const std::vector<Body::Part> &parts, const Eigen::Vector3d &point);

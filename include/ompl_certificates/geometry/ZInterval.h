@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_GEOMETRY_HEIGHTS_
-#define OMPL_CERTIFICATES_GEOMETRY_HEIGHTS_
+#ifndef OMPL_CERTIFICATES_GEOMETRY_Z_INTERVAL_
+#define OMPL_CERTIFICATES_GEOMETRY_Z_INTERVAL_
 
 #include <algorithm>
 #include <limits>
@@ -7,25 +7,25 @@
 namespace ompl_certificates
 {
     /** \brief A range of z, in the scene's length unit: how far up and down a planar body reaches. All heights by default. */
-    struct Heights
+    struct ZInterval
     {
         double low{-std::numeric_limits<double>::infinity()};
         double high{std::numeric_limits<double>::infinity()};
 
         /** \brief The smallest range that contains both */
-        Heights unitedWith(const Heights &other) const
+        ZInterval unitedWith(const ZInterval &other) const
         {
             return {std::min(low, other.low), std::max(high, other.high)};
         }
 
         /** \brief Whether \e other is within this range */
-        bool contain(const Heights &other) const
+        bool contain(const ZInterval &other) const
         {
             return low <= other.low && other.high <= high;
         }
 
         /** \brief What both have in common; low > high if nothing */
-        Heights intersectedWith(const Heights &other) const
+        ZInterval intersectedWith(const ZInterval &other) const
         {
             return {std::max(low, other.low), std::min(high, other.high)};
         }

@@ -1,11 +1,11 @@
-#ifndef OMPL_CERTIFICATES_GEOMETRY_TRAVEL_BOUND_
-#define OMPL_CERTIFICATES_GEOMETRY_TRAVEL_BOUND_
+#ifndef OMPL_CERTIFICATES_GEOMETRY_MOTION_BOUND_
+#define OMPL_CERTIFICATES_GEOMETRY_MOTION_BOUND_
 
 namespace ompl_certificates
 {
     /** \brief The motion bound of a body along a motion whose time runs from 0 to 1: a point at distance d from the origin
-        of the body's frame travels at most (linear + angular * d) * dt in any stretch of length dt. */
-    struct TravelBound
+        of the body's frame travels at most (linear + angular * d) * dt in any interval of length dt. */
+    struct MotionBound
     {
         double linear{0.0};
         double angular{0.0};

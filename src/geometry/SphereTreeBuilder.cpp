@@ -1,4 +1,4 @@
-#include "CoverBuilder.h"
+#include "SphereTreeBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace ompl_certificates
         /** ... or no more than this much larger than the rounding of its piece, as a capsule's. */
         constexpr double TIGHT = 1.05;
 
-        constexpr unsigned int MAX_DEPTH = Cover::MOST_LEVELS - 2;
+        constexpr unsigned int MAX_DEPTH = SphereTree::MOST_LEVELS - 2;
 
-        constexpr std::size_t CORE_BALLS = 8;
+        constexpr std::size_t INNER_SPHERES = 8;
 
         /** A convex piece of a shape: the outlines of its faces (or its one outline in the plane, its two ends for a
         segment), enlarged by a rounding. Or a piece of a mesh: the outlines of pieces of its triangles. */
@@ -170,7 +170,7 @@ namespace ompl_certificates
             return ball;
         }
 
-        void addChildren(std::vector<Cover::Node> &nodes, std::size_t parent, const Piece &piece, const Pose &pose,
+        void addChildren(std::vector<SphereTree::Node> &nodes, std::size_t parent, const Piece &piece, const Pose &pose,
                          double smallest, unsigned int depth)
         {
             const double radius = nodes[parent].ball.radius;
@@ -194,9 +194,9 @@ namespace ompl_certificates
         }
     }
 
-    Cover buildCover(const std::vector<Body::Part> &parts)
+    SphereTree buildSphereTree(const std::vector<Body::Part> &parts)
     {
-        std::vector<Cover::Node> nodes(1);
+        std::vector<SphereTree::Node> nodes(1);
         std::vector<Piece> pieces;
         std::vector<Eigen::Vector3d> extremes;
         double rounding = 0.0;
@@ -211,7 +211,7 @@ namespace ompl_certificates
         {
             nodes[0].ball = ballAround(pieces[0], coverPose(parts[0]));
             addChildren(nodes, 0, pieces[0], coverPose(parts[0]), LEAF_RADIUS * nodes[0].ball.radius, 0);
-            return Cover(std::move(nodes));
+            return SphereTree(std::move(nodes));
         }
         nodes[0].ball = enclosingBall(extremes, rounding);
         nodes[0].firstChild = 1;
@@ -220,7 +220,7 @@ namespace ompl_certificates
             nodes.push_back({ballAround(pieces[i], coverPose(parts[i])), 0, 0});
         for (std::size_t i = 0; i < parts.size(); ++i)
             addChildren(nodes, 1 + i, pieces[i], coverPose(parts[i]), LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
-        return Cover(std::move(nodes));
+        return SphereTree(std::move(nodes));
     }
 
     double signedDistance(const std::vector<Body::Part> &parts, const Eigen::Vector3d &point)
@@ -231,7 +231,7 @@ namespace ompl_certificates
         return nearest;
     }
 
-    std::vector<Ball> buildCore(const std::vector<Body::Part> &parts, const Cover &cover)
+    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &cover)
     {
         std::vector<Ball> candidates;
         const auto addBallAbout = [&](const Eigen::Vector3d &center)
@@ -261,7 +261,7 @@ namespace ompl_certificates
             // A ball whose center an earlier, larger one holds adds little.
             const auto holds = [&ball](const Ball &other)
             { return (other.center - ball.center).norm() < 0.5 * other.radius || other.center == ball.center; };
-            if (core.size() < CORE_BALLS && std::none_of(core.begin(), core.end(), holds))
+            if (core.size() < INNER_SPHERES && std::none_of(core.begin(), core.end(), holds))
                 core.push_back(ball);
         }
         return core;

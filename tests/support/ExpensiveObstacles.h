@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
-#define OMPL_CERTIFICATES_TESTS_SUPPORT_DEAR_OBSTACLES_
+#ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_EXPENSIVE_OBSTACLES_
+#define OMPL_CERTIFICATES_TESTS_SUPPORT_EXPENSIVE_OBSTACLES_
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -8,7 +8,7 @@ namespace ompl_certificates
     namespace test
     {
         /** \brief Few obstacles that are treated like many, so that certificates are searched for at every chance */
-        class DearObstacles : public FclObstacles
+        class ExpensiveObstacles : public FclObstacles
         {
         public:
             using FclObstacles::FclObstacles;

@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_GEOMETRY_COVER_
-#define OMPL_CERTIFICATES_GEOMETRY_COVER_
+#ifndef OMPL_CERTIFICATES_GEOMETRY_SPHERE_TREE_
+#define OMPL_CERTIFICATES_GEOMETRY_SPHERE_TREE_
 
 #include "ompl_certificates/geometry/Ball.h"
 
@@ -14,7 +14,7 @@ namespace ompl_certificates
         The root alone contains the whole body. The children of a node together contain the part of the body that the
         node stands for, so any set of nodes that cuts every path from the root to a leaf covers the body. A few coarse
         balls settle most poses; finer ones are looked at only where a coarse one is not certified. */
-    class Cover
+    class SphereTree
     {
     public:
         /** \brief A ball and its children, which stand next to each other */
@@ -29,7 +29,7 @@ namespace ompl_certificates
         static constexpr std::size_t MOST_LEVELS = 9;
 
         /** \brief Takes over \e nodes; the first is the root, and children come after their parent. */
-        explicit Cover(std::vector<Node> nodes) : nodes_(std::move(nodes))
+        explicit SphereTree(std::vector<Node> nodes) : nodes_(std::move(nodes))
         {
         }
 

@@ -8,9 +8,9 @@ using namespace ompl_certificates::test;
 namespace
 {
     /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
-    void cut(Random &random, const Cover &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    void cut(Random &random, const SphereTree &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
     {
-        const Cover::Node &node = cover.getNodes()[index];
+        const SphereTree::Node &node = cover.getNodes()[index];
         if (node.childCount == 0 || random.chance(wholeChance))
             balls.push_back(node.ball);
         else
@@ -27,11 +27,11 @@ namespace
     }
 }
 
-class MeshCover : public testing::TestWithParam<unsigned int>
+class MeshSphereTree : public testing::TestWithParam<unsigned int>
 {
 };
 
-TEST_P(MeshCover, ContainsEveryTriangleAtEveryCut)
+TEST_P(MeshSphereTree, ContainsEveryTriangleAtEveryCut)
 {
     for (unsigned int seed = 0; seed < scaled(300); ++seed)
     {
@@ -42,7 +42,7 @@ TEST_P(MeshCover, ContainsEveryTriangleAtEveryCut)
         for (const double wholeChance : {1.0, 0.0, 0.2, 0.5})
         {
             std::vector<Ball> balls;
-            cut(random, body.getCover(), 0, wholeChance, balls);
+            cut(random, body.getSphereTree(), 0, wholeChance, balls);
             for (const Ball &ball : balls)
                 if (GetParam() == 2)
                 {
@@ -64,4 +64,4 @@ TEST_P(MeshCover, ContainsEveryTriangleAtEveryCut)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimension, MeshCover, testing::Values(2U, 3U));
+INSTANTIATE_TEST_SUITE_P(Dimension, MeshSphereTree, testing::Values(2U, 3U));

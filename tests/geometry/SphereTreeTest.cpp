@@ -8,9 +8,9 @@ using namespace ompl_certificates::test;
 namespace
 {
     /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
-    void cut(Random &random, const Cover &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    void cut(Random &random, const SphereTree &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
     {
-        const Cover::Node &node = cover.getNodes()[index];
+        const SphereTree::Node &node = cover.getNodes()[index];
         if (node.childCount == 0 || random.chance(wholeChance))
             balls.push_back(node.ball);
         else
@@ -54,7 +54,7 @@ TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
             for (const double wholeChance : {1.0, 0.0, 0.2, 0.5})
             {
                 std::vector<Ball> balls;
-                cut(random, body.getCover(), 0, wholeChance, balls);
+                cut(random, body.getSphereTree(), 0, wholeChance, balls);
                 for (int i = 0; i < 60; ++i)
                 {
                     const Eigen::Vector3d point = pointOf(random, body);
@@ -69,8 +69,8 @@ TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
     forMany(
         [](Random &random, const Body &body, double size)
         {
-            ASSERT_FALSE(body.getCore().empty());
-            for (const Ball &ball : body.getCore())
+            ASSERT_FALSE(body.getInnerSpheres().empty());
+            for (const Ball &ball : body.getInnerSpheres())
                 for (int i = 0; i < 30; ++i)
                 {
                     const Eigen::Vector3d point = ball.center + ball.radius * random.direction(body.getDimension());
@@ -84,8 +84,8 @@ TEST_P(BodyBalls, OfTheCoreAreSorted)
     forMany(
         [](Random &, const Body &body, double)
         {
-            for (std::size_t i = 1; i < body.getCore().size(); ++i)
-                ASSERT_GE(body.getCore()[i - 1].radius, body.getCore()[i].radius);
+            for (std::size_t i = 1; i < body.getInnerSpheres().size(); ++i)
+                ASSERT_GE(body.getInnerSpheres()[i - 1].radius, body.getInnerSpheres()[i].radius);
         });
 }
 
@@ -94,7 +94,7 @@ TEST_P(BodyBalls, HaveChildrenBehindTheirParentAndEachOnce)
     forMany(
         [](Random &, const Body &body, double)
         {
-            const auto &nodes = body.getCover().getNodes();
+            const auto &nodes = body.getSphereTree().getNodes();
             std::vector<int> parents(nodes.size(), 0);
             for (std::size_t i = 0; i < nodes.size(); ++i)
                 for (std::uint32_t child = 0; child < nodes[i].childCount; ++child)
@@ -110,30 +110,30 @@ TEST_P(BodyBalls, HaveChildrenBehindTheirParentAndEachOnce)
 
 INSTANTIATE_TEST_SUITE_P(Dimension, BodyBalls, testing::Values(2U, 3U));
 
-TEST(Cover, OfABallIsTheBall)
+TEST(SphereTree, OfABallIsTheBall)
 {
     for (const Body &body : {Body::disc(0.7), Body::sphere(0.7), Body::disc(0.0)})
     {
-        ASSERT_EQ(body.getCover().getNodes().size(), 1U);
-        ASSERT_EQ(body.getCore().size(), 1U);
-        EXPECT_NEAR(body.getCover().getRoot().radius, body.getReach(), 1e-12);
-        EXPECT_EQ(body.getCore().front().radius, body.getReach());
-        EXPECT_EQ(body.getCover().getRoot().center, Eigen::Vector3d::Zero());
+        ASSERT_EQ(body.getSphereTree().getNodes().size(), 1U);
+        ASSERT_EQ(body.getInnerSpheres().size(), 1U);
+        EXPECT_NEAR(body.getSphereTree().getRoot().radius, body.getBoundingRadius(), 1e-12);
+        EXPECT_EQ(body.getInnerSpheres().front().radius, body.getBoundingRadius());
+        EXPECT_EQ(body.getSphereTree().getRoot().center, Eigen::Vector3d::Zero());
     }
 }
 
-TEST(Cover, RefinesABoxToAnEighthOfItsRadius)
+TEST(SphereTree, RefinesABoxToAnEighthOfItsRadius)
 {
     const Body body = Body::box(1.0, 1.0);
-    double finest = body.getReach();
-    for (const auto &node : body.getCover().getNodes())
+    double finest = body.getBoundingRadius();
+    for (const auto &node : body.getSphereTree().getNodes())
         if (node.childCount == 0)
             finest = std::min(finest, node.ball.radius);
-    EXPECT_NEAR(body.getCover().getRoot().radius, std::sqrt(0.5), 1e-9);
+    EXPECT_NEAR(body.getSphereTree().getRoot().radius, std::sqrt(0.5), 1e-9);
     EXPECT_LE(finest, 0.13 * std::sqrt(0.5));
 }
 
-TEST(Cover, EnclosingBallIsNearlyTheSmallest)
+TEST(SphereTree, EnclosingBallIsNearlyTheSmallest)
 {
     for (unsigned int seed = 0; seed < scaled(200); ++seed)
     {

@@ -48,11 +48,12 @@ namespace
     }
 
     /** Checks that no probe travels further than the bounds allow between any two of many times. */
-    void checkTravel(Random &random, const Robot &robot, const ob::ScopedState<> &from, const ob::ScopedState<> &to)
+    void checkMotionBounds(Random &random, const Robot &robot, const ob::ScopedState<> &from,
+                           const ob::ScopedState<> &to)
     {
         const auto &space = robot.getStateSpace();
-        std::vector<TravelBound> bounds(robot.getBodies().size());
-        robot.computeTravelBounds(from.get(), to.get(), bounds.data());
+        std::vector<MotionBound> bounds(robot.getBodies().size());
+        robot.computeMotionBounds(from.get(), to.get(), bounds.data());
         std::vector<Eigen::Vector3d> offsets{Eigen::Vector3d::Zero()};
         for (int i = 0; i < 4; ++i)
             offsets.push_back(random.point(robot.getWorkspaceDimension(), 2.0));
@@ -90,7 +91,7 @@ namespace
     }
 }
 
-TEST(TravelBounds, HoldForAllRobotsBetweenAnyTwoTimes)
+TEST(MotionBounds, HoldForAllRobotsBetweenAnyTwoTimes)
 {
     for (unsigned int seed = 0; seed < scaled(2000); ++seed)
     {
@@ -98,15 +99,15 @@ TEST(TravelBounds, HoldForAllRobotsBetweenAnyTwoTimes)
         Random random(seed);
         const RobotPtr robot = randomRobot(random);
         const auto from = randomState(random, robot->getStateSpace());
-        checkTravel(random, *robot, from, randomState(random, robot->getStateSpace()));
-        checkTravel(random, *robot, from, randomStateNear(random, from, random.logUniform(1e-9, 1.0)));
-        checkTravel(random, *robot, from, from);
+        checkMotionBounds(random, *robot, from, randomState(random, robot->getStateSpace()));
+        checkMotionBounds(random, *robot, from, randomStateNear(random, from, random.logUniform(1e-9, 1.0)));
+        checkMotionBounds(random, *robot, from, from);
         if (HasFailure())
             return;
     }
 }
 
-TEST(TravelBounds, HoldWhereAnglesWrapAround)
+TEST(MotionBounds, HoldWhereAnglesWrapAround)
 {
     const RobotPtr robot = RigidRobot::inSE2("r", Body::box(1.0, 1.0), cubeBounds(2, 3.0));
     Random random(1);
@@ -119,14 +120,14 @@ TEST(TravelBounds, HoldWhereAnglesWrapAround)
             to->setXY(0.5, 0.0);
             from->setYaw(a);
             to->setYaw(b);
-            checkTravel(random, *robot, ob::ScopedState<>(from), ob::ScopedState<>(to));
-            TravelBound bound;
-            robot->computeTravelBounds(from.get(), to.get(), &bound);
+            checkMotionBounds(random, *robot, ob::ScopedState<>(from), ob::ScopedState<>(to));
+            MotionBound bound;
+            robot->computeMotionBounds(from.get(), to.get(), &bound);
             EXPECT_LE(bound.angular, M_PI) << "the longer way round";
         }
 }
 
-TEST(TravelBounds, HoldForRotationsFromNearlyNoneToHalfATurn)
+TEST(MotionBounds, HoldForRotationsFromNearlyNoneToHalfATurn)
 {
     const RobotPtr robot = RigidRobot::inSE3("r", Body::box(1.0, 1.0, 1.0), cubeBounds(3, 3.0));
     for (unsigned int seed = 0; seed < scaled(1000); ++seed)
@@ -140,20 +141,21 @@ TEST(TravelBounds, HoldForRotationsFromNearlyNoneToHalfATurn)
             end.coeffs() *= -1.0;  // the same rotation
         // OMPL takes quaternions of nearly unit length.
         end.coeffs() *= 1.0 + random.uniform(-5e-10, 5e-10);
-        checkTravel(random, *robot, se3State(robot->getStateSpace(), start), se3State(robot->getStateSpace(), end));
+        checkMotionBounds(random, *robot, se3State(robot->getStateSpace(), start),
+                          se3State(robot->getStateSpace(), end));
         if (HasFailure())
             return;
     }
 }
 
-TEST(TravelBounds, AreNotWastefulForRigidRobots)
+TEST(MotionBounds, AreNotWastefulForRigidRobots)
 {
     const RobotPtr robot = RigidRobot::inSE3("r", Body::box(1.0, 1.0, 1.0), cubeBounds(3, 3.0));
     const auto from = se3State(robot->getStateSpace(), Eigen::Quaterniond::Identity());
     auto to = se3State(robot->getStateSpace(), Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ())));
     to->as<ob::SE3StateSpace::StateType>()->setXYZ(1.0, 2.0, 2.0);
-    TravelBound bound;
-    robot->computeTravelBounds(from.get(), to.get(), &bound);
+    MotionBound bound;
+    robot->computeMotionBounds(from.get(), to.get(), &bound);
     EXPECT_NEAR(bound.linear, 3.0, 1e-9);
     EXPECT_NEAR(bound.angular, 1.0, 1e-5);
     EXPECT_NEAR(bound.at(2.0), 5.0, 1e-4);
