@@ -1,5 +1,7 @@
 #include "ompl_certificates/certificates/CertificateTree.h"
 
+#include "CertificateLimit.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 #include "ompl_certificates/certificates/CheckCounts.h"
-#include "ompl_certificates/certificates/PoseQuery.h"
+#include "PoseQuery.h"
 #include "ompl_certificates/obstacles/ObstacleChange.h"
 
 #include <algorithm>

@@ -75,13 +75,19 @@ namespace ompl_certificates
         return obstacles.collides(body, pose);
     }
 
-    /** \brief Whether a body collides, by the fastest check that remembers nothing: the contact test where it pays, then
-        the exact check */
+    /** \brief Whether a body collides, by a check that remembers nothing: the contact test where it pays, then the exact
+        check. A pose that is not finite collides.
+        \param policy whether the contact test pays; the exact check alone if null
+        \param by set to what has settled it; as it was if the pose is not finite */
     inline bool collidesWithoutMemory(const Obstacles &obstacles, const Body &body, const Pose &pose,
-                                      SwitchingPolicy &policy, SettledBy &by, CheckCounts &counts)
+                                      SwitchingPolicy *policy, SettledBy &by, CheckCounts &counts)
     {
-        TimedSettling settling(policy, SwitchingPolicy::WITHOUT_CLEARANCES);
+        if (!isFinite(pose))
+            return true;
         ObstaclePart hit;
+        if (!policy)
+            return collides(obstacles, body, pose, false, by, hit, counts);
+        TimedSettling settling(*policy, SwitchingPolicy::WITHOUT_CLEARANCES);
         const bool collide = collides(obstacles, body, pose, settling.getWay().contact, by, hit, counts);
         settling.noteExact();
         return collide;

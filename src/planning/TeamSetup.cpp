@@ -1,10 +1,6 @@
 #include "ompl_certificates/planning/TeamSetup.h"
 
 #include "ompl_certificates/team/TeamPathLength.h"
-#include "ompl_certificates/validity/Basic.h"
-#include "ompl_certificates/validity/Partial.h"
-#include "ompl_certificates/validity/SharedProjection.h"
-#include "ompl_certificates/validity/ExactMotionValidator.h"
 
 #include <functional>
 #include <ompl/util/Console.h>
@@ -16,74 +12,12 @@ namespace ompl_certificates
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
 
-    const std::vector<Method> &allMethods()
-    {
-        static const std::vector<Method> methods{Method::FCL, Method::STANDARD, Method::BASIC, Method::PARTIAL,
-                                                 Method::SHARED_PROJECTION};
-        return methods;
-    }
-
-    std::string nameOf(Method method)
-    {
-        switch (method)
-        {
-            case Method::FCL:
-                return "fcl";
-            case Method::STANDARD:
-                return "standard";
-            case Method::BASIC:
-                return "basic";
-            case Method::PARTIAL:
-                return "partial";
-            case Method::SHARED_PROJECTION:
-                return "shared";
-        }
-        throw ompl::Exception("Unknown method");
-    }
-
-    Method methodOf(const std::string &name)
-    {
-        std::string known;
-        for (const Method method : allMethods())
-        {
-            if (nameOf(method) == name)
-                return method;
-            known += (known.empty() ? "" : ", ") + nameOf(method);
-        }
-        throw ompl::Exception("There is no method '" + name + "'; the methods are " + known);
-    }
-
     TeamSetup::TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                          CertificateMotionValidator::Mode mode)
-      : SimpleSetup(team)
+      : SimpleSetup(team), checker_(std::make_shared<TeamValidityChecker>(si_, obstacles, method))
     {
-        const auto use = [this, mode](const auto &checker)
-        {
-            checker_ = checker;
-            si_->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker, mode));
-        };
-        switch (method)
-        {
-            case Method::FCL:
-            case Method::STANDARD:
-                if (mode == CertificateMotionValidator::CONTINUOUS)
-                    throw ompl::Exception("The method " + nameOf(method) +
-                                          " makes no certificates and so cannot check motions continuously");
-                checker_ = std::make_shared<TeamValidityChecker>(
-                    si_, obstacles, method == Method::FCL ? ExactCheck::FCL : ExactCheck::CONTACT_TEST_THEN_FCL);
-                si_->setMotionValidator(std::make_shared<ExactMotionValidator>(checker_));
-                break;
-            case Method::BASIC:
-                use(std::make_shared<Basic>(si_, obstacles));
-                break;
-            case Method::PARTIAL:
-                use(std::make_shared<Partial>(si_, obstacles));
-                break;
-            case Method::SHARED_PROJECTION:
-                use(std::make_shared<SharedProjection>(si_, obstacles));
-                break;
-        }
         setStateValidityChecker(checker_);
+        si_->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker_, mode));
     }
 
     void TeamSetup::simplifySolution(double duration)

@@ -158,13 +158,10 @@ namespace ompl_certificates
                     throw ompl::Exception(source_, describe(i) + " touches " +
                                                        describeObstacle(robot.getBodies()[k], poses[i][k]));
         }
-        const RobotPairs pairs(*team);
-        CheckCounts counts;
-        for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
-        {
-            const unsigned int first = pairs.getFirst(pair), second = pairs.getSecond(pair);
-            if (pairs.collide(pair, poses[first].data(), poses[second].data(), true, counts))
-                throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap");
-        }
+        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::FCL);
+        for (unsigned int first = 0; first < team->getRobotCount(); ++first)
+            for (unsigned int second = first + 1; second < team->getRobotCount(); ++second)
+                if (!checker.isPairFree(first, teamState->components[first], second, teamState->components[second]))
+                    throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap");
     }
 }

@@ -76,6 +76,7 @@ namespace ompl_certificates
                                                  "' must be finite and not negative, not " + std::to_string(weight));
         addSubspace(robot->getStateSpace(), weight);
         robots_.push_back(robot);
+        bodyCount_ += robot->getBodies().size();
         vectors_.push_back(vectorDimension(*robot->getStateSpace()));
         vectorSum_ += vectors_.back();
     }
@@ -85,15 +86,20 @@ namespace ompl_certificates
         return robots_.empty() ? 0 : robots_.front()->getWorkspaceDimension();
     }
 
-    ZInterval TeamStateSpace::getZInterval() const
+    ZInterval zIntervalOf(const std::vector<RobotPtr> &robots)
     {
-        if (robots_.empty())
+        if (robots.empty())
             return {};
-        ZInterval zInterval = robots_.front()->getBodies().front().getZInterval();
-        for (const RobotPtr &robot : robots_)
+        ZInterval zInterval = robots.front()->getBodies().front().getZInterval();
+        for (const RobotPtr &robot : robots)
             for (const Body &body : robot->getBodies())
                 zInterval = zInterval.unitedWith(body.getZInterval());
         return zInterval;
+    }
+
+    ZInterval TeamStateSpace::getZInterval() const
+    {
+        return zIntervalOf(robots_);
     }
 
     TeamStateSpace::Composition TeamStateSpace::getComposition() const
@@ -140,14 +146,14 @@ namespace ompl_certificates
 
     void TeamStateSpace::copyReferences(const StateType *destination, const StateType *source) const
     {
-        for (unsigned int i = 0; i < componentCount_; ++i)
-            destination->setReference(i, source->getReference(i));
+        for (std::size_t body = 0; body < bodyCount_; ++body)
+            destination->setReference(body, source->getReference(body));
     }
 
     void TeamStateSpace::clearReferences(const ob::State *state) const
     {
-        for (unsigned int i = 0; i < componentCount_; ++i)
-            state->as<StateType>()->setReference(i, NO_REFERENCE);
+        for (std::size_t body = 0; body < bodyCount_; ++body)
+            state->as<StateType>()->setReference(body, NO_REFERENCE);
     }
 
     void TeamStateSpace::copyState(ob::State *destination, const ob::State *source) const
@@ -180,17 +186,18 @@ namespace ompl_certificates
             std::count_if(vectors_.begin(), vectors_.end(), [](unsigned int dimension) { return dimension > 0; }));
         auto *memory = static_cast<unsigned char *>(
             ::operator new(sizeof(StateType) + vectorSum_ * sizeof(double) + vectors * sizeof(VectorState) +
-                           componentCount_ * (sizeof(ob::State *) + sizeof(AtomicReference))));
+                           componentCount_ * sizeof(ob::State *) + bodyCount_ * sizeof(AtomicReference)));
         const auto take = [&memory](std::size_t size) { return std::exchange(memory, memory + size); };
         auto *state = new (take(sizeof(StateType))) StateType();
         auto *values = reinterpret_cast<double *>(take(vectorSum_ * sizeof(double)));
         auto *vector = take(vectors * sizeof(VectorState));
         state->space_ = this;
         state->components = reinterpret_cast<ob::State **>(take(componentCount_ * sizeof(ob::State *)));
-        state->references_ = reinterpret_cast<AtomicReference *>(take(componentCount_ * sizeof(AtomicReference)));
+        state->references_ = reinterpret_cast<AtomicReference *>(take(bodyCount_ * sizeof(AtomicReference)));
+        for (std::size_t body = 0; body < bodyCount_; ++body)
+            new (state->references_ + body) AtomicReference(NO_REFERENCE);
         for (unsigned int i = 0; i < componentCount_; ++i)
         {
-            new (state->references_ + i) AtomicReference(NO_REFERENCE);
             if (vectors_[i] == 0)
             {
                 state->components[i] = components_[i]->allocState();

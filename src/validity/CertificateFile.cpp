@@ -8,7 +8,7 @@
 
 namespace ompl_certificates
 {
-    void saveCertificates(const CertificateChecker &checker, const std::string &file)
+    void saveCertificates(const TeamValidityChecker &checker, const std::string &file)
     {
         const auto [obstacles, certificates] = [&]
         {
@@ -18,7 +18,7 @@ namespace ompl_certificates
         writeCertificates(file, obstacles, certificates);
     }
 
-    std::size_t loadCertificates(CertificateChecker &checker, const std::string &file)
+    std::size_t loadCertificates(TeamValidityChecker &checker, const std::string &file)
     {
         const std::string bytes = readCertificateBytes(file);
         const auto world = checker.holdObstacles();

@@ -2,40 +2,74 @@
 
 #include "ContinuousMotionCheck.h"
 #include "DiscreteMotionCheck.h"
-#include "MotionCount.h"
+#include "SampledMotionCheck.h"
 
 #include <algorithm>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/constraint/ConstrainedStateSpace.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
-    CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const CertificateChecker> checker, Mode mode)
-      : MotionValidator(checker ? checker->getSpaceInformation()
-                                : throw ompl::Exception("A motion validator needs a certificate checker"))
-      , checker_(std::move(checker))
-      , mode_(mode)
-      , scratch_(std::make_unique<MotionScratchPool>(si_->getStateSpace()))
+    namespace
     {
+        /** OMPL counts motions in plain integers, but validators are used by many threads. */
+        void countMotion(unsigned int &counter)
+        {
+            __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
+        }
+
+        /** Whether all of a motion is proved free, or up to what time it is */
+        bool isProved(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
+                      double &free)
+        {
+            ContinuousMotionCheck whole(check, context, s1, s2);
+            if (whole.isFree(free))
+                return true;
+            // The motion to the last valid state has cells of its own, and is to be proved in those.
+            for (double step = whole.getCell(); free > 0.0; step *= 2.0)
+            {
+                check.getTeam().getStateSpace()->interpolate(s1, s2, free, context.last);
+                const bool proved = ContinuousMotionCheck(check, context, s1, context.last).isFree();
+                --context.counts.motions;
+                if (proved)
+                    break;
+                free = std::max(0.0, free - step);
+            }
+            return false;
+        }
     }
 
-    CertificateMotionValidator::~CertificateMotionValidator() = default;
+    CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker, Mode mode)
+      : MotionValidator(checker ? checker->getSpaceInformation()
+                                : throw ompl::Exception("A motion validator needs a validity checker"))
+      , checker_(std::move(checker))
+      , mode_(mode)
+    {
+        const Team &team = checker_->getTeam();
+        const Method method = checker_->getMethod();
+        if (dynamic_cast<const ob::ConstrainedStateSpace *>(team.getStateSpace().get()))
+            throw ompl::Exception(team.getStateSpace()->getName(),
+                                  "is constrained: keep OMPL's ConstrainedMotionValidator, which asks the validity checker");
+        isSampled_ = !makesCertificates(method) || !team.interpolatesRobots();
+        if (isSampled_ && mode == CONTINUOUS)
+            throw ompl::Exception(makesCertificates(method)
+                                      ? team.getStateSpace()->getName() +
+                                            ": motions cannot be checked continuously, for the space does not move the "
+                                            "robots as their own spaces do"
+                                      : "The method " + nameOf(method) +
+                                            " makes no certificates and so cannot check motions continuously");
+    }
 
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
-        const WorldLock::Check world = checker_->holdObstacles();
-        const Statistics::Timer timer(checker_->getStatistics());
-        const MotionScratchPool::Lease scratch(*scratch_);
-        const auto run = [this](auto &&check)
-        {
-            const bool free = check.isFree();
-            checker_->getStatistics().add(check.getCounts());
-            return free;
-        };
-        const bool valid = mode_ == DISCRETE ? run(DiscreteMotionCheck(*checker_, *scratch, s1, s2))
-                                             : run(ContinuousMotionCheck(*checker_, *scratch, s1, s2));
+        const TeamCheck &check = checker_->getTeamCheck();
+        const TeamCheck::Scope context(check);
+        const bool valid = isSampled_          ? SampledMotionCheck(check, *context, s1, s2).isFree()
+                           : mode_ == DISCRETE ? DiscreteMotionCheck(check, *context, s1, s2).isFree()
+                                               : ContinuousMotionCheck(check, *context, s1, s2).isFree();
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
@@ -43,51 +77,18 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {
-        const WorldLock::Check world = checker_->holdObstacles();
-        const Statistics::Timer timer(checker_->getStatistics());
-        const MotionScratchPool::Lease scratch(*scratch_);
+        const TeamCheck &check = checker_->getTeamCheck();
+        const TeamCheck::Scope context(check);
         double free = 1.0;
-        const bool valid =
-            mode_ == DISCRETE ? areSamplesFree(*scratch, s1, s2, free) : isProved(*scratch, s1, s2, free);
+        const bool valid = isSampled_          ? SampledMotionCheck(check, *context, s1, s2).isFree(free)
+                           : mode_ == DISCRETE ? DiscreteMotionCheck(check, *context, s1, s2).isFree(free)
+                                               : isProved(check, *context, s1, s2, free);
         countMotion(valid ? valid_ : invalid_);
         if (!valid)
         {
             lastValid.second = free;
             if (lastValid.first)
-                checker_->getTeam().interpolate(s1, s2, free, lastValid.first);
-        }
-        return valid;
-    }
-
-    bool CertificateMotionValidator::areSamplesFree(MotionScratch &scratch, const ob::State *s1, const ob::State *s2,
-                                                    double &free) const
-    {
-        DiscreteMotionCheck check(*checker_, scratch, s1, s2);
-        const bool valid = check.isFree(free);
-        checker_->getStatistics().add(check.getCounts());
-        return valid;
-    }
-
-    bool CertificateMotionValidator::isProved(MotionScratch &scratch, const ob::State *s1, const ob::State *s2,
-                                              double &free) const
-    {
-        ContinuousMotionCheck check(*checker_, scratch, s1, s2);
-        const bool valid = check.isFree(free);
-        checker_->getStatistics().add(check.getCounts());
-        // The motion to the last valid state has cells of its own, and is to be proved in those.
-        double step = check.getCell();
-        while (!valid && free > 0.0)
-        {
-            checker_->getTeam().interpolate(s1, s2, free, scratch.last);
-            ContinuousMotionCheck first(*checker_, scratch, s1, scratch.last);
-            const bool proved = first.isFree();
-            CheckCounts counts = first.getCounts();
-            counts.motions = 0;
-            checker_->getStatistics().add(counts);
-            if (proved)
-                break;
-            free = std::max(0.0, free - step);
-            step *= 2.0;
+                check.getTeam().getStateSpace()->interpolate(s1, s2, free, lastValid.first);
         }
         return valid;
     }

@@ -13,29 +13,28 @@ namespace ompl_certificates
         constexpr int CELLS = 16;
     }
 
-    ContinuousMotionCheck::ContinuousMotionCheck(const CertificateChecker &checker, MotionScratch &scratch,
+    ContinuousMotionCheck::ContinuousMotionCheck(const TeamCheck &check, CheckContext &context,
                                                  const ompl::base::State *s1, const ompl::base::State *s2)
-      : MotionCheck(checker, scratch, s1, s2)
+      : MotionCheck(check, context, s1, s2)
     {
         orient();
         constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / CELLS;
-        const unsigned int segments = checker.getTeam().validSegmentCount(from_, to_);
-        cells_ = CELLS * static_cast<int>(std::min(std::max(segments, 1U), mostSegments));
+        cells_ = CELLS * static_cast<int>(std::min(std::max(countSegments(), 1U), mostSegments));
     }
 
     void ContinuousMotionCheck::orient()
     {
-        const TeamStateSpace &team = checker_.getTeam();
-        if (!team.hasSymmetricInterpolate())
+        const ompl::base::StateSpace &space = *check_.getTeam().getStateSpace();
+        if (!space.hasSymmetricInterpolate())
             return;
-        const std::size_t size = team.getSerializationLength();
-        scratch_.serialized.resize(2 * size);
-        unsigned char *first = scratch_.serialized.data(), *second = first + size;
-        team.serialize(first, s1_);
-        team.serialize(second, s2_);
+        const std::size_t size = space.getSerializationLength();
+        context_.serialized.resize(2 * size);
+        unsigned char *first = context_.serialized.data(), *second = first + size;
+        space.serialize(first, s1_);
+        space.serialize(second, s2_);
         reversed_ = std::memcmp(first, second, size) > 0;
         if (reversed_)
-            std::swap(from_, to_);
+            std::swap(context_.from, context_.to);
     }
 
     bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, int &around)
@@ -43,8 +42,8 @@ namespace ompl_certificates
         const int counted = reversed_ ? cells_ - 1 - cell : cell;
         const PoseVerdict verdict =
             settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, cell == cells_ - 1 ? 0.0 : 1.0);
-        const double reach = std::min(verdict.validInterval, 1.0) * (1.0 - OVERLAP);
-        around = std::max(0, static_cast<int>(reach * cells_ - 0.5));
+        const double interval = std::min(verdict.validInterval, 1.0) * (1.0 - OVERLAP);
+        around = std::max(0, static_cast<int>(interval * cells_ - 0.5));
         return verdict.free;
     }
 
@@ -55,20 +54,18 @@ namespace ompl_certificates
 
     bool ContinuousMotionCheck::settleEnd()
     {
-        scratch_.open.clear();
+        context_.open.clear();
         // The second state's own references are the best hints; a state that has none yet is near the first one.
         takeReferences(s2_, s1_);
         int around;
-        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             const bool free = settleCell(subject, cells_ - 1, around);
-            // Nothing of this motion was counted before its end.
-            counts_.endPoses = counts_.robotPoses;
-            counts_.endAsked = counts_.asked;
+            countEnds();
             if (!free)
                 return false;
             if (around < cells_ - 1)
-                scratch_.open.push_back({subject, 0, cells_ - 2 - around});
+                context_.open.push_back({subject, 0, cells_ - 2 - around});
         }
         giveReferences(s2_);
         return true;
@@ -77,7 +74,7 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleStart()
     {
         takeReferences(s1_, s2_);
-        for (OpenInterval &open : scratch_.open)
+        for (OpenInterval &open : context_.open)
         {
             int around;
             if (!settleCell(open.subject, 0, around))
@@ -90,7 +87,7 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleRest()
     {
         // Breadth first: what is far from everything known is looked at first.
-        auto &queue = scratch_.open;
+        auto &queue = context_.open;
         for (std::size_t next = 0; next < queue.size(); ++next)
         {
             const auto [subject, first, last] = queue[next];
@@ -111,7 +108,7 @@ namespace ompl_certificates
         // The first cell that is not proved free
         int unproved = cells_;
         takeReferences(s1_, s2_);
-        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
             for (int cell = 0; cell < unproved;)
             {
                 int around;

@@ -17,7 +17,7 @@ namespace ompl_certificates
     class ContinuousMotionCheck : public MotionCheck
     {
     public:
-        ContinuousMotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+        ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                               const ompl::base::State *s2);
 
         /** \brief Whether all of the motion is proved free */

@@ -11,31 +11,30 @@ namespace ompl_certificates
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
     }
 
-    DiscreteMotionCheck::DiscreteMotionCheck(const CertificateChecker &checker, MotionScratch &scratch,
-                                             const ompl::base::State *s1, const ompl::base::State *s2)
-      : MotionCheck(checker, scratch, s1, s2)
+    DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
+                                             const ompl::base::State *s2)
+      : MotionCheck(check, context, s1, s2)
     {
     }
 
-    void DiscreteMotionCheck::countSegments()
+    DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject,
+                                             States from, States to)
+      : MotionCheck(check, context, subject, from, to)
     {
-        segments_ = static_cast<int>(checker_.getTeam().validSegmentCount(s1_, s2_));
     }
 
     bool DiscreteMotionCheck::settleEnd()
     {
         // The second state's own references are the best hints; a state that has none yet is near the first one.
         takeReferences(s2_, s1_);
-        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             // Of a motion that collides few samples are looked at before that is found.
             const PoseVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
-            // Nothing of this motion was counted before its end.
-            counts_.endPoses = counts_.robotPoses;
-            counts_.endAsked = counts_.asked;
+            countEnds();
             if (!verdict.free)
                 return false;
-            scratch_.endInterval[subject] = verdict.validInterval;
+            context_.endInterval[subject] = verdict.validInterval;
         }
         giveReferences(s2_);
         return true;
@@ -43,66 +42,54 @@ namespace ompl_certificates
 
     void DiscreteMotionCheck::proveFromStart()
     {
-        for (unsigned int robot = 0; robot < checker_.getTeam().getRobotCount(); ++robot)
-        {
-            pose(robot, 0.0);
-            if (const CertificateIndex own = s1_->getReference(robot); own != NO_CERTIFICATE)
-                scratch_.references[robot] = own;
-        }
-        const Pose *poses = scratch_.poses.data();
-        const MotionBound *travel = scratch_.travel.data();
-        for (unsigned int group = 0; group < groups_; ++group)
-            if (scratch_.endInterval[group] < 1.0)
-                scratch_.startInterval[group] =
-                    checker_.intervalOfReferences(group, poses, travel, scratch_.references.data());
-        const RobotPairs &pairs = checker_.getPairs();
-        for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
-        {
-            if (scratch_.endInterval[groups_ + pair] >= 1.0)
-                continue;
-            const std::size_t a = scratch_.firstBody[pairs.getFirst(pair)],
-                              b = scratch_.firstBody[pairs.getSecond(pair)];
-            scratch_.startInterval[groups_ + pair] =
-                pairs.intervalOfEnclosingBalls(pair, poses + a, poses + b, travel + a, travel + b);
-        }
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
+            pose(subject, 0.0);
+        // What was found at the end serves a body that the first state has no reference for.
+        if (const auto *first = s1_ ? check_.getTeam().getReferences(s1_) : nullptr)
+            for (std::size_t body = 0; body < context_.hints.size(); ++body)
+                if (const CertificateIndex own = first->getReference(body); own != NO_CERTIFICATE)
+                    context_.hints[body] = own;
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
+            if (context_.endInterval[subject] < 1.0)
+                context_.startInterval[subject] = check_.provenInterval(subjects_[subject], context_);
     }
 
     PoseVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
     {
-        const double samplesAhead = std::max(scratch_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
+        const double samplesAhead = std::max(context_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
         return settle(subject, static_cast<double>(sample) / segments_, 0.0, samplesAhead);
     }
 
-    int DiscreteMotionCheck::samplesWithin(double reach) const
+    int DiscreteMotionCheck::samplesWithin(double interval) const
     {
-        const double samples = std::min(reach * (1.0 - OVERLAP), 1.0) * segments_;
+        const double samples = std::min(interval * (1.0 - OVERLAP), 1.0) * segments_;
         return samples > 0.0 ? static_cast<int>(std::ceil(samples)) - 1 : 0;
     }
 
     std::pair<int, int> DiscreteMotionCheck::openSamples(unsigned int subject) const
     {
-        return {1 + samplesWithin(scratch_.startInterval[subject]),
-                segments_ - 1 - samplesWithin(scratch_.endInterval[subject])};
+        return {1 + samplesWithin(context_.startInterval[subject]),
+                segments_ - 1 - samplesWithin(context_.endInterval[subject])};
     }
 
     bool DiscreteMotionCheck::isFree()
     {
         if (!settleEnd())
             return false;
-        countSegments();
+        segments_ = static_cast<int>(countSegments());
         if (segments_ < 2)
             return true;
         proveFromStart();
         const bool free = areInnerSamplesFree();
-        scratch_.freeMotions += ((free ? 1.0 : 0.0) - scratch_.freeMotions) / MOTION_MEMORY;
+        context_.freeMotions += ((free ? 1.0 : 0.0) - context_.freeMotions) / MOTION_MEMORY;
         return free;
     }
 
     bool DiscreteMotionCheck::areInnerSamplesFree()
     {
-        auto &queue = scratch_.open;
+        auto &queue = context_.open;
         queue.clear();
-        for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             const auto [first, last] = openSamples(subject);
             skip(subject, std::min(segments_ - 1, segments_ - 1 - (last - first + 1)));
@@ -130,13 +117,13 @@ namespace ompl_certificates
     bool DiscreteMotionCheck::isFree(double &free)
     {
         // The first sample known to be invalid; the end of the motion is sample number segments_.
-        countSegments();
+        segments_ = static_cast<int>(countSegments());
         const int end = std::max(segments_, 1);
         int invalid = settleEnd() ? end + 1 : end;
         if (segments_ >= 2)
         {
             proveFromStart();
-            for (unsigned int subject = 0; subject < subjectCount(); ++subject)
+            for (unsigned int subject = 0; subject < subjectCount_; ++subject)
             {
                 const auto [first, last] = openSamples(subject);
                 skip(subject, std::min(first, end) - 1);

@@ -10,8 +10,12 @@ namespace ompl_certificates
     class DiscreteMotionCheck : public MotionCheck
     {
     public:
-        DiscreteMotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+        /** \brief The check of the team's motion from \e s1 to \e s2 */
+        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                             const ompl::base::State *s2);
+
+        /** \brief The check of one subject alone; see MotionCheck */
+        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from, States to);
 
         /** \brief Whether all samples are valid */
         bool isFree();
@@ -20,9 +24,6 @@ namespace ompl_certificates
         bool isFree(double &free);
 
     private:
-        /** \brief Find the number of segments between samples. Not needed where the end of the motion is invalid. */
-        void countSegments();
-
         /** \brief Settle all subjects at the end of the motion; fills endInterval. False if one is not free. */
         bool settleEnd();
 
@@ -38,9 +39,10 @@ namespace ompl_certificates
         /** \brief Whether the samples that openSamples() leaves are free */
         bool areInnerSamplesFree();
 
-        /** \brief How many samples to either side of one are closer in time than \e reach */
-        int samplesWithin(double reach) const;
+        /** \brief How many samples to either side of one are closer in time than \e interval */
+        int samplesWithin(double interval) const;
 
+        /** \brief Not known where the end of the motion is invalid */
         int segments_{0};
     };
 }

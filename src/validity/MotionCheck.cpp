@@ -4,89 +4,110 @@
 
 namespace ompl_certificates
 {
-    MotionCheck::MotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+    MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                              const ompl::base::State *s2)
-      : checker_(checker)
-      , scratch_(scratch)
-      , s1_(s1->as<TeamStateSpace::StateType>())
-      , s2_(s2->as<TeamStateSpace::StateType>())
-      , from_(s1_)
-      , to_(s2_)
-      , groups_(checker.getGroupCount())
+      : check_(check)
+      , context_(context)
+      , s1_(s1)
+      , s2_(s2)
+      , subjects_(check.getSubjects().data())
+      , subjectCount_(static_cast<unsigned int>(check.getSubjects().size()))
     {
-        ++counts_.motions;
-        std::fill(scratch_.sampledAt.begin(), scratch_.sampledAt.end(), -1.0);
-        scratch_.startInterval.assign(subjectCount(), 0.0);
-        scratch_.endInterval.assign(subjectCount(), 0.0);
+        for (unsigned int robot = 0; robot < check.getTeam().getRobotCount(); ++robot)
+        {
+            context.from[robot] = check.getTeam().getRobotState(s1, robot);
+            context.to[robot] = check.getTeam().getRobotState(s2, robot);
+        }
+        begin();
     }
 
-    const CheckCounts &MotionCheck::getCounts()
+    MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+                             States to)
+      : check_(check), context_(context), subjects_(&only_), subjectCount_(1), only_(subject)
     {
-        counts_.motionSamples = counts_.robotPoses + counts_.motionSamplesSkipped;
-        return counts_;
+        context.from[subject.first] = *from.begin();
+        context.from[subject.last] = *(from.end() - 1);
+        context.to[subject.first] = *to.begin();
+        context.to[subject.last] = *(to.end() - 1);
+        begin();
     }
 
-    unsigned int MotionCheck::robotsOf(unsigned int subject) const
+    void MotionCheck::begin()
     {
-        if (subject >= groups_)
-            return 0;
-        const auto [first, last] = checker_.getGroup(subject);
-        return last - first;
+        before_ = context_.counts;
+        ++context_.counts.motions;
+        std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
+        context_.startInterval.assign(subjectCount_, 0.0);
+        context_.endInterval.assign(subjectCount_, 0.0);
     }
 
-    void MotionCheck::pose(unsigned int robot, double t)
+    MotionCheck::~MotionCheck()
     {
-        if (scratch_.sampledAt[robot] == t)
+        context_.counts.motionSamples = context_.counts.robotPoses + context_.counts.motionSamplesSkipped;
+    }
+
+    void MotionCheck::skip(unsigned int subject, int samples)
+    {
+        const Subject &skipped = subjects_[subject];
+        // Samples of pairs are not counted.
+        if (skipped.kind != Subject::PAIR)
+            context_.counts.motionSamplesSkipped +=
+                static_cast<std::uint64_t>(samples) * (skipped.last - skipped.first + 1);
+    }
+
+    void MotionCheck::countEnds()
+    {
+        CheckCounts &counts = context_.counts;
+        counts.endPoses = before_.endPoses + counts.robotPoses - before_.robotPoses;
+        counts.endAsked = before_.endAsked + counts.asked - before_.asked;
+    }
+
+    void MotionCheck::pose(unsigned int subject, double t)
+    {
+        const Subject &posed = subjects_[subject];
+        if (posed.kind == Subject::PAIR)
+        {
+            poseRobot(posed.first, t);
+            poseRobot(posed.last, t);
             return;
-        const Robot &moved = checker_.getTeam().getRobot(robot);
-        const ompl::base::State *from = from_->components[robot], *to = to_->components[robot];
+        }
+        for (unsigned int robot = posed.first; robot <= posed.last; ++robot)
+            poseRobot(robot, t);
+    }
+
+    void MotionCheck::poseRobot(unsigned int robot, double t)
+    {
+        if (context_.sampledAt[robot] == t)
+            return;
+        const Team &team = check_.getTeam();
+        const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
         // Only now is it of interest how fast the robot moves.
-        if (scratch_.sampledAt[robot] < 0.0)
-            moved.computeMotionBounds(from, to, scratch_.travel.data() + scratch_.firstBody[robot]);
-        scratch_.sampledAt[robot] = t;
-        const ompl::base::State *component = t == 0.0 ? from : to;
+        if (context_.sampledAt[robot] < 0.0)
+            team.getRobot(robot).computeMotionBounds(from, to,
+                                                     context_.motionBounds.data() + team.getFirstBody(robot));
+        context_.sampledAt[robot] = t;
+        const ompl::base::State *state = t == 0.0 ? from : to;
         if (t > 0.0 && t < 1.0)
         {
-            component = scratch_.sample->components[robot];
-            moved.getStateSpace()->interpolate(from, to, t, scratch_.sample->components[robot]);
+            state = context_.samples[robot];
+            team.getRobotSpace(robot).interpolate(from, to, t, context_.samples[robot]);
         }
-        moved.placeBodies(component, scratch_.poses.data() + scratch_.firstBody[robot]);
+        check_.place(robot, state, context_);
     }
 
     PoseVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
     {
-        const Pose *poses = scratch_.poses.data();
-        const MotionBound *travel = scratch_.travel.data();
-        if (subject < groups_)
-        {
-            const auto [first, last] = checker_.getGroup(subject);
-            for (unsigned int robot = first; robot < last; ++robot)
-                pose(robot, t);
-            return checker_.settleGroup(subject, poses, {travel, requiredInterval, samplesAhead},
-                                        scratch_.references.data(), counts_);
-        }
-        const unsigned int pair = subject - groups_;
-        const unsigned int first = checker_.getPairs().getFirst(pair), second = checker_.getPairs().getSecond(pair);
-        pose(first, t);
-        pose(second, t);
-        ++counts_.pairPoses;
-        const std::size_t a = scratch_.firstBody[first], b = scratch_.firstBody[second];
-        return checker_.getPairs().settle(pair, poses + a, poses + b, travel + a, travel + b, requiredInterval,
-                                          counts_);
+        pose(subject, t);
+        return check_.settle(subjects_[subject], context_, {true, requiredInterval, samplesAhead});
     }
 
-    void MotionCheck::takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other)
+    unsigned int MotionCheck::countSegments() const
     {
-        for (unsigned int robot = 0; robot < scratch_.references.size(); ++robot)
-        {
-            const CertificateIndex own = state->getReference(robot);
-            scratch_.references[robot] = own == NO_CERTIFICATE ? other->getReference(robot) : own;
-        }
-    }
-
-    void MotionCheck::giveReferences(const TeamStateSpace::StateType *state) const
-    {
-        for (unsigned int robot = 0; robot < scratch_.references.size(); ++robot)
-            state->setReference(robot, scratch_.references[robot]);
+        const Team &team = check_.getTeam();
+        if (s1_)
+            return team.getStateSpace()->validSegmentCount(s1_, s2_);
+        const auto ofRobot = [&](unsigned int robot)
+        { return team.getRobotSpace(robot).validSegmentCount(context_.from[robot], context_.to[robot]); };
+        return std::max(ofRobot(only_.first), ofRobot(only_.last));
     }
 }

@@ -1,70 +1,83 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_MOTION_CHECK_
 #define OMPL_CERTIFICATES_VALIDITY_MOTION_CHECK_
 
-#include "MotionScratch.h"
+#include "TeamCheck.h"
 
-#include "ompl_certificates/validity/CertificateChecker.h"
+#include <initializer_list>
 
 namespace ompl_certificates
 {
-    /** \brief The check of one motion. Its subjects, the groups of robots and the pairs of robots, are proved free one by one:
-        at some time a subject is settled, and the verdict's reach proves it free for a while around.
+    /** \brief The check of one motion. Its subjects are proved free one by one: at some time a subject is settled, and the
+        verdict's valid interval proves it free for a while around.
 
         Derived classes say what it takes for a motion to be free. */
     class MotionCheck
     {
-    public:
-        /** \brief What the check counted */
-        const CheckCounts &getCounts();
-
     protected:
-        /** \brief The check of the motion from \e s1 to \e s2 */
-        MotionCheck(const CertificateChecker &checker, MotionScratch &scratch, const ompl::base::State *s1,
+        using States = std::initializer_list<const ompl::base::State *>;
+
+        /** \brief The check of the team's motion from \e s1 to \e s2 */
+        MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                     const ompl::base::State *s2);
 
-        /** \brief The number of subjects: groups first, then pairs */
-        unsigned int subjectCount() const
-        {
-            return groups_ + checker_.getPairs().getPairCount();
-        }
+        /** \brief The check of one subject alone, whose robots move \e from \e to states of their own spaces */
+        MotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from, States to);
+
+        ~MotionCheck();
+
+        MotionCheck(const MotionCheck &) = delete;
+        MotionCheck &operator=(const MotionCheck &) = delete;
 
         /** \brief Settle a subject at time \e t
             \param requiredInterval see PoseQuery::requiredInterval
             \param samplesAhead see PoseQuery::samplesAhead */
         PoseVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
-        /** \brief Begin with the certificates that \e state refers to; with those of \e other for a robot that has none */
-        void takeReferences(const TeamStateSpace::StateType *state, const TeamStateSpace::StateType *other);
+        /** \brief Have the poses of a subject's robots at time \e t in the context; at first, how fast they move, too */
+        void pose(unsigned int subject, double t);
 
-        /** \brief Let \e state refer to the certificates found last */
-        void giveReferences(const TeamStateSpace::StateType *state) const;
-
-        /** \brief Have the poses of a robot's bodies at time \e t in the scratch; at first, how fast they move, too */
-        void pose(unsigned int robot, double t);
-
-        /** \brief Note that samples of a subject need not be looked at */
-        void skip(unsigned int subject, int samples)
+        /** \brief Take the hints of \e state; those of \e other for a body that has none */
+        void takeReferences(const ompl::base::State *state, const ompl::base::State *other)
         {
-            counts_.motionSamplesSkipped += static_cast<std::uint64_t>(samples) * robotsOf(subject);
+            if (state)
+                check_.takeReferences(state, other, context_);
         }
 
-        const CertificateChecker &checker_;
-        MotionScratch &scratch_;
-        const TeamStateSpace::StateType *s1_, *s2_;
+        /** \brief Let \e state refer to the certificates found last */
+        void giveReferences(const ompl::base::State *state) const
+        {
+            if (state)
+                check_.giveReferences(state, context_);
+        }
 
-        /** \brief Where the motion is interpolated from and to: \e s1_ and \e s2_, or the other way round. Times are those
-            of this interpolation. */
-        const TeamStateSpace::StateType *from_, *to_;
+        /** \brief The number of segments between samples at the resolution of the space */
+        unsigned int countSegments() const;
 
-        const unsigned int groups_;
-        CheckCounts counts_;
+        /** \brief Note that samples of a subject need not be looked at */
+        void skip(unsigned int subject, int samples);
+
+        /** \brief Count what was settled so far as ends of the motion */
+        void countEnds();
+
+        const TeamCheck &check_;
+        CheckContext &context_;
+
+        /** \brief The ends of the team's motion; null if it is one subject's alone */
+        const ompl::base::State *const s1_{nullptr}, *const s2_{nullptr};
+
+        const Subject *subjects_;
+        const unsigned int subjectCount_;
 
         /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
         static constexpr double OVERLAP = 1e-9;
 
     private:
-        /** \brief How many robots' samples a sample of the subject stands for; a pair's are not counted */
-        unsigned int robotsOf(unsigned int subject) const;
+        void begin();
+        void poseRobot(unsigned int robot, double t);
+
+        /** \brief The counts when the motion began */
+        CheckCounts before_;
+        const Subject only_{};
     };
 }
 

@@ -1,4 +1,4 @@
-#include "ompl_certificates/validity/RobotPairs.h"
+#include "RobotPairs.h"
 
 #include "BodyClearance.h"
 #include "certificates/CertifiedEnvironment.h"
@@ -7,7 +7,7 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
-#include <cmath>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -15,15 +15,9 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** Two balls touch if this is not positive: the arithmetic of FCL's own test of two spheres. */
-        double gapOf(const Ball &a, const Pose &poseA, const Ball &b, const Pose &poseB)
-        {
-            return (poseA * a.center - poseB * b.center).norm() - (a.radius + b.radius);
-        }
-
         /** For how long two balls stay apart that are more than a margin apart. The cushion lets the gap at another time
             prove that there, too. */
-        double reachOf(double gap, double margin, double speed)
+        double intervalOf(double gap, double margin, double speed)
         {
             return speed > 0.0 ? std::max(gap - margin * (1.0 + CertifiedEnvironment::PROOF_CUSHION), 0.0) / speed
                                : INF;
@@ -33,13 +27,22 @@ namespace ompl_certificates
     struct RobotPairs::BodyFrame
     {
         Body body;
-        CertifiedEnvironment environment;
-        /** \brief What pays with certificates, and without */
-        SwitchingPolicy policy, contactPolicy;
+        ObstaclesPtr obstacles;
+        /** \brief Null if the method makes no certificates */
+        std::unique_ptr<CertifiedEnvironment> certified;
+        SwitchingPolicy policy;
     };
 
-    RobotPairs::RobotPairs(const TeamStateSpace &team, std::shared_ptr<CertificateLimit> limit)
-      : team_(team), limit_(std::move(limit))
+    // The arithmetic of FCL's own test of two spheres
+    double RobotPairs::BodyPair::gap(const CheckContext &context) const
+    {
+        const Ball &a = first->getSphereTree().getRoot(), &b = second->getSphereTree().getRoot();
+        return (context.poses[firstIndex] * a.center - context.poses[secondIndex] * b.center).norm() -
+               (a.radius + b.radius);
+    }
+
+    RobotPairs::RobotPairs(const Team &team, Method method, std::shared_ptr<CertificateLimit> limit)
+      : method_(method), limit_(std::move(limit))
     {
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
             for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
@@ -49,113 +52,69 @@ namespace ompl_certificates
                 for (std::size_t a = 0; a < first.size(); ++a)
                     for (std::size_t b = 0; b < second.size(); ++b)
                     {
-                        // The body with the coarser cover is looked up in the frame of the other.
-                        const bool swapped =
-                            second[b].getSphereTree().getNodes().size() < first[a].getSphereTree().getNodes().size();
+                        // The body with the coarser sphere tree is looked up in the frame of the other.
+                        const bool swapped = second[b].getSphereTree().getNodes().size() <
+                                             first[a].getSphereTree().getNodes().size();
                         const bool balls = first[a].isBall() && second[b].isBall();
                         pairs_.back().bodies.push_back(
-                            {a, b, swapped, balls ? nullptr : frameOf(swapped ? first[a] : second[b]),
+                            {team.getFirstBody(i) + a, team.getFirstBody(j) + b, &first[a], &second[b],
+                             balls ? nullptr : frameOf(swapped ? first[a] : second[b], team.getZInterval()), swapped,
                              2.0 * exactCheckTolerance(first[a].getBoundingRadius() + second[b].getBoundingRadius())});
                     }
             }
     }
 
-    std::shared_ptr<RobotPairs::BodyFrame> RobotPairs::frameOf(const Body &body)
+    RobotPairs::~RobotPairs() = default;
+
+    RobotPairs::BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)
     {
         for (const auto &frame : frames_)
             if (frame->body == body)
-                return frame;
-        auto obstacles =
-            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, team_.getZInterval());
-        frames_.push_back(
-            std::shared_ptr<BodyFrame>(new BodyFrame{body, CertifiedEnvironment(obstacles, limit_), {}, {}}));
-        return frames_.back();
+                return frame.get();
+        auto frame = std::unique_ptr<BodyFrame>(new BodyFrame{body, nullptr, nullptr, {}});
+        frame->obstacles =
+            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, zInterval);
+        if (makesCertificates(method_))
+            frame->certified = std::make_unique<CertifiedEnvironment>(frame->obstacles, limit_);
+        frames_.push_back(std::move(frame));
+        return frames_.back().get();
     }
 
-    const Body &RobotPairs::firstBody(const Pair &pair, const BodyPair &bodies) const
+    unsigned int RobotPairs::find(unsigned int first, unsigned int second) const
     {
-        return team_.getRobot(pair.first).getBodies()[bodies.firstBody];
+        for (unsigned int pair = 0; pair < getPairCount(); ++pair)
+            if (getFirst(pair) == std::min(first, second) && getSecond(pair) == std::max(first, second))
+                return pair;
+        throw ompl::Exception("There is no pair of the robots " + std::to_string(first) + " and " +
+                              std::to_string(second));
     }
 
-    const Body &RobotPairs::secondBody(const Pair &pair, const BodyPair &bodies) const
+    PoseVerdict RobotPairs::settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const
     {
-        return team_.getRobot(pair.second).getBodies()[bodies.secondBody];
-    }
-
-    bool RobotPairs::collide(unsigned int index, const Pose *first, const Pose *second, bool contactTest,
-                             CheckCounts &counts) const
-    {
-        const Pair &pair = pairs_[index];
-        for (const BodyPair &bodies : pair.bodies)
-        {
-            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-            const double gap = gapOf(a.getSphereTree().getRoot(), poseA, b.getSphereTree().getRoot(), poseB);
-            if (!bodies.frame)
-            {
-                if (gap <= 0.0)
-                    return true;
-            }
-            else if (gap <= bodies.margin)
-            {
-                const Obstacles &obstacles = bodies.frame->environment.getObstacles();
-                const Body &body = bodies.swapped ? b : a;
-                const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
-                CheckCounts asked;
-                SettledBy by;
-                const bool touch = contactTest ? collidesWithoutMemory(obstacles, body, relative,
-                                                                       bodies.frame->contactPolicy, by, asked)
-                                               : obstacles.collides(body, relative);
-                counts.contactTests += asked.contactTests;
-                counts.pairExact += contactTest ? asked.exactCalls : 1;
-                if (touch)
-                    return true;
-            }
-        }
-        return false;
-    }
-
-    PoseVerdict RobotPairs::settle(unsigned int index, const Pose *first, const Pose *second,
-                                   const MotionBound *firstBounds, const MotionBound *secondBounds,
-                                   double requiredInterval, CheckCounts &counts) const
-    {
-        const Pair &pair = pairs_[index];
+        ++context.counts.pairPoses;
         PoseVerdict verdict;
         verdict.validInterval = INF;
-        for (const BodyPair &bodies : pair.bodies)
+        for (const BodyPair &bodies : pairs_[pair].bodies)
         {
-            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-            const Ball &ballA = a.getSphereTree().getRoot(), &ballB = b.getSphereTree().getRoot();
-            const MotionBound boundA = firstBounds ? firstBounds[bodies.firstBody] : MotionBound{};
-            const MotionBound boundB = secondBounds ? secondBounds[bodies.secondBody] : MotionBound{};
-            const double gap = gapOf(ballA, poseA, ballB, poseB);
-            const double speed = boundA.at(ballA.center.norm()) + boundB.at(ballB.center.norm());
-            if (gap > bodies.margin + (requiredInterval > 0.0 ? requiredInterval * speed : 0.0))
+            const double gap = bodies.gap(context);
+            double speed = 0.0;
+            if (sample.moves)
+                speed = context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
+                        context.motionBounds[bodies.secondIndex].at(
+                            bodies.second->getSphereTree().getRoot().center.norm());
+            if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
             {
-                verdict.validInterval = std::min(verdict.validInterval, reachOf(gap, bodies.margin, speed));
+                verdict.validInterval = std::min(verdict.validInterval, intervalOf(gap, bodies.margin, speed));
                 continue;
             }
             if (!bodies.frame)
             {
                 verdict.validInterval = 0.0;
-                if (gap <= 0.0 || requiredInterval > 0.0)
+                if (!(gap > 0.0) || sample.requiredInterval > 0.0)  // Also what is not finite
                     return verdict;
                 continue;
             }
-            // Seen from the environment's frame, the other body moves as fast as both do together.
-            const Pose relative = bodies.swapped ? poseA.inverse() * poseB : poseB.inverse() * poseA;
-            const MotionBound &own = bodies.swapped ? boundB : boundA, &frame = bodies.swapped ? boundA : boundB;
-            const double frameRadius = (bodies.swapped ? a : b).getBoundingRadius();
-            const MotionBound travel{own.linear + frame.at(frameRadius), own.angular};
-            CheckCounts asked;
-            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
-            SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
-            const PoseVerdict one = bodies.frame->environment.settle(
-                {bodies.swapped ? b : a, relative, &travel, requiredInterval}, NO_CERTIFICATE, policy, asked);
-            counts.clearanceQueries += asked.clearanceQueries;
-            counts.contactTests += asked.contactTests;
-            counts.pairExact += asked.exactCalls;
+            const PoseVerdict one = settleBodies(bodies, context, sample);
             verdict.validInterval = std::min(verdict.validInterval, one.validInterval);
             if (!one.free)
                 return verdict;
@@ -164,43 +123,74 @@ namespace ompl_certificates
         return verdict;
     }
 
-    double RobotPairs::intervalOfEnclosingBalls(unsigned int index, const Pose *first, const Pose *second,
-                                                const MotionBound *firstBounds, const MotionBound *secondBounds) const
+    PoseVerdict RobotPairs::settleBodies(const BodyPair &bodies, CheckContext &context, const MotionSample &sample) const
     {
-        const Pair &pair = pairs_[index];
-        double reach = INF;
-        for (const BodyPair &bodies : pair.bodies)
+        const BodyFrame &frame = *bodies.frame;
+        const Body &body = bodies.lookedUp();
+        const Pose relative = bodies.relativePose(context);
+        CheckCounts asked;
+        PoseVerdict verdict;
+        SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
+        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
+        if (frame.certified)
         {
-            const Ball &a = firstBody(pair, bodies).getSphereTree().getRoot(),
-                       &b = secondBody(pair, bodies).getSphereTree().getRoot();
-            const double gap = gapOf(a, first[bodies.firstBody], b, second[bodies.secondBody]);
+            // Seen from the environment's frame, the other body moves as fast as both do together.
+            MotionBound bound;
+            if (sample.moves)
+            {
+                const MotionBound &a = context.motionBounds[bodies.firstIndex],
+                                  &b = context.motionBounds[bodies.secondIndex];
+                const MotionBound &own = bodies.swapped ? b : a, &other = bodies.swapped ? a : b;
+                bound = {own.linear + other.at(frame.body.getBoundingRadius()), own.angular};
+            }
+            verdict = frame.certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE, policy,
+                                              asked);
+        }
+        else
+            verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative,
+                                                  method_ == Method::FCL ? nullptr : &policy, verdict.by, asked);
+        context.counts.clearanceQueries += asked.clearanceQueries;
+        context.counts.contactTests += asked.contactTests;
+        context.counts.pairExact += asked.exactCalls;
+        return verdict;
+    }
+
+    double RobotPairs::provenInterval(unsigned int pair, const CheckContext &context) const
+    {
+        double interval = INF;
+        for (const BodyPair &bodies : pairs_[pair].bodies)
+        {
+            const double gap = bodies.gap(context);
             if (gap <= bodies.margin)
                 return 0.0;
             const double speed =
-                firstBounds[bodies.firstBody].at(a.center.norm()) + secondBounds[bodies.secondBody].at(b.center.norm());
-            reach = std::min(reach, reachOf(gap, bodies.margin, speed));
+                context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
+                context.motionBounds[bodies.secondIndex].at(bodies.second->getSphereTree().getRoot().center.norm());
+            interval = std::min(interval, intervalOf(gap, bodies.margin, speed));
         }
-        return reach;
+        return interval;
     }
 
-    double RobotPairs::distance(unsigned int index, const Pose *first, const Pose *second) const
+    bool RobotPairs::collide(unsigned int pair, const CheckContext &context) const
     {
-        const Pair &pair = pairs_[index];
-        double nearest = INF;
-        for (const BodyPair &bodies : pair.bodies)
+        const auto touch = [&](const BodyPair &bodies)
         {
-            const Body &a = firstBody(pair, bodies), &b = secondBody(pair, bodies);
-            const Pose &poseA = first[bodies.firstBody], &poseB = second[bodies.secondBody];
-            if (!bodies.frame)
-                nearest =
-                    std::min(nearest, gapOf(a.getSphereTree().getRoot(), poseA, b.getSphereTree().getRoot(), poseB));
-            else if (bodies.swapped)
-                nearest = std::min(nearest,
-                                   bodyClearance(bodies.frame->environment.getObstacles(), b, poseA.inverse() * poseB));
-            else
-                nearest = std::min(nearest,
-                                   bodyClearance(bodies.frame->environment.getObstacles(), a, poseB.inverse() * poseA));
-        }
+            const double gap = bodies.gap(context);
+            if (!bodies.frame || gap > bodies.margin)
+                return !(gap > 0.0);
+            return bodies.frame->obstacles->collides(bodies.lookedUp(), bodies.relativePose(context));
+        };
+        const auto &all = pairs_[pair].bodies;
+        return std::any_of(all.begin(), all.end(), touch);
+    }
+
+    double RobotPairs::distance(unsigned int pair, const CheckContext &context) const
+    {
+        double nearest = INF;
+        for (const BodyPair &bodies : pairs_[pair].bodies)
+            nearest = std::min(nearest, bodies.frame ? bodyClearance(*bodies.frame->obstacles, bodies.lookedUp(),
+                                                                     bodies.relativePose(context))
+                                                     : bodies.gap(context));
         return nearest;
     }
 
@@ -208,9 +198,9 @@ namespace ompl_certificates
     {
         for (const auto &frame : frames_)
         {
-            frame->environment.clear();
+            if (frame->certified)
+                frame->certified->clear();
             frame->policy.reset();
-            frame->contactPolicy.reset();
         }
     }
 }

@@ -2,7 +2,6 @@
 #define OMPL_CERTIFICATES_CERTIFICATES_CERTIFICATE_TREE_
 
 #include "ompl_certificates/certificates/Certificate.h"
-#include "ompl_certificates/certificates/CertificateLimit.h"
 #include "ompl_certificates/certificates/ChunkedArray.h"
 
 #include <Eigen/Geometry>
@@ -16,6 +15,8 @@
 
 namespace ompl_certificates
 {
+    class CertificateLimit;
+
     /** \brief A ball of a body, as a certificate must prove it */
     struct BallQuery
     {

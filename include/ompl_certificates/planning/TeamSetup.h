@@ -9,31 +9,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief The ways to check a team */
-    enum class Method
-    {
-        /// TeamValidityChecker with FCL alone: what people have without this library.
-        FCL,
-        /// TeamValidityChecker, by the contact test where it pays, then by FCL: the fastest check that remembers nothing.
-        STANDARD,
-        /// Basic
-        BASIC,
-        /// Partial
-        PARTIAL,
-        /// SharedProjection
-        SHARED_PROJECTION
-    };
-
-    /** \brief All methods: those without certificates first, FCL alone foremost */
-    const std::vector<Method> &allMethods();
-
-    /** \brief The name of a method: fcl, standard, basic, partial or shared */
-    std::string nameOf(Method method);
-
-    /** \brief The method of that name
-        \throws ompl::Exception that lists the names if there is none */
-    Method methodOf(const std::string &name);
-
     /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place, the
         planner's tree in a PlannerKdTree, and the team's path length to optimise.
 
@@ -45,8 +20,8 @@ namespace ompl_certificates
     {
     public:
         /** \brief A setup for \e team among \e obstacles
-            \throws ompl::Exception as TeamValidityChecker does, or if the continuous mode is asked of the standard method,
-            which makes no certificates */
+            \throws ompl::Exception as TeamValidityChecker does, or if the continuous mode is asked of a method without
+            certificates */
         TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
                   Method method = Method::SHARED_PROJECTION,
                   CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
@@ -68,22 +43,16 @@ namespace ompl_certificates
         /** \brief The same, until \e condition becomes true */
         void simplifySolution(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief The team */
+        /** \brief The team's space */
         const TeamStateSpace &getTeam() const
         {
-            return checker_->getTeam();
+            return *getStateSpace()->as<TeamStateSpace>();
         }
 
         /** \brief The validity checker of the team */
         const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
         {
             return checker_;
-        }
-
-        /** \brief The checker of the team if it is one with certificates; else null */
-        std::shared_ptr<CertificateChecker> getCertificateChecker() const
-        {
-            return std::dynamic_pointer_cast<CertificateChecker>(checker_);
         }
 
         /** \brief What has been checked so far, and how */

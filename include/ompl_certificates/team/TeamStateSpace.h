@@ -17,7 +17,7 @@ namespace ompl_certificates
         The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space. A
         program that used a CompoundStateSpace keeps its distances, ranges and trees with SUM; see Metric.
 
-        Every state carries, for each robot, a reference to a certificate that proved it free. References are hints:
+        Every state carries, for each body of each robot, a reference to a certificate that proved it free. References are hints:
         copyState(), cloneState() and interpolate() pass them on, sampling and deserialization clear them, and
         serialization, equality and distance ignore them. */
     class TeamStateSpace : public SearchableStateSpace
@@ -29,21 +29,21 @@ namespace ompl_certificates
         /** \brief Refers to no certificate */
         static constexpr Reference NO_REFERENCE = std::numeric_limits<Reference>::max();
 
-        /** \brief A state of the team: the robots' states, and a certificate reference for each robot. */
+        /** \brief A state of the team: the robots' states, and a certificate reference for each of their bodies */
         class StateType : public SearchableStateSpace::StateType
         {
         public:
-            /** \brief The certificate that proved robot \e robot free, or NO_REFERENCE */
-            Reference getReference(unsigned int robot) const
+            /** \brief The certificate that proved a body free, or NO_REFERENCE; bodies count through the whole team */
+            Reference getReference(std::size_t body) const
             {
-                return references_[robot].load(std::memory_order_relaxed);
+                return references_[body].load(std::memory_order_relaxed);
             }
 
-            /** \brief Remember that \e certificate proved robot \e robot free. Part of the state's cache, not of its value, so
-                it may be called on a constant state and from many threads at once. */
-            void setReference(unsigned int robot, Reference certificate) const
+            /** \brief Remember that \e certificate proved a body free. Part of the state's cache, not of its value: may be
+                called on a constant state, and from many threads at once. */
+            void setReference(std::size_t body, Reference certificate) const
             {
-                references_[robot].store(certificate, std::memory_order_relaxed);
+                references_[body].store(certificate, std::memory_order_relaxed);
             }
 
         private:
@@ -100,6 +100,12 @@ namespace ompl_certificates
             return *robots_[index];
         }
 
+        /** \brief The number of bodies of all robots */
+        std::size_t getBodyCount() const
+        {
+            return bodyCount_;
+        }
+
         /** \brief The dimension of the team's workspace: 2 or 3; 0 while there is no robot */
         unsigned int getWorkspaceDimension() const;
 
@@ -146,7 +152,11 @@ namespace ompl_certificates
             for anything else, and those need no virtual call. */
         std::vector<unsigned int> vectors_;
         std::size_t vectorSum_{0};
+        std::size_t bodyCount_{0};
     };
+
+    /** \brief The z-interval of all bodies of \e robots; see Body::getZInterval() */
+    ZInterval zIntervalOf(const std::vector<RobotPtr> &robots);
 
     /** \brief A shared pointer to a team's state space */
     using TeamStateSpacePtr = std::shared_ptr<TeamStateSpace>;

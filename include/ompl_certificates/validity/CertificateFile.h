@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_FILE_
 #define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_FILE_
 
-#include "ompl_certificates/validity/CertificateChecker.h"
+#include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <string>
 
@@ -13,13 +13,13 @@ namespace ompl_certificates
         is described in docs/certificate-file.md: 32 bytes for each certificate in space, 24 in the plane.
         \throws ompl::Exception that names the file if it cannot be written, or if obstacles of this kind cannot be
         recognized again */
-    void saveCertificates(const CertificateChecker &checker, const std::string &file);
+    void saveCertificates(const TeamValidityChecker &checker, const std::string &file);
 
     /** \brief Give \e checker the certificates of a file, the first ones where setMaxCertificates() does not allow for all
         \return how many there were
         \throws ompl::Exception that names the file, and gives the reason, if it cannot be read, is damaged, is of another
         version, is of other obstacles, or if the checker's method keeps none; then the checker is as it was */
-    std::size_t loadCertificates(CertificateChecker &checker, const std::string &file);
+    std::size_t loadCertificates(TeamValidityChecker &checker, const std::string &file);
 }
 
 #endif

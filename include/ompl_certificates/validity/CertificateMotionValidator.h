@@ -1,20 +1,20 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_MOTION_VALIDATOR_
 #define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_MOTION_VALIDATOR_
 
-#include "ompl_certificates/validity/CertificateChecker.h"
+#include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <memory>
 #include <ompl/base/MotionValidator.h>
 
 namespace ompl_certificates
 {
-    class MotionScratchPool;
-    struct MotionScratch;
-
     /** \brief Checks motions by certified intervals: where a clearance proves a robot free for a while, the samples in that
         while are skipped.
 
-        In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator.
+        In discrete mode the verdict, and the last valid state, are those of ompl::base::DiscreteMotionValidator. With a method
+        without certificates, or in a space that does not move the robots as their own spaces do (see
+        Team::interpolatesRobots()), all samples are looked at, in the order of that class. The lock is taken once for a
+        motion, and the motion is counted and timed as a whole.
 
         In continuous mode a motion is accepted only if all of it is proved free, so that nothing can be between two
         samples. The verdict depends on the obstacles, the motion and the resolution alone: it is the same for both
@@ -38,11 +38,11 @@ namespace ompl_certificates
             CONTINUOUS
         };
 
-        /** \brief A motion validator that looks certificates up in, and adds them to, those of \e checker
-            \throws ompl::Exception if \e checker is null */
-        explicit CertificateMotionValidator(std::shared_ptr<const CertificateChecker> checker, Mode mode = DISCRETE);
-
-        ~CertificateMotionValidator() override;
+        /** \brief A motion validator by the method of \e checker
+            \throws ompl::Exception if \e checker is null, if its space is constrained, whose motions
+            ompl::base::ConstrainedMotionValidator checks, or if continuous mode is asked of a method without
+            certificates, or in a space that does not move the robots as their own spaces do */
+        explicit CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker, Mode mode = DISCRETE);
 
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
 
@@ -56,15 +56,9 @@ namespace ompl_certificates
         }
 
     private:
-        bool areSamplesFree(MotionScratch &scratch, const ompl::base::State *s1, const ompl::base::State *s2,
-                            double &free) const;
-
-        bool isProved(MotionScratch &scratch, const ompl::base::State *s1, const ompl::base::State *s2,
-                      double &free) const;
-
-        std::shared_ptr<const CertificateChecker> checker_;
+        std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;
-        std::unique_ptr<MotionScratchPool> scratch_;
+        bool isSampled_;
     };
 }
 

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_SHARED_PROJECTION_
 #define OMPL_CERTIFICATES_VALIDITY_SHARED_PROJECTION_
 
-#include "ompl_certificates/validity/ProjectedChecker.h"
+#include "ompl_certificates/validity/TeamValidityChecker.h"
 
 namespace ompl_certificates
 {
@@ -11,15 +11,26 @@ namespace ompl_certificates
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
         section II-C. */
-    class SharedProjection : public ProjectedChecker
+    class SharedProjection : public TeamValidityChecker
     {
     public:
-        /** \brief See TeamValidityChecker::TeamValidityChecker() */
-        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles);
-
-        std::string getMethodName() const override
+        /** \brief For the team of a TeamStateSpace; see TeamValidityChecker::TeamValidityChecker() */
+        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles)
+          : TeamValidityChecker(si, obstacles, Method::SHARED_PROJECTION)
         {
-            return "shared";
+        }
+
+        /** \brief For one robot, in its own space or any that Team reads */
+        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, const RobotPtr &robot)
+          : TeamValidityChecker(si, obstacles, {robot}, Method::SHARED_PROJECTION)
+        {
+        }
+
+        /** \brief For several robots, in any space that Team reads */
+        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
+              const std::vector<RobotPtr> &robots)
+          : TeamValidityChecker(si, obstacles, robots, Method::SHARED_PROJECTION)
+        {
         }
     };
 }

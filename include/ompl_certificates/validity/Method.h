@@ -1,0 +1,45 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_METHOD_
+#define OMPL_CERTIFICATES_VALIDITY_METHOD_
+
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief How robots are checked against the obstacles. All methods give the same verdicts.
+
+        @par External documentation
+        J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
+        section II, for the last three. */
+    enum class Method
+    {
+        /// FCL alone: what people have without this library.
+        FCL,
+        /// The contact test where it pays, then FCL: the fastest check that remembers nothing.
+        STANDARD,
+        /// The one team certificate of a near state certifies all robots at once, or nothing; see Basic.
+        BASIC,
+        /// A robot is certified by certificates that the same robot made; see Partial.
+        PARTIAL,
+        /// A robot is certified by certificates that any robot made; see SharedProjection.
+        SHARED_PROJECTION
+    };
+
+    /** \brief All methods: those without certificates first, FCL alone foremost */
+    const std::vector<Method> &allMethods();
+
+    /** \brief The name of a method: fcl, standard, basic, partial or shared */
+    std::string nameOf(Method method);
+
+    /** \brief The method of that name
+        \throws ompl::Exception that lists the names if there is none */
+    Method methodOf(const std::string &name);
+
+    /** \brief Whether a method makes certificates */
+    inline bool makesCertificates(Method method)
+    {
+        return method != Method::FCL && method != Method::STANDARD;
+    }
+}
+
+#endif

@@ -1,0 +1,129 @@
+#include "ompl_certificates/team/Team.h"
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/util/Exception.h>
+#include <typeinfo>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** Within wrappers, whose number is counted in \e wrappers. \e plain is set to whether they interpolate as what they
+            wrap. */
+        ob::StateSpacePtr innerSpace(ob::StateSpacePtr space, unsigned int &wrappers, bool &plain)
+        {
+            plain = true;
+            for (wrappers = 0; auto *wrapper = dynamic_cast<ob::WrapperStateSpace *>(space.get()); ++wrappers)
+            {
+                plain = plain && typeid(*wrapper) == typeid(ob::WrapperStateSpace);
+                space = wrapper->getSpace();
+            }
+            return space;
+        }
+
+        std::vector<RobotPtr> robotsOf(const ob::StateSpacePtr &space)
+        {
+            unsigned int wrappers;
+            bool plain;
+            const ob::StateSpacePtr inner = space ? innerSpace(space, wrappers, plain) : nullptr;
+            const auto *team = dynamic_cast<const TeamStateSpace *>(inner.get());
+            if (!team)
+                throw ompl::Exception("A validity checker needs a TeamStateSpace, or to be told the robots of its space");
+            return team->getRobots();
+        }
+
+        /** Whether two spaces are of one class, and so are their components */
+        bool areAlike(const ob::StateSpace &a, const ob::StateSpace &b)
+        {
+            if (typeid(a) != typeid(b) || a.getDimension() != b.getDimension())
+                return false;
+            const auto *first = dynamic_cast<const ob::CompoundStateSpace *>(&a);
+            const auto *second = dynamic_cast<const ob::CompoundStateSpace *>(&b);
+            if (!first)
+                return true;
+            if (first->getSubspaceCount() != second->getSubspaceCount())
+                return false;
+            for (unsigned int i = 0; i < first->getSubspaceCount(); ++i)
+                if (!areAlike(*first->getSubspace(i), *second->getSubspace(i)))
+                    return false;
+            return true;
+        }
+
+        template <typename Space>
+        bool areBoth(const ob::StateSpace &a, const ob::StateSpace &b)
+        {
+            return dynamic_cast<const Space *>(&a) && typeid(b) == typeid(Space);
+        }
+
+        /** Whether the states of \e space can be read as those of \e robotSpace */
+        bool holdsStatesOf(const ob::StateSpace &space, const ob::StateSpace &robotSpace)
+        {
+            if (areAlike(space, robotSpace))
+                return true;
+            return space.getDimension() == robotSpace.getDimension() &&
+                   (areBoth<ob::SE2StateSpace>(space, robotSpace) || areBoth<ob::SE3StateSpace>(space, robotSpace) ||
+                    areBoth<ob::RealVectorStateSpace>(space, robotSpace));
+        }
+    }
+
+    Team::Team(ob::StateSpacePtr space) : Team(space, robotsOf(space))
+    {
+    }
+
+    Team::Team(ob::StateSpacePtr space, std::vector<RobotPtr> robots)
+      : space_(std::move(space)), robots_(std::move(robots))
+    {
+        if (!space_)
+            throw ompl::Exception("A team needs a state space");
+        if (robots_.empty())
+            throw ompl::Exception(space_->getName(), "there are no robots; add them before the validity checker is made");
+        firstBody_.push_back(0);
+        for (const RobotPtr &robot : robots_)
+        {
+            if (!robot)
+                throw ompl::Exception(space_->getName(), "a robot must not be null");
+            if (robot->getWorkspaceDimension() != getWorkspaceDimension())
+                throw ompl::Exception(space_->getName(), "robot '" + robot->getName() + "' moves in " +
+                                                             std::to_string(robot->getWorkspaceDimension()) +
+                                                             " dimensions, the team in " +
+                                                             std::to_string(getWorkspaceDimension()));
+            firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
+        }
+        const ob::StateSpacePtr inner = innerSpace(space_, wrappers_, interpolatesRobots_);
+        read(inner);
+        if (auto *compound = dynamic_cast<ob::CompoundStateSpace *>(inner.get()))
+            compound->lock();
+    }
+
+    void Team::read(const ob::StateSpacePtr &inner)
+    {
+        isWhole_ = robots_.size() == 1 && holdsStatesOf(*inner, *robots_.front()->getStateSpace());
+        if (isWhole_)
+            return addSpace(inner, *robots_.front());
+        const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(inner.get());
+        if (!compound || compound->getSubspaceCount() != robots_.size())
+            throw ompl::Exception(inner->getName(),
+                                  "has " + std::to_string(compound ? compound->getSubspaceCount() : 1) +
+                                      " components, but there are " + std::to_string(robots_.size()) +
+                                      " robots: a team's space has one component for each robot, in their order");
+        for (unsigned int i = 0; i < robots_.size(); ++i)
+            addSpace(compound->getSubspace(i), *robots_[i]);
+        const auto *team = dynamic_cast<const TeamStateSpace *>(compound);
+        keepsReferences_ = team && team->getRobots() == robots_;
+    }
+
+    void Team::addSpace(const ob::StateSpacePtr &component, const Robot &robot)
+    {
+        const ob::StateSpace &own = *robot.getStateSpace();
+        if (component.get() != &own && !holdsStatesOf(*component, own))
+            throw ompl::Exception(space_->getName(), "its component '" + component->getName() +
+                                                         "' does not hold states of robot '" + robot.getName() +
+                                                         "', which moves in a space of another class or dimension");
+        interpolatesRobots_ = interpolatesRobots_ && (component.get() == &own || areAlike(*component, own));
+        spaces_.push_back(component);
+    }
+}

@@ -1,0 +1,139 @@
+#include "BasicMethod.h"
+
+#include "certificates/CertificateLimit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** How often a body's sphere tree is refined by the body's one certificate */
+        constexpr unsigned int LEVELS = 2;
+    }
+
+    BasicMethod::BasicMethod(const Team &team, const ObstaclesPtr &obstacles, std::shared_ptr<CertificateLimit> limit)
+      : limit_(std::move(limit)), environment_(obstacles, limit_), policies_(team.getBodyCount())
+    {
+    }
+
+    void BasicMethod::clear()
+    {
+        environment_.clear();
+        for (SwitchingPolicy &policy : policies_)
+            policy.reset();
+        limit_->give(getCertificateCount());
+        certificates_.clear();
+        teamCertificates_ = 0;
+    }
+
+    void BasicMethod::change(const ObstacleChange &change)
+    {
+        for (std::size_t i = 0; i < getCertificateCount(); ++i)
+        {
+            Certificate &certificate = certificates_[static_cast<CertificateIndex>(i)];
+            certificate.clearance = change.clearance(certificate.point, certificate.clearance);
+        }
+        environment_.change(change);
+    }
+
+    std::vector<Certificate> BasicMethod::getCertificates() const
+    {
+        std::vector<Certificate> all;
+        for (std::size_t i = 0; i < getCertificateCount(); ++i)
+            all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
+        return all;
+    }
+
+    bool BasicMethod::proveTeamFree(CertificateIndex team, const CheckContext &context, const MotionSample &sample,
+                                    PoseVerdict &verdict) const
+    {
+        if (team >= teamCertificates_.load(std::memory_order_acquire))
+            return false;
+        verdict.free = true;
+        verdict.validInterval = std::numeric_limits<double>::infinity();
+        verdict.reference = team;
+        auto next = static_cast<CertificateIndex>(team * policies_.size());
+        for (unsigned int robot = 0; robot < context.team.getRobotCount(); ++robot)
+            for (std::size_t body = 0; body < context.team.getRobot(robot).getBodies().size(); ++body)
+            {
+                const PoseQuery query = queryOf(robot, body, context, sample);
+                const Certificate &certificate = certificates_[next++];
+                const auto lookup = [&](const BallQuery &ball)
+                { return CertificateTree::cover(certificate, team, ball); };
+                PoseVerdict one;
+                if (!proveFree(query, environment_.getProofMargin(query), LEVELS,
+                               CertifiedEnvironment::mostBalls(query), lookup, one))
+                    return false;
+                verdict.validInterval = std::min(verdict.validInterval, one.validInterval);
+            }
+        return true;
+    }
+
+    PoseVerdict BasicMethod::settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const
+    {
+        const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
+        PoseVerdict whole;
+        whole.free = true;
+        whole.validInterval = std::numeric_limits<double>::infinity();
+        for (std::size_t body = first; whole.free && body < end; ++body)
+        {
+            const PoseQuery query = queryOf(robot, body - first, context, sample);
+            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
+            const PoseVerdict one =
+                environment_.ask(query, adaptive_ ? policies_[body] : indifferent, context.counts);
+            whole.free = one.free;
+            whole.validInterval = std::min(whole.validInterval, one.validInterval);
+            whole.by = std::max(whole.by, one.by);
+            context.fresh[body] = {query.pose * query.body.getSphereTree().getRoot().center, one.clearance};
+        }
+        countRobotPose(context.counts, whole.by, whole.free);
+        return whole;
+    }
+
+    PoseVerdict BasicMethod::settleTeam(CheckContext &context, const MotionSample &sample) const
+    {
+        const unsigned int robots = context.team.getRobotCount();
+        PoseVerdict whole;
+        if (proveTeamFree(context.hints.front(), context, sample, whole))
+        {
+            context.counts.robotPoses += robots;
+            context.counts.certifiedFree += robots;
+            return whole;
+        }
+        whole = {true, std::numeric_limits<double>::infinity()};
+        for (unsigned int robot = 0; whole.free && robot < robots; ++robot)
+        {
+            const PoseVerdict one = settleRobot(robot, context, sample);
+            whole.free = one.free;
+            whole.validInterval = std::min(whole.validInterval, one.validInterval);
+        }
+        if (!whole.free)
+            return whole;
+        whole.reference = keep(context.fresh);
+        if (whole.reference != NO_CERTIFICATE)
+            std::fill(context.hints.begin(), context.hints.end(), whole.reference);
+        return whole;
+    }
+
+    CertificateIndex BasicMethod::keep(const std::vector<Certificate> &fresh) const
+    {
+        // Where clearances do not pay, bodies are settled without.
+        if (std::any_of(fresh.begin(), fresh.end(), [](const Certificate &one) { return std::isnan(one.clearance); }))
+            return NO_CERTIFICATE;
+        if (!limit_->take(fresh.size()))
+            return NO_CERTIFICATE;
+        const std::lock_guard<std::mutex> lock(insertMutex_);
+        for (const Certificate &certificate : fresh)
+            certificates_[certificates_.append()] = certificate;
+        return teamCertificates_.fetch_add(1, std::memory_order_release);
+    }
+
+    double BasicMethod::provenTeamInterval(const CheckContext &context) const
+    {
+        PoseVerdict verdict;
+        return proveTeamFree(context.hints.front(), context, {true}, verdict) ? verdict.validInterval : 0.0;
+    }
+}

@@ -1,0 +1,70 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_BASIC_METHOD_
+#define OMPL_CERTIFICATES_VALIDITY_BASIC_METHOD_
+
+#include "CheckMethod.h"
+
+#include "certificates/CertifiedEnvironment.h"
+
+#include "ompl_certificates/certificates/ChunkedArray.h"
+
+#include <atomic>
+#include <mutex>
+
+namespace ompl_certificates
+{
+    /** \brief Method::BASIC: settles a team by one certificate of it all. A robot asked about alone is settled without. */
+    class BasicMethod : public CheckMethod, public TeamMethod
+    {
+    public:
+        /** \param limit how many certificates may be kept, together with others */
+        BasicMethod(const Team &team, const ObstaclesPtr &obstacles, std::shared_ptr<CertificateLimit> limit);
+
+        PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+
+        PoseVerdict settleTeam(CheckContext &context, const MotionSample &sample) const override;
+
+        double provenTeamInterval(const CheckContext &context) const override;
+
+        const TeamMethod *getTeamMethod() const override
+        {
+            return this;
+        }
+
+        void clear() override;
+
+        void change(const ObstacleChange &change) override;
+
+        void setAdaptive(bool adaptive) override
+        {
+            adaptive_ = adaptive;
+        }
+
+        std::size_t getCertificateCount() const override
+        {
+            return teamCertificates_.load(std::memory_order_acquire) * policies_.size();
+        }
+
+        std::vector<Certificate> getCertificates() const override;
+
+    private:
+        /** \brief Whether team certificate \e team proves all robots free, and for how long */
+        bool proveTeamFree(CertificateIndex team, const CheckContext &context, const MotionSample &sample,
+                           PoseVerdict &verdict) const;
+
+        /** \brief Keep the fresh clearances as a team certificate, if there is one for each body, and room */
+        CertificateIndex keep(const std::vector<Certificate> &fresh) const;
+
+        const std::shared_ptr<CertificateLimit> limit_;
+        CertifiedEnvironment environment_;
+        /** \brief For each body of the team */
+        mutable std::vector<SwitchingPolicy> policies_;
+        bool adaptive_{true};
+        mutable std::mutex insertMutex_;
+        /** \brief The certificates of a team certificate stand next to each other, one for each body */
+        mutable ChunkedArray<Certificate> certificates_;
+        /** \brief The number of team certificates that are complete */
+        mutable std::atomic<CertificateIndex> teamCertificates_{0};
+    };
+}
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_EXACT_METHOD_
+#define OMPL_CERTIFICATES_VALIDITY_EXACT_METHOD_
+
+#include "CheckMethod.h"
+
+#include "certificates/SwitchingPolicy.h"
+
+namespace ompl_certificates
+{
+    /** \brief Method::FCL and Method::STANDARD: remember nothing */
+    class ExactMethod : public CheckMethod
+    {
+    public:
+        /** \param contactTest whether the contact test may come before FCL */
+        ExactMethod(const Team &team, ObstaclesPtr obstacles, bool contactTest);
+
+        PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+
+        void clear() override;
+
+        void change(const ObstacleChange &change) override
+        {
+            obstacles_ = change.after;
+        }
+
+    private:
+        ObstaclesPtr obstacles_;
+        const bool contactTest_;
+        /** \brief Whether the contact test pays, for each body of the team */
+        mutable std::vector<SwitchingPolicy> policies_;
+    };
+}
+
+#endif

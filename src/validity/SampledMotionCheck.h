@@ -1,0 +1,38 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_SAMPLED_MOTION_CHECK_
+#define OMPL_CERTIFICATES_VALIDITY_SAMPLED_MOTION_CHECK_
+
+#include "TeamCheck.h"
+
+namespace ompl_certificates
+{
+    /** \brief The check of a motion sample by sample, as the team's space interpolates: the verdict, and the order of samples,
+        of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions have no
+        motion bounds. */
+    class SampledMotionCheck
+    {
+    public:
+        SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
+                           const ompl::base::State *s2);
+        ~SampledMotionCheck();
+
+        SampledMotionCheck(const SampledMotionCheck &) = delete;
+        SampledMotionCheck &operator=(const SampledMotionCheck &) = delete;
+
+        /** \brief Whether all samples are valid */
+        bool isFree();
+
+        /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
+        bool isFree(double &free);
+
+    private:
+        int countSegments();
+        bool isSampleFree(int sample);
+
+        const TeamCheck &check_;
+        CheckContext &context_;
+        const ompl::base::State *s1_, *s2_;
+        int segments_{0};
+    };
+}
+
+#endif

@@ -1,0 +1,196 @@
+#include "TeamCheck.h"
+
+#include "BasicMethod.h"
+#include "BodyClearance.h"
+#include "ExactMethod.h"
+#include "ProjectedMethod.h"
+
+#include <algorithm>
+#include <limits>
+#include <ompl/util/Exception.h>
+#include <type_traits>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    static_assert(std::is_same_v<CertificateIndex, TeamStateSpace::Reference> &&
+                      NO_CERTIFICATE == TeamStateSpace::NO_REFERENCE,
+                  "States keep indices of certificates as they are");
+
+    namespace
+    {
+        void requireObstacles(const ObstaclesPtr &obstacles, const Team &team)
+        {
+            if (!obstacles)
+                throw ompl::Exception("A team validity checker needs obstacles; for none, give an empty FclObstacles");
+            if (obstacles->getDimension() != team.getWorkspaceDimension())
+                throw ompl::Exception("The obstacles have " + std::to_string(obstacles->getDimension()) +
+                                      " dimensions, the team's workspace " +
+                                      std::to_string(team.getWorkspaceDimension()));
+            if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
+                throw ompl::Exception("The robots reach beyond the z-interval that the obstacles were made for; give them "
+                                      "the team's, TeamStateSpace::getZInterval()");
+        }
+
+        std::unique_ptr<CheckMethod> makeMethod(Method method, const Team &team, const ObstaclesPtr &obstacles,
+                                                const std::shared_ptr<CertificateLimit> &limit)
+        {
+            requireObstacles(obstacles, team);
+            switch (method)
+            {
+                case Method::FCL:
+                case Method::STANDARD:
+                    return std::make_unique<ExactMethod>(team, obstacles, method == Method::STANDARD);
+                case Method::BASIC:
+                    return std::make_unique<BasicMethod>(team, obstacles, limit);
+                case Method::PARTIAL:
+                case Method::SHARED_PROJECTION:
+                    return std::make_unique<ProjectedMethod>(team, obstacles, method == Method::SHARED_PROJECTION, limit);
+            }
+            throw ompl::Exception("Unknown method");
+        }
+
+        /** Makes the trees of the robots' meshes now, and not in the midst of the first check: among 10^5 triangles this takes
+            a twentieth of a second. */
+        void makeMeshTrees(const Team &team)
+        {
+            for (const auto &robot : team.getRobots())
+                for (const Body &body : robot->getBodies())
+                    for (const auto &part : body.getParts())
+                        if (const TriangleMesh *mesh = part.shape.getMesh())
+                            mesh->getTree();
+        }
+    }
+
+    TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, Method method)
+      : team_(std::move(team))
+      , obstacles_(std::move(obstacles))
+      , method_(method)
+      , checkMethod_(makeMethod(method, team_, obstacles_, limit_))
+      , teamMethod_(checkMethod_->getTeamMethod())
+      , pairs_(team_, method, limit_)
+      , contexts_(team_)
+    {
+        if (teamMethod_)
+            subjects_.push_back({Subject::TEAM, 0, team_.getRobotCount() - 1, 0});
+        else
+            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+                subjects_.push_back({Subject::ROBOT, robot, robot, 0});
+        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+            subjects_.push_back({Subject::PAIR, pairs_.getFirst(pair), pairs_.getSecond(pair), pair});
+        if (method != Method::FCL)
+            makeMeshTrees(team_);
+    }
+
+    Subject TeamCheck::getPair(unsigned int first, unsigned int second) const
+    {
+        const unsigned int pair = pairs_.find(first, second);
+        return {Subject::PAIR, pairs_.getFirst(pair), pairs_.getSecond(pair), pair};
+    }
+
+    PoseVerdict TeamCheck::settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const
+    {
+        switch (subject.kind)
+        {
+            case Subject::TEAM:
+                return teamMethod_->settleTeam(context, sample);
+            case Subject::ROBOT:
+                return checkMethod_->settleRobot(subject.first, context, sample);
+            case Subject::PAIR:
+                break;
+        }
+        return pairs_.settle(subject.pair, context, sample);
+    }
+
+    double TeamCheck::provenInterval(const Subject &subject, const CheckContext &context) const
+    {
+        switch (subject.kind)
+        {
+            case Subject::TEAM:
+                return teamMethod_->provenTeamInterval(context);
+            case Subject::ROBOT:
+                return checkMethod_->provenInterval(subject.first, context);
+            case Subject::PAIR:
+                break;
+        }
+        return pairs_.provenInterval(subject.pair, context);
+    }
+
+    bool TeamCheck::isFree(const ob::State *state, CheckContext &context) const
+    {
+        takeReferences(state, state, context);
+        bool free = true;
+        for (std::size_t i = 0; free && i < subjects_.size(); ++i)
+        {
+            const Subject &subject = subjects_[i];
+            // Pairs come after all robots.
+            for (unsigned int robot = subject.first; subject.kind != Subject::PAIR && robot <= subject.last; ++robot)
+                place(robot, team_.getRobotState(state, robot), context);
+            free = settle(subject, context, {}).free;
+        }
+        giveReferences(state, context);
+        return free;
+    }
+
+    double TeamCheck::clearance(const ob::State *state, CheckContext &context) const
+    {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+        {
+            place(robot, team_.getRobotState(state, robot), context);
+            const Pose *poses = context.poses.data() + team_.getFirstBody(robot);
+            for (const Body &body : team_.getRobot(robot).getBodies())
+                nearest = std::min(nearest, bodyClearance(*obstacles_, body, *poses++));
+        }
+        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+            nearest = std::min(nearest, pairs_.distance(pair, context));
+        return nearest;
+    }
+
+    std::string TeamCheck::describeCollision(const ob::State *state, CheckContext &context) const
+    {
+        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+        {
+            place(robot, team_.getRobotState(state, robot), context);
+            const Pose *poses = context.poses.data() + team_.getFirstBody(robot);
+            for (const Body &body : team_.getRobot(robot).getBodies())
+                if (const Pose &pose = *poses++; !isFinite(pose) || obstacles_->collides(body, pose))
+                    return "robot '" + team_.getRobot(robot).getName() + "' touches an obstacle";
+        }
+        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+            if (pairs_.collide(pair, context))
+                return "robots '" + team_.getRobot(pairs_.getFirst(pair)).getName() + "' and '" +
+                       team_.getRobot(pairs_.getSecond(pair)).getName() + "' touch each other";
+        return "";
+    }
+
+    void TeamCheck::change(const ObstacleChange &change)
+    {
+        for (const ObstaclesPtr &obstacles : {change.after, change.added, change.removed})
+            if (obstacles || obstacles == change.after)
+                requireObstacles(obstacles, team_);
+        const WorldLock::Change guard(lock_);
+        checkMethod_->change(change);
+        obstacles_ = change.after;
+    }
+
+    void TeamCheck::takeReferences(const ob::State *state, const ob::State *other, CheckContext &context) const
+    {
+        const auto *own = team_.getReferences(state), *others = team_.getReferences(other);
+        if (!own)
+            return;
+        for (std::size_t body = 0; body < context.hints.size(); ++body)
+        {
+            const CertificateIndex hint = own->getReference(body);
+            context.hints[body] = hint == NO_CERTIFICATE ? others->getReference(body) : hint;
+        }
+    }
+
+    void TeamCheck::giveReferences(const ob::State *state, const CheckContext &context) const
+    {
+        if (const auto *own = team_.getReferences(state))
+            for (std::size_t body = 0; body < context.hints.size(); ++body)
+                own->setReference(body, context.hints[body]);
+    }
+}
