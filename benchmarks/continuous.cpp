@@ -81,7 +81,7 @@ namespace
             discrete->getSpaceInformation()->setup();
             continuous->getSpaceInformation()->setup();
             const Motions motions = makeMotions(*discrete, count, longest);
-            discrete->getCertificateChecker()->clear();
+            discrete->getTeamChecker()->clear();
             const Result samples = check(*discrete, motions), whole = check(*continuous, motions);
             const CheckCounts counts = continuous->getStatistics().getCounts();
             const auto each = [count](std::uint64_t number) { return static_cast<double>(number) / count; };

@@ -127,8 +127,9 @@ namespace
     {
         for (const auto &[option, file] : {std::pair{"--load-certificates", options.loadedCertificates},
                                            {"--save-certificates", options.savedCertificates}})
-            if (!file.empty() && !setup.getCertificateChecker())
-                throw ompl::Exception(option, "the standard method has no certificates");
+            if (!file.empty() && !makesCertificates(setup.getTeamChecker()->getMethod()))
+                throw ompl::Exception(option, "the method " + nameOf(setup.getTeamChecker()->getMethod()) +
+                                                  " has no certificates");
     }
 
     /** Plan, and fill in what of the report is known by then */
@@ -162,8 +163,7 @@ namespace
             report.cost = setup.getSolutionPath().length();
         const std::string iterations = demos::progressOf(planner, "iterations");
         report.iterations = iterations.empty() ? limit.getEvaluations() : std::stoull(iterations);
-        if (const auto checker = setup.getCertificateChecker())
-            report.certificates = checker->getCertificateCount();
+        report.certificates = setup.getTeamChecker()->getCertificateCount();
     }
 
     /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
@@ -237,8 +237,8 @@ namespace
             picture.setPath(setup.getSolutionPath());
         if (options.pictureTree)
             picture.setTree(tree);
-        if (const auto checker = setup.getCertificateChecker(); checker && options.pictureCertificates)
-            picture.setCertificates(checker->getCertificates());
+        if (options.pictureCertificates)
+            picture.setCertificates(setup.getTeamChecker()->getCertificates());
         return picture.toSvg();
     }
 
@@ -260,7 +260,7 @@ namespace
                 }
         };
         attempt(options.savedCertificates,
-                [&](const std::string &file) { saveCertificates(*setup.getCertificateChecker(), file); });
+                [&](const std::string &file) { saveCertificates(*setup.getTeamChecker(), file); });
         attempt(options.report, [&](const std::string &file) { demos::writeOutput(file, report.toJson()); });
         // An approximate path looks like any other in a file, and would be taken for a solution.
         if (report.solved)
@@ -303,7 +303,7 @@ namespace
         setup->getStatistics().reset();
         requireCertificates(options, *setup);
         if (!options.loadedCertificates.empty())
-            loadCertificates(*setup->getCertificateChecker(), options.loadedCertificates);
+            loadCertificates(*setup->getTeamChecker(), options.loadedCertificates);
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
             for (const std::string &note : scene->getNotes())

@@ -1,12 +1,16 @@
 #include "common/LookupRecord.h"
 
+#include "validity/DiscreteMotionCheck.h"
+#include "validity/TeamCheck.h"
+
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
-#include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <cmath>
 #include <memory>
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/Goal.h>
 #include <ompl/base/ScopedState.h>
+#include <ompl/base/StateValidityChecker.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/RandomNumbers.h>
@@ -48,35 +52,28 @@ namespace benchmarks
         };
 
         /** Looks certificates up and keeps them as SharedProjection does for bodies that are balls, and records it */
-        class RecordingChecker : public CertificateChecker
+        class RecordingMethod : public CheckMethod
         {
         public:
-            RecordingChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, Store &store)
-              : CertificateChecker(si, obstacles), store_(store)
+            RecordingMethod(ObstaclesPtr obstacles, Store &store) : obstacles_(std::move(obstacles)), store_(store)
             {
             }
 
-            std::size_t getCertificateCount() const override
+            void clear() override
             {
-                return store_.tree.size();
+                throw ompl::Exception("A record is not to be cleared");
             }
 
-            std::vector<Certificate> getCertificates() const override
+            void change(const ObstacleChange & /*change*/) override
             {
-                return store_.record.certificates;
+                throw ompl::Exception("A record is of one set of obstacles");
             }
 
-            void addCertificates(const std::vector<Certificate> & /*certificates*/) override
+            PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override
             {
-                throw ompl::Exception("A record holds what plans ask for alone");
-            }
-
-            PoseVerdict settleGroup(unsigned int robot, const Pose *poses, const Motion &motion,
-                                    CertificateIndex *references, CheckCounts & /*counts*/) const override
-            {
-                const PoseQuery query = queryOf(robot, 0, poses, motion);
+                const PoseQuery query = queryOf(robot, 0, context, sample);
                 const BallQuery ball = ballOf(query);
-                const CertificateIndex hint = references[robot];
+                CertificateIndex &hint = context.hints[context.team.getFirstBody(robot)];
                 Covering covering = store_.tree.coveringBy(hint, ball);
                 if (covering.verdict != Covering::UNKNOWN)
                     store_.record.hinted += store_.isFull() ? 1 : 0;
@@ -99,15 +96,15 @@ namespace benchmarks
                 if (verdict.free)
                     verdict.validInterval = covering.slack / query.speedOf(query.body.getSphereTree().getRoot());
                 if (covering.certificate != NO_CERTIFICATE)
-                    references[robot] = covering.certificate;
+                    hint = covering.certificate;
                 return verdict;
             }
 
-            double intervalOfReferences(unsigned int robot, const Pose *poses, const MotionBound *travel,
-                                        const CertificateIndex *references) const override
+            double provenInterval(unsigned int robot, const CheckContext &context) const override
             {
-                const PoseQuery query = queryOf(robot, 0, poses, {travel});
-                const Covering covering = store_.tree.coveringBy(references[robot], ballOf(query));
+                const PoseQuery query = queryOf(robot, 0, context, {true});
+                const Covering covering =
+                    store_.tree.coveringBy(context.hints[context.team.getFirstBody(robot)], ballOf(query));
                 return covering.verdict == Covering::FREE
                            ? covering.slack / query.speedOf(query.body.getSphereTree().getRoot())
                            : 0.0;
@@ -134,7 +131,53 @@ namespace benchmarks
                 return covering;
             }
 
+            const ObstaclesPtr obstacles_;
             Store &store_;
+        };
+
+        /** Lets a planner's checks be made by a RecordingMethod */
+        class RecordingChecker : public ob::StateValidityChecker
+        {
+        public:
+            RecordingChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, Store &store)
+              : StateValidityChecker(si)
+              , check_(Team(si->getStateSpace()), obstacles, std::make_unique<RecordingMethod>(obstacles, store))
+            {
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                const TeamCheck::Scope context(check_);
+                return check_.isFree(state, *context);
+            }
+
+            bool isMotionFree(const ob::State *s1, const ob::State *s2) const
+            {
+                const TeamCheck::Scope context(check_);
+                return DiscreteMotionCheck(check_, *context, s1, s2).isFree();
+            }
+
+        private:
+            TeamCheck check_;
+        };
+
+        class RecordingMotionValidator : public ob::DiscreteMotionValidator
+        {
+        public:
+            RecordingMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const RecordingChecker> checker)
+              : DiscreteMotionValidator(si), checker_(std::move(checker))
+            {
+            }
+
+            using DiscreteMotionValidator::checkMotion;
+
+            bool checkMotion(const ob::State *s1, const ob::State *s2) const override
+            {
+                return checker_->isMotionFree(s1, s2);
+            }
+
+        private:
+            const std::shared_ptr<const RecordingChecker> checker_;
         };
 
         /** One plan from a random start. Returns the number of its iterations. */
@@ -145,7 +188,7 @@ namespace benchmarks
             auto si = std::make_shared<ob::SpaceInformation>(team);
             auto checker = std::make_shared<RecordingChecker>(si, plans.obstacles, store);
             si->setStateValidityChecker(checker);
-            si->setMotionValidator(std::make_shared<CertificateMotionValidator>(checker));
+            si->setMotionValidator(std::make_shared<RecordingMotionValidator>(si, checker));
             team->setLongestValidSegmentFraction(plans.range * plans.resolution / team->getMaximumExtent());
             si->setup();
             ob::ScopedState<> start(si);

@@ -124,7 +124,7 @@ namespace benchmarks
         const TeamSetupPtr setup = task.stock ? makeStockSetup(task.scene) : task.scene.makeSetup(task.method);
         if (task.resolution > 0.0)
             setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
-        const auto certificates = setup->getCertificateChecker();
+        TeamValidityChecker &checker = *setup->getTeamChecker();
         const auto newPlanner = [&](std::uint_fast32_t seed)
         {
             setSeed(seed);
@@ -134,7 +134,7 @@ namespace benchmarks
             setup->setPlanner(planner);
             return planner;
         };
-        if (task.warm && certificates)
+        if (task.warm && makesCertificates(checker.getMethod()))
         {
             // Another seed: not the certificates of the very same states.
             const ob::PlannerPtr before = newPlanner(task.seed + 1000);
@@ -166,13 +166,12 @@ namespace benchmarks
                 break;
             planner->clear();
             setup->getProblemDefinition()->clearSolutionPaths();
-            if (certificates && !task.warm)
-                certificates->clear();
+            if (!task.warm)
+                checker.clear();
         }
         result.counts = setup->getStatistics().getCounts();
         result.checkingSeconds = setup->getStatistics().getCheckingSeconds();
-        if (const auto checker = setup->getCertificateChecker())
-            result.certificates = checker->getCertificateCount();
+        result.certificates = checker.getCertificateCount();
         return result;
     }
 

@@ -210,7 +210,7 @@ namespace demos
                 const double ownProcessorStart = processorSeconds();
                 const CheckCounts checks = setup_.getStatistics().getCounts();
                 const SampleCounter::Counts &samples = samples_.getCounts();
-                const bool standard = setup_.getCertificateChecker() == nullptr;
+                const bool standard = !makesCertificates(setup_.getTeamChecker()->getMethod());
                 const auto known = [standard](std::uint64_t value) { return standard ? Json() : Json(value); };
                 rows_.push_back({iterations_,
                                  samples.samples,
@@ -236,7 +236,7 @@ namespace demos
                                  checks.motionSamplesSkipped,
                                  checks.pairPoses,
                                  checks.pairExact,
-                                 standard ? 0 : setup_.getCertificateChecker()->getCertificateCount(),
+                                 setup_.getTeamChecker()->getCertificateCount(),
                                  seconds,
                                  processor,
                                  setup_.getStatistics().getCheckingSeconds(),
@@ -297,8 +297,7 @@ namespace demos
             team->setLongestValidSegmentFraction(grid->resolution);
         const auto obstacles = std::make_shared<TimedObstacles>(scene, grid->adaptive);
         TeamSetup setup(team, obstacles, method);
-        if (const auto checker = setup.getCertificateChecker())
-            checker->setAdaptive(grid->adaptive);
+        setup.getTeamChecker()->setAdaptive(grid->adaptive);
         setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
         if (!grid->goal)
             setup.setGoal(std::make_shared<NoGoal>(setup.getSpaceInformation()));

@@ -39,8 +39,7 @@ namespace demos
 
         std::size_t certificatesOf(const TeamSetup &setup)
         {
-            const auto checker = setup.getCertificateChecker();
-            return checker ? checker->getCertificateCount() : 0;
+            return setup.getTeamChecker()->getCertificateCount();
         }
     }
 
@@ -134,8 +133,7 @@ namespace demos
         planners_[active_] = makePlanner(entry);
 
         const TeamSetup &setup = *lenders_[entry.method];
-        if (const auto checker = setup.getCertificateChecker())
-            checker->clear();
+        setup.getTeamChecker()->clear();
         setup.getSpaceInformation()->getMotionValidator()->resetMotionCounter();
         setup.getStatistics().reset();
         counts_ = CheckCounts();

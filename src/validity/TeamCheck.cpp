@@ -64,10 +64,23 @@ namespace ompl_certificates
     }
 
     TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, Method method)
+      : TeamCheck(std::move(team), std::move(obstacles), method, std::make_shared<CertificateLimit>(), nullptr)
+    {
+    }
+
+    TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, std::unique_ptr<CheckMethod> checkMethod)
+      : TeamCheck(std::move(team), std::move(obstacles), Method::SHARED_PROJECTION, std::make_shared<CertificateLimit>(),
+                  std::move(checkMethod))
+    {
+    }
+
+    TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
+                         std::unique_ptr<CheckMethod> checkMethod)
       : team_(std::move(team))
       , obstacles_(std::move(obstacles))
       , method_(method)
-      , checkMethod_(makeMethod(method, team_, obstacles_, limit_))
+      , limit_(std::move(limit))
+      , checkMethod_(checkMethod ? std::move(checkMethod) : makeMethod(method, team_, obstacles_, limit_))
       , teamMethod_(checkMethod_->getTeamMethod())
       , pairs_(team_, method, limit_)
       , contexts_(team_)

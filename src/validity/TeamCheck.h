@@ -39,6 +39,10 @@ namespace ompl_certificates
         /** \throws ompl::Exception if \e obstacles is null, or of another workspace or z-interval than the team */
         TeamCheck(Team team, ObstaclesPtr obstacles, Method method);
 
+        /** \brief The same with a method of one's own against the obstacles; robots are checked against each other with
+            certificates */
+        TeamCheck(Team team, ObstaclesPtr obstacles, std::unique_ptr<CheckMethod> checkMethod);
+
         const Team &getTeam() const
         {
             return team_;
@@ -173,11 +177,14 @@ namespace ompl_certificates
         };
 
     private:
+        TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
+                  std::unique_ptr<CheckMethod> checkMethod);
+
         const Team team_;
         ObstaclesPtr obstacles_;
         const Method method_;
         /** \brief For certificates of obstacles and of pairs together */
-        const std::shared_ptr<CertificateLimit> limit_{std::make_shared<CertificateLimit>()};
+        const std::shared_ptr<CertificateLimit> limit_;
         const std::unique_ptr<CheckMethod> checkMethod_;
         /** \brief Of the method, if it settles all robots together */
         const TeamMethod *const teamMethod_;

@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     static TeamSetup setup = makeSetup();
     if (size == 0)
         return 0;
-    CertificateChecker &checker = *setup.getCertificateChecker();
+    TeamValidityChecker &checker = *setup.getTeamChecker();
     checker.clear();
     std::string bytes = fuzz::textOf(data + 1, size - 1);
     if (data[0] % 2 == 1)

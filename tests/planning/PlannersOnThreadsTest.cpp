@@ -57,7 +57,7 @@ namespace
             setup->setPlanner(planner);
             setup->setup();
             setup->solve(seconds);
-            ASSERT_GT(setup->getCertificateChecker()->getCertificateCount(), 10U);
+            ASSERT_GT(setup->getTeamChecker()->getCertificateCount(), 10U);
             const CheckCounts counts = setup->getStatistics().getCounts();
             EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.asked);
             EXPECT_GT(counts.certifiedFree, counts.asked);

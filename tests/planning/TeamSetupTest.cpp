@@ -85,19 +85,15 @@ TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
     for (const Method method : allMethods())
     {
         const TeamSetup setup(team, noObstacles(2), method);
-        EXPECT_EQ(setup.getTeamChecker()->getMethodName(), nameOf(method));
+        EXPECT_EQ(setup.getTeamChecker()->getMethod(), method);
         EXPECT_EQ(setup.getSpaceInformation()->getStateValidityChecker(), setup.getTeamChecker());
         EXPECT_EQ(&setup.getTeam(), team.get());
-        EXPECT_EQ(setup.getCertificateChecker() == nullptr, method == Method::FCL || method == Method::STANDARD);
         const auto *validator =
             dynamic_cast<CertificateMotionValidator *>(setup.getSpaceInformation()->getMotionValidator().get());
-        EXPECT_EQ(validator == nullptr, setup.getCertificateChecker() == nullptr);
-        if (validator)
-        {
-            EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
-        }
+        ASSERT_NE(validator, nullptr);
+        EXPECT_EQ(validator->getMode(), CertificateMotionValidator::DISCRETE);
     }
-    EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethodName(), "shared");
+    EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethod(), Method::SHARED_PROJECTION);
 }
 
 TEST(TeamSetup, KnowsTheNamesOfTheMethods)

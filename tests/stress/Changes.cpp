@@ -22,7 +22,7 @@ namespace ompl_certificates
             }
 
             /** Whether a checker takes the certificates of \e file */
-            bool isLoaded(CertificateChecker &checker, const std::string &file)
+            bool isLoaded(TeamValidityChecker &checker, const std::string &file)
             {
                 try
                 {
@@ -62,14 +62,14 @@ namespace ompl_certificates
         void files(World &world, Tally &tally)
         {
             test::Random &random = world.random;
-            CertificateChecker &partial = *world.checked->certified[1].checker;
-            CertificateChecker &shared = *world.checked->certified[2].checker;
+            TeamValidityChecker &partial = *world.checked->certified[1].checker;
+            TeamValidityChecker &shared = *world.checked->certified[2].checker;
             // One file for each state of the obstacles: the older ones are of other obstacles.
             const auto fileAfter = [&world](unsigned int change)
             { return world.folder / ("certificates" + std::to_string(change)); };
             saveCertificates(shared, fileAfter(world.changes));
 
-            CertificateChecker &loading = random.chance(0.5) ? partial : shared;
+            TeamValidityChecker &loading = random.chance(0.5) ? partial : shared;
             const std::string older = fileAfter(random.below(world.changes + 1));
             std::string damaged = readWholeFile(fileAfter(world.changes));
             if (random.chance(0.5))
@@ -78,12 +78,12 @@ namespace ompl_certificates
                 damaged[random.below(damaged.size())] ^= static_cast<char>(1 << random.below(8));
             loading.clear();
             if (isLoaded(loading, world.folder.write("damaged", damaged)))
-                throw lieAbout(world, loading.getMethodName() + " takes a damaged file of certificates", {});
+                throw lieAbout(world, nameOf(loading.getMethod()) + " takes a damaged file of certificates", {});
             if (std::filesystem::exists(older) && isLoaded(loading, older))
                 compareAll(world, tally);
             loading.clear();
             if (!isLoaded(loading, fileAfter(world.changes)))
-                throw lieAbout(world, loading.getMethodName() + " refuses the certificates of its obstacles", {});
+                throw lieAbout(world, nameOf(loading.getMethod()) + " refuses the certificates of its obstacles", {});
             compareAll(world, tally);
         }
     }

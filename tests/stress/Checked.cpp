@@ -45,7 +45,7 @@ namespace ompl_certificates
             si->setStateValidityCheckingResolution(setting.resolution);
             si->setup();
             ompl = std::make_shared<ob::DiscreteMotionValidator>(si);
-            const auto add = [this](const std::shared_ptr<CertificateChecker> &checker)
+            const auto add = [this](const std::shared_ptr<TeamValidityChecker> &checker)
             {
                 certified.push_back(
                     {checker, std::make_shared<CertificateMotionValidator>(checker),

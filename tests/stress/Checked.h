@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_TESTS_STRESS_CHECKED_
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
-#include "ompl_certificates/validity/CertificateChecker.h"
+#include "ompl_certificates/validity/TeamValidityChecker.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <memory>
@@ -29,7 +29,7 @@ namespace ompl_certificates
         /** \brief One of the methods with certificates, with its motion validators */
         struct Certified
         {
-            std::shared_ptr<CertificateChecker> checker;
+            std::shared_ptr<TeamValidityChecker> checker;
             std::shared_ptr<CertificateMotionValidator> discrete, continuous;
         };
 

@@ -39,7 +39,7 @@ namespace ompl_certificates
             {
                 lie.states.push_back(test::realsOf(*world.team, state));
                 lie.references.emplace_back();
-                for (unsigned int i = 0; i < world.team->getRobotCount(); ++i)
+                for (unsigned int i = 0; i < world.team->getBodyCount(); ++i)
                     lie.references.back().push_back(state->as<TeamStateSpace::StateType>()->getReference(i));
             }
             return lie;
@@ -53,7 +53,7 @@ namespace ompl_certificates
             if (certified.checker->isValid(state) == valid)
                 return;
             Lie lie = lieAbout(world,
-                               certified.checker->getMethodName() + " calls a state " + nameOf(!valid) +
+                               nameOf(certified.checker->getMethod()) + " calls a state " + nameOf(!valid) +
                                    ", FCL calls it " + nameOf(valid),
                                {state});
             lie.isSeenIn = [method = indexOf(world, certified), reals = lie.states.front()](const Checked &checked)
@@ -80,7 +80,7 @@ namespace ompl_certificates
             const bool valid = checked.ompl->checkMotion(from, to, expected);
             const auto lie = [&](const Certified &certified, const std::string &what)
             {
-                Lie found = lieAbout(world, certified.checker->getMethodName() + ": " + what, {from, to});
+                Lie found = lieAbout(world, nameOf(certified.checker->getMethod()) + ": " + what, {from, to});
                 found.isSeenIn =
                     [method = indexOf(world, certified), a = found.states[0], b = found.states[1]](const Checked &fresh)
                 {
@@ -147,7 +147,7 @@ namespace ompl_certificates
                     if (world.checked->isValid(sample.get()))
                         continue;
                     throw lieAbout(world,
-                                   certified.checker->getMethodName() + ": a continuous check proves a motion up to " +
+                                   nameOf(certified.checker->getMethod()) + ": a continuous check proves a motion up to " +
                                        std::to_string(end) + ", but the third state, at " + std::to_string(t) +
                                        ", is invalid",
                                    {from, to, sample.get()});

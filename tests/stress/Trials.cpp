@@ -228,7 +228,7 @@ namespace ompl_certificates
                         world.checked->certified[random.below(3)].checker->clear();
                         break;
                     case 1:
-                        for (unsigned int i = 0; i < world.team->getRobotCount(); ++i)
+                        for (unsigned int i = 0; i < world.team->getBodyCount(); ++i)
                             teamState->setReference(i, random.chance(0.1) ? NO_CERTIFICATE - random.below(3)
                                                                           : random.below(500));
                         break;
@@ -245,7 +245,7 @@ namespace ompl_certificates
                         // The references of one state, the values of another
                         const auto *source = world.anyState();
                         std::vector<CertificateIndex> kept;
-                        for (unsigned int i = 0; i < world.team->getRobotCount(); ++i)
+                        for (unsigned int i = 0; i < world.team->getBodyCount(); ++i)
                             kept.push_back(source->as<TeamStateSpace::StateType>()->getReference(i));
                         test::randomize(random, world.team, state);
                         for (unsigned int i = 0; i < kept.size(); ++i)
@@ -294,7 +294,7 @@ namespace ompl_certificates
                             const std::size_t m = (i / 18) % motionValid.size();
                             ++own.verdicts;
                             if (certified.discrete->checkMotion(shared[m], shared[segments(m)]) != motionValid[m])
-                                throw lieAbout(world, certified.checker->getMethodName() + " on threads: a motion",
+                                throw lieAbout(world, nameOf(certified.checker->getMethod()) + " on threads: a motion",
                                                {shared[m], shared[segments(m)]});
                         }
                     }
@@ -372,7 +372,7 @@ namespace ompl_certificates
                     tally.verdicts += iterations;
                     if (!equal)
                         throw lieAbout(world,
-                                       certified.checker->getMethodName() +
+                                       nameOf(certified.checker->getMethod()) +
                                            ": RRT from the first state to the second, " + std::to_string(iterations) +
                                            " iterations of seed " + std::to_string(seed) +
                                            ", grows another tree than with FCL",

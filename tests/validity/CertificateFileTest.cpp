@@ -49,7 +49,7 @@ namespace
             const auto setup = makeFresh(obstacles, method);
             try
             {
-                loadCertificates(*setup->getCertificateChecker(), file);
+                loadCertificates(*setup->getTeamChecker(), file);
                 ADD_FAILURE() << "not refused, though " << reason;
             }
             catch (const ompl::Exception &exception)
@@ -58,7 +58,7 @@ namespace
                 EXPECT_EQ(told.compare(0, file.size(), file), 0) << told;
                 EXPECT_NE(told.find(reason), std::string::npos) << told;
             }
-            EXPECT_EQ(setup->getCertificateChecker()->getCertificateCount(), 0U);
+            EXPECT_EQ(setup->getTeamChecker()->getCertificateCount(), 0U);
         }
 
         const TeamStateSpacePtr team_ = anyTeam(HasParam() ? GetParam() : 0);
@@ -76,7 +76,7 @@ namespace
 TEST_P(CertificateFile, GivesBackWhatWasSaved)
 {
     const auto obstacles = makeObstacles();
-    const auto experienced = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker();
+    const auto experienced = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker();
     ASSERT_GT(experienced->getCertificateCount(), 20U);
     saveCertificates(*experienced, file_);
     // The same obstacles, made anew and in another order
@@ -85,7 +85,7 @@ TEST_P(CertificateFile, GivesBackWhatWasSaved)
     const auto again = std::make_shared<ExpensiveObstacles>(team_->getWorkspaceDimension(), bodies);
     for (const Method method : {Method::SHARED_PROJECTION, Method::PARTIAL})
     {
-        const auto checker = makeFresh(again, method)->getCertificateChecker();
+        const auto checker = makeFresh(again, method)->getTeamChecker();
         EXPECT_EQ(loadCertificates(*checker, file_), experienced->getCertificateCount());
         const auto loaded = checker->getCertificates();
         const auto saved = experienced->getCertificates();
@@ -97,10 +97,10 @@ TEST_P(CertificateFile, GivesBackWhatWasSaved)
 TEST_P(CertificateFile, SavesChecksAndChangesNoVerdict)
 {
     const auto obstacles = makeObstacles();
-    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
     const auto cold = makeFresh(obstacles, Method::SHARED_PROJECTION);
     const auto warm = makeFresh(obstacles, Method::SHARED_PROJECTION);
-    loadCertificates(*warm->getCertificateChecker(), file_);
+    loadCertificates(*warm->getTeamChecker(), file_);
     const auto standard = makeFresh(obstacles, Method::STANDARD);
     Random random(4);
     for (int i = 0; i < 100; ++i)
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Teams, CertificateFile, testing::Range(0U, 3U));
 TEST_F(CertificateFile, IsRefusedForOtherObstacles)
 {
     const auto obstacles = makeObstacles();
-    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
     expectRefused(makeObstacles(2), file_, "other obstacles");
     std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
     bodies[3].pose.translation().x() += 1e-12;
@@ -142,7 +142,7 @@ TEST_F(CertificateFile, TellsMeshesAndTheirHeightsApart)
 TEST_F(CertificateFile, IsRefusedWhereverItIsCutOrDamaged)
 {
     const auto obstacles = makeObstacles();
-    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker(), file_);
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
     const std::string bytes = folder_.read("certificates");
     ASSERT_GT(bytes.size(), 500U);
     for (std::size_t length = 0; length < bytes.size(); length += length < 60 ? 1 : 97)
@@ -169,7 +169,7 @@ TEST_F(CertificateFile, IsRefusedWhereverItIsCutOrDamaged)
 TEST_F(CertificateFile, StaysAsItWasWhereItCannotBeWritten)
 {
     const auto obstacles = makeObstacles();
-    const auto checker = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getCertificateChecker();
+    const auto checker = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker();
     EXPECT_THROW(saveCertificates(*checker, "/dev/full"), ompl::Exception);
     EXPECT_THROW(saveCertificates(*checker, folder_ / "absent/file"), ompl::Exception);
 }
@@ -192,6 +192,6 @@ namespace
 TEST_F(CertificateFile, NeedsObstaclesThatCanBeRecognized)
 {
     const auto setup = makeFresh(std::make_shared<Nameless>(2U, std::vector<PlacedBody>()), Method::PARTIAL);
-    EXPECT_THROW(saveCertificates(*setup->getCertificateChecker(), file_), ompl::Exception);
-    EXPECT_THROW(loadCertificates(*setup->getCertificateChecker(), file_), ompl::Exception);
+    EXPECT_THROW(saveCertificates(*setup->getTeamChecker(), file_), ompl::Exception);
+    EXPECT_THROW(loadCertificates(*setup->getTeamChecker(), file_), ompl::Exception);
 }

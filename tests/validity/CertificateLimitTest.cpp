@@ -42,7 +42,7 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
     const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
     for (const auto &setup : checkers.certified())
     {
-        const auto checker = setup->getCertificateChecker();
+        const auto checker = setup->getTeamChecker();
         // However the clock goes, certificates enough are wanted.
         checker->setAdaptive(false);
         constexpr std::size_t most = 23;
@@ -63,7 +63,7 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
             thread.join();
         done = true;
         watching.join();
-        EXPECT_LE(largest, most) << checker->getMethodName();
+        EXPECT_LE(largest, most) << nameOf(checker->getMethod());
         EXPECT_LE(checker->getCertificates().size(), most);
         // Basic keeps whole teams, of up to four bodies, or nothing.
         EXPECT_GT(checker->getKeptCertificates(), most - 4);
@@ -107,7 +107,7 @@ TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
     constexpr std::size_t most = 100;
     for (const auto &setup : checkers.certified())
     {
-        const auto checker = setup->getCertificateChecker();
+        const auto checker = setup->getTeamChecker();
         checker->setMaxCertificates(most);
         ob::ScopedState<> from = randomState(random, team), to = from;
         const unsigned int motions = scaled(10000);
@@ -117,7 +117,7 @@ TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
             if (i % (motions / 10) == 0)
             {
                 const std::size_t heap = mallinfo2().uordblks;
-                std::printf("%s, %u motions: %zu certificates, heap %zu bytes\n", checker->getMethodName().c_str(), i,
+                std::printf("%s, %u motions: %zu certificates, heap %zu bytes\n", nameOf(checker->getMethod()).c_str(), i,
                             checker->getKeptCertificates(), heap);
                 if (i == 2 * (motions / 10))
                     early = heap;

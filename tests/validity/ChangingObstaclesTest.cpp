@@ -80,18 +80,18 @@ TEST_P(ChangingObstacles, LeaveVerdictsAndClearancesOfFreshCheckers)
                     const bool isValid = fresh.isValid(states[i].get());
                     ++(isValid ? valid : invalid);
                     ASSERT_EQ(setup->getTeamChecker()->isValid(states[i].get()), isValid)
-                        << setup->getTeamChecker()->getMethodName();
+                        << nameOf(setup->getTeamChecker()->getMethod());
                     ASSERT_EQ(
                         setup->getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()),
                         fresh.reference().getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()));
                 }
             for (const auto &setup : changed.certified())
-                for (const Certificate &certificate : setup->getCertificateChecker()->getCertificates())
+                for (const Certificate &certificate : setup->getTeamChecker()->getCertificates())
                 {
                     const Obstacles &obstacles = fresh.reference().getTeamChecker()->getObstacles();
                     const double clearance = obstacles.clearance(certificate.point);
                     ASSERT_NEAR(certificate.clearance, clearance, obstacles.getTolerance())
-                        << setup->getTeamChecker()->getMethodName();
+                        << nameOf(setup->getTeamChecker()->getMethod());
                 }
             disturb(random, set, there, dimension, meshes);
             const ObstacleChange change = set.takeChange();
@@ -115,7 +115,7 @@ TEST_F(ChangingObstacles, KeepTheNumberOfCertificates)
     const ObstacleSet::Id crate = set.add({Body::box(1.0, 1.0)});
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
-    const auto checker = setup.getCertificateChecker();
+    const auto checker = setup.getTeamChecker();
     for (int i = 0; i < 500; ++i)
         checker->isValid(randomState(random, team).get());
     const std::size_t known = checker->getCertificateCount();
@@ -134,7 +134,7 @@ TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
     const ObstacleSet::Id left = set.add({Body::box(4.0, 9.0), at(-2.5)});
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
-    const auto checker = setup.getCertificateChecker();
+    const auto checker = setup.getTeamChecker();
     std::atomic<bool> done{false};
     std::atomic<unsigned int> checks{0}, wrong{0};
     // The robots are on both sides of the middle, so one of them always touches the box.
@@ -185,7 +185,7 @@ TEST_F(ChangingObstacles, WaitWhileTheyAreHeld)
         const ObstacleSet::Id crate = set.add({Body::box(1.0, 1.0)});
         TeamSetup setup(team, set.takeChange().after, method);
         setup.getSpaceInformation()->setup();
-        const auto checker = setup.getCertificateChecker();
+        const auto checker = setup.getTeamChecker();
         checker->setAdaptive(false);
         std::atomic<bool> done{false};
         std::atomic<std::size_t> seen{0}, wrong{0};
@@ -213,7 +213,7 @@ TEST_F(ChangingObstacles, WaitWhileTheyAreHeld)
         }
         done = true;
         reader.join();
-        EXPECT_GT(seen, 0U) << checker->getMethodName() << " " << checker->getCertificateCount();
+        EXPECT_GT(seen, 0U) << nameOf(checker->getMethod()) << " " << checker->getCertificateCount();
         EXPECT_EQ(wrong, 0U);
     }
 }
@@ -227,7 +227,7 @@ TEST_F(ChangingObstacles, KeepCertificatesOverALimitThatWasLowered)
         set.add(randomObstacle(random, 2, false));
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
-    const auto checker = setup.getCertificateChecker();
+    const auto checker = setup.getTeamChecker();
     checker->setAdaptive(false);
     for (int i = 0; i < 100; ++i)
         checker->isValid(randomState(random, team).get());

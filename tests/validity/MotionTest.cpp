@@ -44,7 +44,7 @@ namespace
         for (const auto &setup : scene.checkers.setups)
         {
             const auto &validator = setup->getSpaceInformation()->getMotionValidator();
-            SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+            SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
             const unsigned int validCount = validator->getValidMotionCount();
             const unsigned int invalidCount = validator->getInvalidMotionCount();
             // Not as it was allocated: what is there may be no number, which equals nothing.

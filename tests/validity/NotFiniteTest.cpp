@@ -38,7 +38,7 @@ TEST_P(NotFinite, StatesAreInvalidForAllMethods)
                 team->copyFromReals(to.get(), changed);
                 for (const auto &setup : checkers.setups)
                 {
-                    SCOPED_TRACE(setup->getTeamChecker()->getMethodName() + ", coordinate " + std::to_string(k));
+                    SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()) + ", coordinate " + std::to_string(k));
                     EXPECT_FALSE(setup->getTeamChecker()->isValid(to.get()));
                     EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(state.get(), to.get()));
                 }

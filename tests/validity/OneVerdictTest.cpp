@@ -147,13 +147,13 @@ TEST_P(OneVerdict, OfOverloadsDirectionsMethodsAndWhateverIsKnown)
         // With all that has been learned since, with little of it, and with nothing
         const auto fresh = world.setup(CERTIFIED[seed % 3]);
         const auto exact = world.setup(Method::SHARED_PROJECTION);
-        exact->getCertificateChecker()->setAdaptive(false);
-        exact->getCertificateChecker()->setMaxCertificates(10);
+        exact->getTeamChecker()->setAdaptive(false);
+        exact->getTeamChecker()->setMaxCertificates(10);
         for (const Motion &motion : motions)
         {
             expectAgain(*setups[seed % setups.size()], motion);
             expectAgain(*exact, motion);
-            fresh->getCertificateChecker()->clear();
+            fresh->getTeamChecker()->clear();
             expectAgain(*fresh, motion);
         }
         if (HasFailure())

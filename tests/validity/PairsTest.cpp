@@ -96,7 +96,7 @@ TEST_P(Pairs, TouchIfFclSaysSoOfTheirBodies)
             for (const auto &setup : checkers.setups)
             {
                 ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), !touch)
-                    << setup->getTeamChecker()->getMethodName();
+                    << nameOf(setup->getTeamChecker()->getMethod());
                 const std::string words = setup->getTeamChecker()->describeCollision(state.get());
                 ASSERT_EQ(words.empty(), !touch) << words;
             }
@@ -110,11 +110,17 @@ INSTANTIATE_TEST_SUITE_P(Dimension, Pairs, testing::Values(2U, 3U));
 
 TEST(RobotPairs, AreAllPairsOfTheTeam)
 {
-    const auto team = teamOfDiscs();
-    const RobotPairs pairs(*team);
+    const Team team(teamOfDiscs());
+    const RobotPairs pairs(team, Method::STANDARD, nullptr);
     ASSERT_EQ(pairs.getPairCount(), 3U);
     for (unsigned int i = 0; i < 3; ++i)
+    {
         EXPECT_LT(pairs.getFirst(i), pairs.getSecond(i));
+        EXPECT_EQ(pairs.find(pairs.getFirst(i), pairs.getSecond(i)), i);
+        EXPECT_EQ(pairs.find(pairs.getSecond(i), pairs.getFirst(i)), i);
+    }
+    EXPECT_THROW(pairs.find(1, 1), ompl::Exception);
+    EXPECT_THROW(pairs.find(0, 3), ompl::Exception);
 }
 
 TEST(RobotPairs, OfDiscsTouchAtTheSumOfTheirRadii)
@@ -141,47 +147,40 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const unsigned int dimension = 2 + seed % 2;
-        const auto team = crowdedTeam(random, dimension);
-        const RobotPairs pairs(*team);
-        std::vector<std::vector<Pose>> poses;
-        std::vector<std::vector<MotionBound>> travel;
-        const auto from = randomState(random, team), to = randomState(random, team);
-        const auto place = [&](const ob::State *state)
+        const auto space = crowdedTeam(random, dimension);
+        const Team team(space);
+        const RobotPairs pairs(team, Method::SHARED_PROJECTION, nullptr);
+        CheckContext context(team);
+        const auto from = randomState(random, space), to = randomState(random, space);
+        ob::ScopedState<> at(space);
+        const auto moveTo = [&](double time)
         {
-            poses.clear();
-            travel.clear();
-            for (unsigned int i = 0; i < team->getRobotCount(); ++i)
+            space->interpolate(from.get(), to.get(), time, at.get());
+            for (unsigned int i = 0; i < team.getRobotCount(); ++i)
             {
-                poses.emplace_back(team->getRobot(i).getBodies().size());
-                travel.emplace_back(poses.back().size());
-                team->getRobot(i).computePoses(state->as<ob::CompoundState>()->components[i], poses.back().data());
-                team->getRobot(i).computeMotionBounds(from->as<ob::CompoundState>()->components[i],
-                                                      to->as<ob::CompoundState>()->components[i], travel.back().data());
+                const std::size_t first = team.getFirstBody(i);
+                team.getRobot(i).computePoses(team.getRobotState(at.get(), i), context.poses.data() + first);
+                team.getRobot(i).computeMotionBounds(team.getRobotState(from.get(), i),
+                                                     team.getRobotState(to.get(), i),
+                                                     context.motionBounds.data() + first);
             }
         };
-        CheckCounts counts;
-        ob::ScopedState<> at(team);
         for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
         {
-            const unsigned int a = pairs.getFirst(pair), b = pairs.getSecond(pair);
             const double time = random.uniform(0.0, 1.0);
-            team->interpolate(from.get(), to.get(), time, at.get());
-            place(at.get());
-            const PoseVerdict verdict =
-                pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), 0.0, counts);
-            ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
-            ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
-            const double byBalls = pairs.intervalOfEnclosingBalls(pair, poses[a].data(), poses[b].data(),
-                                                                  travel[a].data(), travel[b].data());
-            const double reach = std::max(verdict.free ? verdict.validInterval : 0.0, byBalls);
-            for (int i = 0; reach > 0.0 && i < 30; ++i)
+            moveTo(time);
+            const PoseVerdict verdict = pairs.settle(pair, context, {true});
+            ASSERT_EQ(verdict.free, !pairs.collide(pair, context));
+            ASSERT_TRUE(!verdict.free || pairs.distance(pair, context) > -1.0);
+            const double interval =
+                std::max(verdict.free ? verdict.validInterval : 0.0, pairs.provenInterval(pair, context));
+            for (int i = 0; interval > 0.0 && i < 30; ++i)
             {
-                const double later = time + random.uniform(-1.0, 1.0) * std::min(reach, 1.0);
+                const double later = time + random.uniform(-1.0, 1.0) * std::min(interval, 1.0);
                 if (later < 0.0 || later > 1.0)
                     continue;
-                team->interpolate(from.get(), to.get(), later, at.get());
-                place(at.get());
-                ASSERT_FALSE(pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
+                moveTo(later);
+                ASSERT_FALSE(pairs.collide(pair, context));
             }
         }
     }

@@ -160,7 +160,7 @@ TEST_P(PlanarRounding, ChangesNoVerdictAndThrowsInNoCheck)
         const bool motion = exact.reference().getSpaceInformation()->checkMotion(exactFrom.get(), exactTo.get());
         for (const auto &setup : rounded.setups)
         {
-            SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+            SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
             ASSERT_EQ(setup->getTeamChecker()->isValid(to.get()), isValid);
             ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), motion);
             EXPECT_NEAR(setup->getTeamChecker()->clearance(to.get()),

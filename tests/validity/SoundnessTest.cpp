@@ -139,10 +139,10 @@ namespace
         {
             // What the references say must not matter: those of another method, of a near state, or anything.
             if (random.chance(0.1))
-                for (unsigned int i = 0; i < checkers.team->getRobotCount(); ++i)
+                for (unsigned int i = 0; i < checkers.team->getBodyCount(); ++i)
                     state->as<TeamStateSpace::StateType>()->setReference(i, random.below(200));
             ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), valid)
-                << setup->getTeamChecker()->getMethodName() << " differs; "
+                << nameOf(setup->getTeamChecker()->getMethod()) << " differs; "
                 << checkers.reference().getTeamChecker()->describeCollision(state.get());
         }
     }

@@ -47,7 +47,7 @@ TEST_P(StaleReferences, FromBeforeClearChangeNoVerdict)
 {
     for (std::size_t method = 0; method < here_->setups.size(); ++method)
     {
-        const auto checker = here_->setups[method]->getCertificateChecker();
+        const auto checker = here_->setups[method]->getTeamChecker();
         if (!checker)
             continue;
         ASSERT_NO_FATAL_FAILURE(expectRightVerdicts(*here_, method));
@@ -113,7 +113,7 @@ TEST(References, OfADiscThatWasFoundFreeProveItFreeAgain)
     for (const Method method : {Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
     {
         const TeamSetup setup(team, obstacles, method);
-        std::dynamic_pointer_cast<CertificateChecker>(setup.getTeamChecker())->setAdaptive(false);
+        setup.getTeamChecker()->setAdaptive(false);
         unsigned int free = 0, asked = 0;
         for (int i = 0; i < 300; ++i)
         {

@@ -35,9 +35,8 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
     for (const auto &setup : checkers.setups)
         for (unsigned int round = 0; round < scaled(3); ++round)
         {
-            SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
-            if (setup->getCertificateChecker())
-                setup->getCertificateChecker()->clear();
+            SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
+            setup->getTeamChecker()->clear();
             setup->getStatistics().reset();
             const auto &si = *setup->getSpaceInformation();
             si.getMotionValidator()->resetMotionCounter();
@@ -65,10 +64,7 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
             const CheckCounts counts = setup->getStatistics().getCounts();
             EXPECT_EQ(counts.robotPoses, counts.certifiedFree + counts.certifiedColliding + counts.asked);
             EXPECT_EQ(counts.motions, 4U * 2U * count);
-            if (setup->getCertificateChecker())
-            {
-                EXPECT_EQ(si.getMotionValidator()->getCheckedMotionCount(), 4U * 2U * count);
-            }
+            EXPECT_EQ(si.getMotionValidator()->getCheckedMotionCount(), 4U * 2U * count);
         }
 }
 

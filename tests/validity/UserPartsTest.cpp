@@ -145,7 +145,7 @@ namespace
             counts.validMotions += motion ? 1 : 0;
             for (const auto &setup : checkers.compared())
             {
-                SCOPED_TRACE(setup->getTeamChecker()->getMethodName());
+                SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
                 std::pair<ob::State *, double> last{state.get(), 1.0};
                 ASSERT_EQ(setup->getTeamChecker()->isValid(to.get()), isValid);
                 ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), motion);
