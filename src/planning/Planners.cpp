@@ -61,7 +61,7 @@ namespace ompl_certificates
         public:
             Hooked(const ob::SpaceInformationPtr &si, SolveHooks hooks) : PlannerType(si), hooks_(std::move(hooks))
             {
-                // BITstar counts these by walking through its graph. Progress is asked for from another thread, which
+                // BITstar counts these by walking through its graph. OMPL asks for progress from another thread, which
                 // then walks through memory that the planner has just freed.
                 for (const char *name : {"current free states INTEGER", "current graph vertices INTEGER"})
                     this->plannerProgressProperties_.erase(name);
@@ -148,7 +148,7 @@ namespace ompl_certificates
             return table;
         }
 
-        /** What OMPL's class is called where others write RRT* or RRT# */
+        /** OMPL's class name for what others write as RRT* or RRT# */
         std::string spelledOut(const std::string &name)
         {
             std::string text;
@@ -157,8 +157,8 @@ namespace ompl_certificates
             return text;
         }
 
-        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads numbers up to the
-            first character that is none, and takes every word but "false" for true. */
+        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads the leading number
+            of a text, and takes every word but "false" for true. */
         bool understood(const std::string &value, const std::string &result)
         {
             char *end = nullptr;
