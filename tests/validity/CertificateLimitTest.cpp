@@ -43,7 +43,7 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
     for (const auto &setup : checkers.certified())
     {
         const auto checker = setup->getCertificateChecker();
-        // However the clock goes, certificates enough are wanted.
+        // Certificates are wanted, whatever the clock says.
         checker->setAdaptive(false);
         constexpr std::size_t most = 23;
         checker->params().setParam("max_certificates", std::to_string(most));
@@ -65,7 +65,7 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
         watching.join();
         EXPECT_LE(largest, most) << checker->getMethodName();
         EXPECT_LE(checker->getCertificates().size(), most);
-        // Basic keeps whole teams, of up to four bodies, or nothing.
+        // Basic keeps certificates of whole teams, of up to four bodies, or nothing.
         EXPECT_GT(checker->getKeptCertificates(), most - 4);
         EXPECT_LE(checker->getCertificateCount(), checker->getKeptCertificates());
 
@@ -97,7 +97,7 @@ TEST(Memory, OfCertificatesIsThatOfTheDocumentation)
     }
 }
 
-// With OMPL_CERTIFICATES_TEST_SCALE=100 a million motions for each method
+// OMPL_CERTIFICATES_TEST_SCALE=100 makes a million motions for each method.
 TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);

@@ -11,7 +11,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** FCL's verdict on two bodies where they are in the workspace */
+    /** FCL's verdict on two bodies at their poses in the workspace */
     bool touchForFcl(const Body &a, const Pose &poseA, const Body &b, const Pose &poseB)
     {
         for (const auto &partA : a.getParts())
@@ -47,7 +47,7 @@ namespace
         return false;
     }
 
-    /** Robots of random bodies, some of them alike, in so little room that they often touch */
+    /** Robots of random bodies, some of them equal, in so little room that they often touch */
     TeamStateSpacePtr crowdedTeam(Random &random, unsigned int dimension)
     {
         const auto bounds = cubeBounds(dimension, 0.8);
@@ -144,19 +144,20 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
         const auto team = crowdedTeam(random, dimension);
         const RobotPairs pairs(*team);
         std::vector<std::vector<Pose>> poses;
-        std::vector<std::vector<MotionBound>> travel;
+        std::vector<std::vector<MotionBound>> motionBounds;
         const auto from = randomState(random, team), to = randomState(random, team);
-        const auto place = [&](const ob::State *state)
+        const auto placeRobots = [&](const ob::State *state)
         {
             poses.clear();
-            travel.clear();
+            motionBounds.clear();
             for (unsigned int i = 0; i < team->getRobotCount(); ++i)
             {
                 poses.emplace_back(team->getRobot(i).getBodies().size());
-                travel.emplace_back(poses.back().size());
+                motionBounds.emplace_back(poses.back().size());
                 team->getRobot(i).computePoses(state->as<ob::CompoundState>()->components[i], poses.back().data());
                 team->getRobot(i).computeMotionBounds(from->as<ob::CompoundState>()->components[i],
-                                                      to->as<ob::CompoundState>()->components[i], travel.back().data());
+                                                      to->as<ob::CompoundState>()->components[i],
+                                                      motionBounds.back().data());
             }
         };
         CheckCounts counts;
@@ -166,21 +167,21 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             const unsigned int a = pairs.getFirst(pair), b = pairs.getSecond(pair);
             const double time = random.uniform(0.0, 1.0);
             team->interpolate(from.get(), to.get(), time, at.get());
-            place(at.get());
-            const PoseVerdict verdict =
-                pairs.settle(pair, poses[a].data(), poses[b].data(), travel[a].data(), travel[b].data(), 0.0, counts);
+            placeRobots(at.get());
+            const PoseVerdict verdict = pairs.settle(pair, poses[a].data(), poses[b].data(), motionBounds[a].data(),
+                                                     motionBounds[b].data(), 0.0, counts);
             ASSERT_EQ(verdict.free, !pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             ASSERT_TRUE(!verdict.free || pairs.distance(pair, poses[a].data(), poses[b].data()) > -1.0);
             const double byBalls = pairs.intervalOfEnclosingBalls(pair, poses[a].data(), poses[b].data(),
-                                                                  travel[a].data(), travel[b].data());
-            const double reach = std::max(verdict.free ? verdict.validInterval : 0.0, byBalls);
-            for (int i = 0; reach > 0.0 && i < 30; ++i)
+                                                                  motionBounds[a].data(), motionBounds[b].data());
+            const double interval = std::max(verdict.free ? verdict.validInterval : 0.0, byBalls);
+            for (int i = 0; interval > 0.0 && i < 30; ++i)
             {
-                const double later = time + random.uniform(-1.0, 1.0) * std::min(reach, 1.0);
+                const double later = time + random.uniform(-1.0, 1.0) * std::min(interval, 1.0);
                 if (later < 0.0 || later > 1.0)
                     continue;
                 team->interpolate(from.get(), to.get(), later, at.get());
-                place(at.get());
+                placeRobots(at.get());
                 ASSERT_FALSE(pairs.collide(pair, poses[a].data(), poses[b].data(), true, counts));
             }
         }
