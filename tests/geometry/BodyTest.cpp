@@ -129,7 +129,7 @@ TEST(Body, EqualsABodyOfTheSamePartsInTheSameOrder)
     EXPECT_TRUE(body == copy);
 }
 
-TEST(Body, ReachesAsFarAsItsFarthestPoint)
+TEST(Body, BoundingRadiusIsThatOfTheFarthestPoint)
 {
     for (unsigned int seed = 0; seed < scaled(300); ++seed)
     {

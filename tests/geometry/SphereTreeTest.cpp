@@ -47,7 +47,7 @@ protected:
     }
 };
 
-TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
+TEST_P(BodyBalls, OfAnyCutThroughTheSphereTreeContainTheBody)
 {
     forMany(
         [](Random &random, const Body &body, double)
@@ -65,7 +65,7 @@ TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
         });
 }
 
-TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
+TEST_P(BodyBalls, InnerSpheresLieInsideTheBody)
 {
     forMany(
         [](Random &random, const Body &body, double size)
@@ -80,7 +80,7 @@ TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
         });
 }
 
-TEST_P(BodyBalls, OfTheCoreAreSorted)
+TEST_P(BodyBalls, InnerSpheresAreSorted)
 {
     forMany(
         [](Random &, const Body &body, double)

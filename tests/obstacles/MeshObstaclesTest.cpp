@@ -119,7 +119,7 @@ TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
     EXPECT_GT(free, scaled(300));
 }
 
-TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
+TEST_P(MeshObstacles, CollideWithABodyIfAnInnerSphereOrItsSurfaceIsInside)
 {
     unsigned int byInnerSpheres = 0, bySurface = 0;
     forMany(300, 0.3,
@@ -197,7 +197,7 @@ TEST(MeshObstacles, DoNotTouchWhatIsWhollyInside)
     EXPECT_TRUE(FclObstacles(3, {{Body::mesh(boxMesh({1, 1, 1}))}}).collides(Body::sphere(5.0), Pose::Identity()));
 }
 
-TEST(MeshObstacles, CountInThePlaneWhereTheRobotsReach)
+TEST(MeshObstacles, CountInThePlaneWithinTheZIntervalOfTheRobots)
 {
     // A wall from z = 0 to 10 under a roof that is wider
     const std::vector<PlacedBody> bodies{{Body::planarMesh(boxMesh({1, 10, 10}, {0, 0, 5}))},

@@ -132,7 +132,7 @@ TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
     }
 }
 
-TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
+TEST(Checkers, RefuseRobotsBeyondTheZIntervalOfTheObstacles)
 {
     const auto obstacles = [](const ZInterval &zInterval)
     {

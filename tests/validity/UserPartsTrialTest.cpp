@@ -305,7 +305,7 @@ TEST_P(ToldObstacles, AreFoundToTouchWhatIsFree)
 
 INSTANTIATE_TEST_SUITE_P(Kind, ToldObstacles, testing::Range(0U, TEAMS));
 
-TEST(CheckObstacles, KeepsToTheHeightsThatTheyWereMadeFor)
+TEST(CheckObstacles, KeepsToTheZIntervalThatTheyWereMadeFor)
 {
     Random random(3);
     const auto team = planarMeshTeam();
