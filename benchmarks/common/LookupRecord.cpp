@@ -47,7 +47,8 @@ namespace benchmarks
             LookupRecord record;
         };
 
-        /** Looks certificates up and keeps them as SharedProjection does for bodies that are balls, and records it */
+        /** Looks certificates up and keeps them as SharedProjection does for bodies that are balls, and records
+            that. */
         class RecordingChecker : public CertificateChecker
         {
         public:
@@ -137,7 +138,7 @@ namespace benchmarks
             Store &store_;
         };
 
-        /** One plan from a random start. Returns the number of its iterations. */
+        /** One plan from a random start. Returns its number of iterations. */
         unsigned int plan(const LookupPlans &plans, const TeamStateSpacePtr &team, bool optimal, Store &store,
                           std::size_t lookups)
         {

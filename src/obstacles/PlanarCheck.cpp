@@ -7,7 +7,7 @@ namespace ompl_certificates
     namespace
     {
         /** The pose of a part for FCL. Its solver is wrong about prisms of equal height that are exactly level, as all
-            polygons of a plane are: it finds them touching across gaps of up to a hundredth of their size. So they are
+            polygons of a plane are. It finds them touching across gaps of up to a hundredth of their size. So they are
             lifted by a part of their height, which changes nothing in the plane. */
         Pose poseForFcl(const Shape &shape, const Pose &pose)
         {

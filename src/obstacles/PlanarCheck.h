@@ -10,8 +10,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief FCL's check in the plane: primitives against primitives in the plane, meshes against meshes at their true
-        z, and primitives against meshes as prisms that are high enough. */
+    /** \brief FCL's check in the plane. Primitives are checked against primitives in the plane, meshes against meshes
+        at their true z, and primitives against meshes as prisms that are high enough. */
     class PlanarCheck : public FclCheck
     {
     public:

@@ -66,8 +66,8 @@ namespace ompl_certificates
         double distance(const ompl::base::State *state, Index index) const;
 
         /** \brief Add a state; its index is the size before. The state must not change while it is in the tree.
-            \return false, and nothing is added, if the space's distance is not defined for the state: it is not finite,
-            has an angle out of [-pi, pi], or a quaternion that is not of unit length */
+            \return false, and nothing is added, if the space's distance is not defined for the state. That is if it is
+            not finite, has an angle out of [-pi, pi], or a quaternion that is not of unit length. */
         bool add(const ompl::base::State *state);
 
         /** \brief Remove the state with this index. The last one takes its index. Constant time. */

@@ -15,14 +15,14 @@ namespace ompl_certificates
     class FclCheck;
     class MeshSurface;
 
-    /** \brief Obstacles made of primitives and meshes, checked by FCL: a broadphase over their boxes, then an exact
-        check of each pair of shapes that the boxes do not separate.
+    /** \brief Obstacles made of primitives and meshes, checked by FCL. A broadphase compares their boxes, then an exact
+        check compares each pair of shapes that the boxes do not separate.
 
         Among primitives, up to thousands of them, an exact check takes some 0.1 to 1 µs and a clearance 0.02 to 0.5 µs.
         For meshes among meshes an exact check takes 2 to 60 µs and a clearance about 1 µs.
 
-        Planar meshes keep their z-intervals: two of them touch where they do so in space. A planar primitive stands for
-        an endless upright prism, as an obstacle and as a robot. Against meshes it is checked as a prism that is high
+        Planar meshes keep their z: two of them touch where they do so in space. A planar primitive stands for an
+        endless upright prism, as an obstacle and as a robot. Against meshes it is checked as a prism that is high
         enough. */
     class FclObstacles : public Obstacles
     {

@@ -60,7 +60,7 @@ namespace ompl_certificates
         void placeBodies(const ompl::base::State *state, Pose *poses) const;
 
         /** \brief Write how far each body can move along the space's interpolation from \e from to \e to: one motion
-            bound per body, to \e bounds[0], … A bound that is too large costs time; one that is too small makes
+            bound per body, to \e bounds[0] and on. A bound that is too large costs time; one that is too small makes
             verdicts wrong. */
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
