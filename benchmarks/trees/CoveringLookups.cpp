@@ -130,8 +130,8 @@ namespace
             {
                 if (!(certificates[i].clearance > 0.0))
                     continue;
-                const Eigen::Vector3d reach = Eigen::Vector3d::Constant(certificates[i].clearance);
-                tree.insert({Box(point(certificates[i].point - reach), point(certificates[i].point + reach)), i});
+                const Eigen::Vector3d half = Eigen::Vector3d::Constant(certificates[i].clearance);
+                tree.insert({Box(point(certificates[i].point - half), point(certificates[i].point + half)), i});
             }
         }
 

@@ -51,20 +51,20 @@ namespace ompl_certificates
             if (size < FEW || !std::isfinite(scale) || !std::isfinite(range))
                 return std::sort(neighbors.begin(), neighbors.end());
             thread_local StateKdTree::Neighbors other;
-            thread_local std::vector<std::uint32_t> starts, places;
+            thread_local std::vector<std::uint32_t> starts, bucketOf;
             starts.assign(buckets, 0);
-            places.resize(size);
+            bucketOf.resize(size);
             other.resize(size);
             for (std::size_t i = 0; i < size; ++i)
             {
-                places[i] = static_cast<std::uint32_t>((neighbors[i].first - low) * scale);
-                ++starts[places[i]];
+                bucketOf[i] = static_cast<std::uint32_t>((neighbors[i].first - low) * scale);
+                ++starts[bucketOf[i]];
             }
             std::uint32_t sum = 0;
             for (auto &start : starts)
                 sum += std::exchange(start, sum);
             for (std::size_t i = 0; i < size; ++i)
-                other[starts[places[i]]++] = neighbors[i];
+                other[starts[bucketOf[i]]++] = neighbors[i];
             neighbors.swap(other);
             // Each start has become its bucket's end.
             std::size_t begin = 0;
