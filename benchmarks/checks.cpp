@@ -1,11 +1,10 @@
-// What one check of one body costs: the exact check, the clearance of a point, and settling by certificates that are
-// known by then.
+// The cost of one check of one body: the exact check, the clearance of a point, and settling by known certificates.
 //
 //     checks --benchmark_filter=2D/disc
 //
 // Poses are random (any), random and free (free), or follow each other along straight motions (motion), where the
-// certificate of one is the hint for the next. Each pose is asked once. Counters: free is the share of the poses that
-// are; asked is the share for which settling had to ask the obstacles.
+// certificate of one is the hint for the next. Each pose is asked once. Counters: free is the share of free poses;
+// asked is the share for which settling had to ask the obstacles.
 
 #include "certificates/CertifiedEnvironment.h"
 #include "certificates/SwitchingPolicy.h"
@@ -23,7 +22,7 @@ namespace
 {
     constexpr std::size_t POSES = 1u << 15;
 
-    /** Which poses are asked for */
+    /** Which poses are checked */
     enum class Poses
     {
         ANY,
@@ -89,7 +88,7 @@ namespace
                                                         RandomWorld(setting.dimension, 1).obstacles(setting.obstacles));
         const Body body = bodyOf(setting);
         const CertifiedEnvironment environment(obstacles);
-        // As many poses again before: certificates are known by then, but not those of the very poses.
+        // As many other poses come first: their certificates are known by then.
         const std::vector<Pose> poses = makePoses(setting, *obstacles, body, which, 2 * POSES);
         SwitchingPolicy policy;
         CheckCounts counts;

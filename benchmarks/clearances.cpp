@@ -1,9 +1,9 @@
-// The distance of a point to the nearest of many triangles: our tree against what else there is.
+// The distance of a point to the nearest of many triangles: our tree against other structures.
 //
 //     clearances --benchmark_filter='terrain.*1000000'
 //
-// Terrains of random height, and the meshes among OMPL_CERTIFICATES_SHARED_DIR where they are present. Points are random ones
-// in the mesh's box. A rival whose distances are other ones reports an error instead of a time.
+// Terrains of random height, and the meshes in OMPL_CERTIFICATES_SHARED_DIR where they are present. Points are random
+// in the mesh's box. A rival with wrong distances reports an error instead of a time.
 
 #include "geometry/TriangleDistance.h"
 #include "ompl_certificates/geometry/TriangleTree.h"
@@ -29,7 +29,7 @@ using namespace ompl_certificates;
 
 namespace
 {
-    /** Asks for the distance of a point. */
+    /** Returns the distance of a point. */
     using Oracle = std::function<double(const Eigen::Vector3d &)>;
     using MakeOracle = std::function<Oracle(const TriangleMesh &)>;
 
@@ -50,7 +50,7 @@ namespace
         return [tree](const Eigen::Vector3d &point) { return tree->distance(point, INF); };
     }
 
-    /** Boost's R-tree of the triangles' boxes, nearest first, until the next box is farther than a triangle */
+    /** Boost's R-tree of the triangles' boxes: nearest first, until the next box is farther than a triangle */
     Oracle rtreeOfBoxes(const TriangleMesh &mesh)
     {
         namespace bg = boost::geometry;
@@ -71,7 +71,7 @@ namespace
         {
             const Point point(p.x(), p.y(), p.z());
             double nearest = INF;
-            // It sorts as many as it is asked for, so first for a few.
+            // It sorts as many as are asked for, so ask for a few first.
             for (unsigned int count = 16, seen = 0; seen < tree->size(); count *= 8)
             {
                 seen = 0;
@@ -86,7 +86,7 @@ namespace
         };
     }
 
-    /** FCL's own distance, of a sphere without radius */
+    /** FCL's own distance, of a sphere of radius 0 */
     Oracle fclDistance(const TriangleMesh &mesh)
     {
         auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
@@ -108,7 +108,7 @@ namespace
     }
 
 #ifdef OMPL_CERTIFICATES_HAVE_EMBREE
-    /** What Embree's visits of triangles share */
+    /** What Embree's callbacks for triangles share */
     struct EmbreeSearch
     {
         const TriangleMesh *mesh;
@@ -123,7 +123,7 @@ namespace
         if (distance >= search->nearest)
             return false;
         search->nearest = distance;
-        // A little more, for its boxes are of single precision.
+        // Slightly enlarged, since its boxes are of single precision.
         arguments->query->radius = static_cast<float>(distance * (1.0 + 1e-6));
         return true;
     }

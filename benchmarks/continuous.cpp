@@ -1,11 +1,11 @@
-// What proving whole motions costs: random motions of the team of a scene, checked in discrete and in continuous mode.
+// The cost of proving whole motions: random motions of a scene's team, checked in discrete and in continuous mode.
 //
 //     continuous demos/scenes/maze.yaml demos/scenes/canyon.yaml
 //
 // Each motion begins at a valid state and leads some way towards another one. Columns:
-//   accepted   the share of the motions that the discrete mode accepts, and the share of these that the continuous one does
-//   us         processor time for a motion; certificates stay from motion to motion
-//   clearances, exact checks   for a motion in continuous mode; exact checks are calls of FCL
+//     accepted   the share of motions that the discrete mode accepts; of these, that of the continuous mode
+//     us         processor time for a motion; certificates stay from motion to motion
+//     clearances, exact checks   for a motion in continuous mode; exact checks are calls of FCL
 
 #include "common/Options.h"
 
@@ -54,7 +54,7 @@ namespace
     Result check(const TeamSetup &setup, const Motions &motions)
     {
         const auto &si = *setup.getSpaceInformation();
-        // As in a planner's tree, motions begin at states that are known to be valid.
+        // As in a planner's tree, motions begin at states known to be valid.
         for (const auto &from : motions.from)
             si.isValid(from.get());
         setup.getStatistics().reset();

@@ -1,5 +1,5 @@
-// The paper's own experiment: discs among random convex polygons, RRT without a goal; which part of the robots' checks
-// each method leaves to the obstacles, and what it costs.
+// The paper's own experiment: discs among random convex polygons, RRT without a goal. Which part of the robots' checks
+// each method leaves to the obstacles, and its cost.
 //
 //     paper_fractions --robots 1,2,3 --iterations 100000
 
@@ -26,7 +26,7 @@ namespace
 
         Options()
         {
-            // The paper's number, whatever the generator's own is
+            // The paper's number, whatever the generator's default
             scene.obstacles = 40;
             scene.smallest = 0.02;
             scene.largest = 0.08;
@@ -59,7 +59,7 @@ namespace
         return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
     }
 
-    /** Plan for \e robots robots with all methods, and return how many grew another tree than the standard one. */
+    /** Plan for \e robots robots with all methods, and return how many grew a tree other than the standard one's. */
     unsigned int compare(const Options &options, unsigned int robots)
     {
         RandomPolygonScene::Settings settings = options.scene;

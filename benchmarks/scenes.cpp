@@ -1,5 +1,5 @@
-// Plans for teams of one to three robots in every scene there is: what certificates save, and that the trees are equal.
-// Each plan is made with FCL alone, with the fastest check without certificates, and with certificates, from equal seeds.
+// Plans for teams of one to three robots in every scene: what certificates save, and that the trees are equal. Each
+// plan is made with FCL alone, with the fastest check without certificates, and with certificates, from equal seeds.
 //
 //     scenes                                   all scenes of the project, and the shared ones where they are present
 //     scenes maze.yaml --planners RRT --robots 3 --methods basic,partial,shared --seeds 10
@@ -70,7 +70,7 @@ namespace
             "Returns 1 if a tree differs from that of FCL alone, 2 for bad input.");
     }
 
-    /** The scene with its first \e robots robots alone */
+    /** The scene with only its first \e robots robots */
     Scene withFirst(const Scene &scene, std::size_t robots)
     {
         Scene first(scene.getName(), scene.getSource(), scene.getBounds());
@@ -83,7 +83,7 @@ namespace
         return first;
     }
 
-    /** What came of the plans of one row with one method, over all seeds */
+    /** The plans of one row with one method, summed over all seeds */
     struct Sum
     {
         std::uint64_t exactCalls{0};
@@ -99,7 +99,7 @@ namespace
         }
     };
 
-    /** Ratios of times, a row each */
+    /** Ratios of times, one for each row */
     class Ratios
     {
     public:
@@ -152,7 +152,7 @@ namespace
             std::fflush(stdout);
         }
 
-        /** Prints the means. Whether all trees were equal. */
+        /** Prints the means, and returns whether all trees were equal. */
         bool finish() const
         {
             if (fclToMethod_.isEmpty())

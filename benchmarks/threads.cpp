@@ -1,9 +1,9 @@
-// One checker used by several threads at once: how many checks a second they make together.
+// One checker used by several threads at once: how many checks per second they make together.
 //
 //     threads --benchmark_repetitions=5
 //
-// Where two threads have a core each, items_per_second is to be compared; on a busy machine the processor time of a check
-// (CPU), which grows by what threads wait for each other's cache lines.
+// Where two threads have a core each, compare items_per_second. On a busy machine compare the processor time of a check
+// (CPU), which grows while threads wait for each other's cache lines.
 
 #include "common/RandomWorld.h"
 #include "ompl_certificates/planning/TeamSetup.h"
@@ -42,7 +42,7 @@ namespace
         return discs ? *ofDiscs : *ofBoxes;
     }
 
-    /** What of a checker is asked */
+    /** The call of the checker to be measured */
     enum class Call
     {
         STATE,

@@ -1,4 +1,4 @@
-// Plans in whole, with and without certificates, in turns, and prints a table of what that saves.
+// Whole plans, with and without certificates in turns, and a table of what certificates save.
 //
 //     whole_plans ../demos/scenes/*.yaml --planners RRT,RRTstar --iterations 20000 --repeats 5
 //     whole_plans ../demos/scenes/paper_five_discs.yaml --stock --robots 1,2,3,4,5 --planners RRT --iterations 100000
@@ -50,7 +50,7 @@ namespace
         app.footer("Returns 1 if a tree differs from that of the standard method, 2 for bad input.");
     }
 
-    /** The ratio of two times that were measured in turns */
+    /** The ratio of two times measured in turns */
     class Ratio
     {
     public:
@@ -113,7 +113,7 @@ namespace
         return row;
     }
 
-    /** The scene with the first of its robots alone */
+    /** The scene with only the first of its robots */
     Scene firstRobots(const Scene &scene, std::size_t count)
     {
         Scene part(scene.getName(), scene.getSource(), scene.getBounds());

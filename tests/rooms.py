@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Looks for includes that point up or sideways: rooms.py FOLDER, which holds src/ and include/. The rooms, the lowest first; a
-room includes the rooms of lower lines, and itself."""
+"""Looks for includes that point up or sideways: rooms.py FOLDER, where FOLDER holds src/ and include/.
+
+DEPTHS lists the rooms, the lowest first. A room may include itself and the rooms of lower lines."""
 import pathlib
 import re
 import sys
@@ -18,7 +19,7 @@ DEPTH_OF = {room: depth for depth, rooms in enumerate(DEPTHS) for room in rooms}
 
 
 def complaints(root, file, room):
-    """What is wrong with the includes of a file of that room"""
+    """The forbidden includes of a file of that room"""
     for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
         include = re.match(r'\s*#\s*include\s*[<"](?:ompl_certificates/)?(\w+)/\w+\.h[>"]', line)
         if not include or include[1] not in DEPTH_OF or include[1] == room:

@@ -45,7 +45,7 @@ namespace benchmarks
         app.add_option(name, value, description)->check(CLI::PositiveNumber)->capture_default_str();
     }
 
-    /** \brief Read the command line and run \e program; what is wrong with either is an error with exit code 2 */
+    /** \brief Read the command line and run \e program. An error of either is printed, with exit code 2. */
     template <typename Program>
     int runProgram(CLI::App &app, int argc, char **argv, const Program &program)
     {

@@ -20,7 +20,7 @@ namespace benchmarks
 
     namespace
     {
-        /** A goal that no state is in, and that nothing is known of */
+        /** A goal that contains no state and tells nothing of itself */
         class NeverSatisfied : public ob::Goal
         {
         public:
@@ -39,8 +39,8 @@ namespace benchmarks
             }
         };
 
-        /** States, and what is done with them, as in OMPL's own compound space; distances as a user of OMPL would write
-            them to have those of a team. */
+        /** States are allocated and copied as in OMPL's own compound space. Distances are those of a team, as a user of
+            OMPL would write them. */
         class StockTeam : public TeamStateSpace
         {
         public:
@@ -136,7 +136,7 @@ namespace benchmarks
         };
         if (task.warm && makesCertificates(checker.getMethod()))
         {
-            // Another seed: not the certificates of the very same states.
+            // Another seed, so that the certificates are not those of the very same states.
             const ob::PlannerPtr before = newPlanner(task.seed + 1000);
             setup->setup();
             before->solve(ob::IterationTerminationCondition(task.iterations));

@@ -8,7 +8,7 @@
 
 namespace benchmarks
 {
-    /** \brief A planner at work on a scene, with one of the methods */
+    /** \brief A plan of a scene with one planner and one method */
     struct PlanTask
     {
         const ompl_certificates::Scene &scene;
@@ -29,41 +29,42 @@ namespace benchmarks
 
         std::uint_fast32_t seed{1};
 
-        /** \brief Whether certificates are known from another plan of the same scene; else each tree begins without any */
+        /** \brief Whether certificates are known from another plan of the same scene; else each tree begins without
+            any. */
         bool warm{false};
 
-        /** \brief Whether to plan as OMPL alone does: a CompoundStateSpace with the team's distance, FCL's check, and
-            the nearest-neighbor structure that OMPL gives the planner. It takes the place of \e method. */
+        /** \brief Whether to plan as OMPL alone does, in place of \e method: a CompoundStateSpace with the team's
+            distance, FCL's check, and the nearest-neighbor structure that OMPL gives the planner. */
         bool stock{false};
 
-        /** \brief Whether to use up the iterations: trees grow towards a goal that is never reached, and planners that
-            need one that they can sample solve the same problem again and again */
+        /** \brief Whether to use up the iterations. Trees grow towards a goal that is never reached; planners that must
+            sample their goal solve the same problem again and again. */
         bool keepGoing{true};
     };
 
-    /** \brief What came of a PlanTask */
+    /** \brief The outcome of a PlanTask */
     struct PlanResult
     {
         /** \brief The digest of each tree that was grown; mostly one */
         std::vector<std::string> digests;
 
-        /** \brief The states of all trees */
+        /** \brief The number of states of all trees */
         std::size_t states{0};
 
         ompl_certificates::CheckCounts counts;
         std::size_t certificates{0};
 
-        /** \brief The time spent in checks, in seconds by the clock */
+        /** \brief The time in checks, in seconds by the clock */
         double checkingSeconds{0.0};
 
-        /** \brief The time that planning took, in seconds of the processor */
+        /** \brief The time of planning, in seconds of the processor */
         double totalSeconds{0.0};
     };
 
     /** \brief The planners that run() knows */
     const std::vector<std::string> &plannerNames();
 
-    /** \brief Plan. Runs of equal tasks that differ in the method grow equal trees.
+    /** \brief Plan. Tasks that differ only in the method grow equal trees.
         \throws ompl::Exception if there is no such planner, or if the start is not valid */
     PlanResult run(const PlanTask &task);
 

@@ -9,7 +9,7 @@
 
 namespace benchmarks
 {
-    /** \brief Random points and obstacles in a square or a cube of side SIZE: the same ones in every run */
+    /** \brief Random points and obstacles in a square or a cube of side SIZE, the same in every run */
     class RandomWorld
     {
     public:

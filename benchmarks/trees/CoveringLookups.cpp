@@ -1,5 +1,5 @@
-// How long plans wait for a certificate that covers a ball, and how long it takes to add one: CertificateTree against what
-// else there is, on what RRT and RRT* looked up.
+// The time of searching a certificate that covers a ball, and of adding one: CertificateTree against other structures,
+// on the lookups of RRT and RRT*.
 //
 //     trees --benchmark_filter=covering/2D
 //
@@ -32,15 +32,15 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** Certificates of plans for one ball and for three, of different sizes, and what further plans looked up in them. Only
-        whether a ball is free is asked: the other structures could not answer both at once. */
+    /** Certificates of plans for one ball and for three, of different sizes, and the lookups of further plans in them.
+        Only freedom is asked for: the other structures cannot prove freedom and collision at once. */
     struct Fixture
     {
         Fixture(unsigned int theDimension, std::size_t count) : dimension(theDimension), tree(dimension)
         {
             RandomWorld world(dimension, 1);
             benchmarks::LookupPlans plans;
-            // Enough obstacles that so many certificates find room
+            // Enough obstacles that so many certificates are kept
             plans.obstacles =
                 std::make_shared<FclObstacles>(dimension, world.obstacles(static_cast<unsigned int>(count / 100)));
             const double spacing = RandomWorld::SIZE * std::pow(static_cast<double>(count), -1.0 / dimension);
@@ -100,7 +100,7 @@ namespace
         const CertificateTree &tree;
     };
 
-    /** From the seed upwards */
+    /** Search from the seed upwards */
     struct TreeFromSeed : TreeFromRoot
     {
         using TreeFromRoot::TreeFromRoot;
@@ -130,8 +130,8 @@ namespace
             {
                 if (!(certificates[i].clearance > 0.0))
                     continue;
-                const Eigen::Vector3d reach = Eigen::Vector3d::Constant(certificates[i].clearance);
-                tree.insert({Box(point(certificates[i].point - reach), point(certificates[i].point + reach)), i});
+                const Eigen::Vector3d half = Eigen::Vector3d::Constant(certificates[i].clearance);
+                tree.insert({Box(point(certificates[i].point - half), point(certificates[i].point + half)), i});
             }
         }
 
@@ -156,7 +156,7 @@ namespace
         bg::index::rtree<Entry, bg::index::quadratic<16>> tree;
     };
 
-    /** OMPL's GNAT: only the nearest certificate is tried. */
+    /** OMPL's GNAT: tries only the nearest certificate. */
     struct NearestByGnat
     {
         explicit NearestByGnat(const Fixture &fixture)
@@ -183,7 +183,7 @@ namespace
     const nanoflann::SearchParameters SEARCH;
 #endif
 
-    /** nanoflann's dynamic kd-tree: only the nearest one is tried. */
+    /** nanoflann's dynamic kd-tree: tries only the nearest certificate. */
     template <int DIMENSION>
     struct NearestByNanoflann
     {
@@ -248,13 +248,13 @@ namespace
                 next = 0;
         }
         state.counters["hit"] = benchmark::Counter(static_cast<double>(hits), benchmark::Counter::kAvgIterations);
-        // Of what the plans wanted to know, that part which the certificate at hand told, and which is not looked up
+        // The share of the plans' questions that the certificate at hand answered, without a lookup
         state.counters["by_hint"] =
             static_cast<double>(fixture.record.hinted) / static_cast<double>(fixture.record.hinted + lookups.size());
     }
 
-    /** Insertion of random certificates. The longest single insertion is that of the smallest times of three runs, so
-        that it is ours and not another program's turn. */
+    /** Insertion of random certificates. For each insertion the smallest time of three runs counts, to leave out other
+        programs; the longest of these is reported. */
     void insert(benchmark::State &state, unsigned int dimension)
     {
         using Clock = std::chrono::steady_clock;

@@ -1,12 +1,12 @@
-// What the planner's own nearest-neighbour structure costs: PlannerKdTree against what OMPL takes by default (GNAT).
+// The cost of the planner's own nearest-neighbor structure: PlannerKdTree against OMPL's default (GNAT).
 //
 //     trees --benchmark_filter=nearestAndAdd
 //     trees --benchmark_filter='RRT, .*/5/'
 //
-// nearestAndAdd is RRT's access pattern among random states; the time is that of the last tenth of the elements, for one
-// query and one addition. The plans are whole: range 5 in 100 x 100, a checker that says yes, a goal that nothing satisfies;
-// counter nearest_ms is the part that the structure took. RRT* asks for the k nearest with k about 2^(D + 1) 3 log n, which
-// soon is every node of the tree, or for those in a radius (RADIUS).
+// nearestAndAdd is RRT's access pattern among random states; its time is for one query and one addition, over the last
+// tenth of the elements. Other benchmarks are whole plans: range 5 in 100 x 100, a checker that says yes, a goal that
+// nothing satisfies. Counter nearest_ms is the structure's part of the time. RRT* asks for the k nearest with k about
+// 2^(D + 1) 3 log n, which soon is every node of the tree, or for those in a radius (RADIUS).
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/neighbors/PlannerNeighbors.h"
@@ -54,7 +54,7 @@ namespace
         ob::State *state;
     };
 
-    /** What RRT takes in a metric space, if it is not told otherwise */
+    /** RRT's default in a metric space */
     template <typename T>
     using Gnat = ompl::NearestNeighborsGNATNoThreadSafety<T>;
 
@@ -157,7 +157,7 @@ namespace
         run.counters["nearest_ms"] = 1e3 * nearest->getSeconds();
     }
 
-    /** OMPL complains about seeds that are set again, though it takes them. */
+    /** OMPL complains about a seed that is set again, though it takes it. */
     const bool quiet = (ompl::msg::setLogLevel(ompl::msg::LOG_NONE), true);
 
     void sizes(benchmark::internal::Benchmark *benchmark)

@@ -11,7 +11,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        double reachOf(const Body::Part &part)
+        double boundingRadiusOf(const Body::Part &part)
         {
             if (const ConvexHull *hull = part.shape.getHull())
             {
@@ -175,7 +175,7 @@ namespace ompl_certificates
         data_ = std::make_shared<Data>();
         data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
         for (const Part &part : parts)
-            data_->boundingRadius = std::max(data_->boundingRadius, reachOf(part));
+            data_->boundingRadius = std::max(data_->boundingRadius, boundingRadiusOf(part));
         data_->zInterval = zIntervalOf(parts);
         data_->parts = std::move(parts);
     }
@@ -185,15 +185,15 @@ namespace ompl_certificates
         const std::lock_guard<std::mutex> lock(mutex);
         if (!balls)
         {
-            SphereTree cover = buildSphereTree(parts);
+            SphereTree sphereTree = buildSphereTree(parts);
             std::vector<Part> solids;
             for (const Part &part : parts)
                 if (!part.shape.getMesh())
                     solids.push_back(part);
-            std::vector<Ball> core = buildInnerSpheres(solids, cover);
-            const double depth = -ompl_certificates::signedDistance(solids, cover.getRoot().center);
+            std::vector<Ball> innerSpheres = buildInnerSpheres(solids, sphereTree);
+            const double depth = -ompl_certificates::signedDistance(solids, sphereTree.getRoot().center);
             const double centralRadius = depth >= 0.0 ? depth : -std::numeric_limits<double>::infinity();
-            balls = std::make_unique<const Balls>(Balls{std::move(cover), std::move(core), centralRadius});
+            balls = std::make_unique<const Balls>(Balls{std::move(sphereTree), std::move(innerSpheres), centralRadius});
             made.store(balls.get(), std::memory_order_release);
         }
         return *balls;

@@ -24,7 +24,8 @@ namespace ompl_certificates
                 const Eigen::Vector3d &a = hull.vertices[corners[i]];
                 const Eigen::Vector3d &b = hull.vertices[corners[(i + 1) % corners.size()]];
                 beside = beside || face.normal.cross(b - a).dot(point - a) < 0.0;
-                // Of all edges: next to a corner, or where two edges are straight, rounding decides which one it is beside.
+                // Over all edges: next to a corner, or between two edges in line, rounding decides which one the point
+                // is beside.
                 squared = std::min(squared, squaredDistanceToSegment(point - a, b - a));
             }
             // Beside no edge: the foot of the perpendicular lies in the face.
@@ -36,8 +37,8 @@ namespace ompl_certificates
             return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
         }
 
-        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain; those that are
-            straight to within \e tolerance (an area) are left out. Fewer than three if the points span no area. */
+        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain. Leaves out
+            those that are straight to within \e tolerance (an area). Fewer than three if the points span no area. */
         std::vector<Eigen::Vector3d> outlineOf(std::vector<Eigen::Vector3d> points, double tolerance)
         {
             std::sort(points.begin(), points.end(),
@@ -115,8 +116,8 @@ namespace ompl_certificates
                 const Eigen::Vector3d normal = a.cross(b);
                 if (normal.norm() <= tolerance_ * (a.norm() + b.norm()))
                     return;
-                // Three points that are not on a line lie in one plane only. Two faces may well share more than two
-                // points: all those of their common edge.
+                // Three points that are not on a line lie in one plane only. Two faces may share more points than two:
+                // all those of their common edge.
                 const auto holdsAllThree = [&](const std::vector<std::size_t> &plane)
                 {
                     return std::all_of(three.begin(), three.end(),
@@ -142,7 +143,7 @@ namespace ompl_certificates
                     if (height >= offset - tolerance_)
                         plane.push_back(v);
                 }
-                // Put the points in the plane's own coordinates and let the planar hull order them.
+                // Convert to the plane's own coordinates and let the planar hull order the points.
                 const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
                 std::vector<Eigen::Vector3d> flat;
                 flat.reserve(plane.size());
@@ -169,7 +170,7 @@ namespace ompl_certificates
             const std::vector<Eigen::Vector3d> points = distinct(given, tolerance);
             ConvexHull hull;
             hull.faces = FaceSearch(points, tolerance).run();
-            // Keep the points that are corners, and number them anew.
+            // Keep the points that are corners and renumber them.
             std::vector<std::size_t> newIndex(points.size(), points.size());
             for (auto &face : hull.faces)
                 for (auto &vertex : face.vertices)
@@ -190,7 +191,7 @@ namespace ompl_certificates
     double ConvexHull::signedDistance(const Eigen::Vector3d &point) const
     {
         double highest = -std::numeric_limits<double>::infinity();
-        // An edge of a polygon is looked at where it is seen: clearances among polygons are asked for all the time.
+        // Inlined: clearances among polygons are asked for all the time.
         double squared = std::numeric_limits<double>::infinity();
         for (const Face &face : faces)
         {

@@ -8,7 +8,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief FCL's convex polytope for a hull; a polygon becomes a prism of the given height about the plane z = 0. */
+    /** \brief FCL's convex polytope for a hull. A polygon becomes a prism of the given height about the plane z = 0. */
     std::shared_ptr<fcl::CollisionGeometryd> makeConvex(const ConvexHull &hull, double prismHeight);
 }
 

@@ -81,8 +81,8 @@ namespace ompl_certificates
             model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
             model->addSubModel(vertices, triangles);
             if (model->endModel() != fcl::BVH_OK)
-                throw ompl::Exception("FCL makes no hierarchy of a mesh of " + std::to_string(triangles.size()) +
-                                      " triangles");
+                throw ompl::Exception("FCL cannot build the hierarchy of a mesh of " +
+                                      std::to_string(triangles.size()) + " triangles");
             return model;
         }
 

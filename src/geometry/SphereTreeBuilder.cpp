@@ -18,8 +18,8 @@ namespace ompl_certificates
 
         constexpr std::size_t INNER_SPHERES = 8;
 
-        /** A convex piece of a shape: the outlines of its faces (or its one outline in the plane, its two ends for a
-        segment), enlarged by a rounding. Or a piece of a mesh: the outlines of pieces of its triangles. */
+        /** A convex piece of a shape, enlarged by a rounding radius: the outlines of its faces, its one outline in the
+            plane, or the two ends of a segment. For a mesh: the outlines of pieces of its triangles. */
         struct Piece
         {
             std::vector<std::vector<Eigen::Vector3d>> outlines;
@@ -59,7 +59,7 @@ namespace ompl_certificates
             return kept;
         }
 
-        /** Put the corners of a convex polygon, across \e axis, in order around their mean. */
+        /** Sort the corners of a convex polygon, across \e axis, around their mean. */
         void sortAround(std::vector<Eigen::Vector3d> &corners, Eigen::Index axis)
         {
             Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -78,7 +78,7 @@ namespace ompl_certificates
             for (const auto &outline : piece.outlines)
                 if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
                     half.outlines.push_back(std::move(kept));
-            // The new face closes the piece, so that later cuts find the edges inside the shape too.
+            // The new face closes the piece, so that later cuts also find the edges inside the shape.
             if (piece.isSolid && piece.outlines.size() > 1 && cut.size() >= 3)
             {
                 sortAround(cut, axis);
@@ -150,8 +150,8 @@ namespace ompl_certificates
             return piece;
         }
 
-        /** The part's pose; without the height of a planar mesh, which its cover does not have */
-        Pose coverPose(const Body::Part &part)
+        /** The part's pose; without the z of a planar mesh, which its sphere tree ignores */
+        Pose treePose(const Body::Part &part)
         {
             Pose pose = part.pose;
             if (part.shape.getDimension() == 2)
@@ -204,22 +204,22 @@ namespace ompl_certificates
         {
             pieces.push_back(wholeOf(part.shape));
             for (const auto &vertex : pieces.back().vertices())
-                extremes.push_back(coverPose(part) * vertex);
+                extremes.push_back(treePose(part) * vertex);
             rounding = std::max(rounding, pieces.back().rounding);
         }
         if (parts.size() == 1)
         {
-            nodes[0].ball = ballAround(pieces[0], coverPose(parts[0]));
-            addChildren(nodes, 0, pieces[0], coverPose(parts[0]), LEAF_RADIUS * nodes[0].ball.radius, 0);
+            nodes[0].ball = ballAround(pieces[0], treePose(parts[0]));
+            addChildren(nodes, 0, pieces[0], treePose(parts[0]), LEAF_RADIUS * nodes[0].ball.radius, 0);
             return SphereTree(std::move(nodes));
         }
         nodes[0].ball = enclosingBall(extremes, rounding);
         nodes[0].firstChild = 1;
         nodes[0].childCount = static_cast<std::uint32_t>(parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-            nodes.push_back({ballAround(pieces[i], coverPose(parts[i])), 0, 0});
+            nodes.push_back({ballAround(pieces[i], treePose(parts[i])), 0, 0});
         for (std::size_t i = 0; i < parts.size(); ++i)
-            addChildren(nodes, 1 + i, pieces[i], coverPose(parts[i]), LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
+            addChildren(nodes, 1 + i, pieces[i], treePose(parts[i]), LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
         return SphereTree(std::move(nodes));
     }
 
@@ -231,12 +231,12 @@ namespace ompl_certificates
         return nearest;
     }
 
-    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &cover)
+    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &sphereTree)
     {
         std::vector<Ball> candidates;
         const auto addBallAbout = [&](const Eigen::Vector3d &center)
         {
-            // Shrunk like the cover is enlarged: a core ball never sticks out by a rounding error.
+            // Shrunk as the outer balls are enlarged: rounding never makes an inner sphere stick out.
             if (const double depth = -signedDistance(parts, center); depth > 0.0)
                 candidates.push_back({center, depth * (1.0 - 1e-12)});
         };
@@ -245,25 +245,25 @@ namespace ompl_certificates
                 candidates.push_back({part.pose.translation(), part.shape.getRadius()});
             else if (const ConvexHull *hull = part.shape.getHull())
             {
-                // The cover's centers may all lie on the edges of a sliver; the mean of the corners lies inside.
+                // The sphere tree's centers may all lie on the edges of a sliver; the mean of the corners lies inside.
                 Eigen::Vector3d mean = Eigen::Vector3d::Zero();
                 for (const auto &vertex : hull->vertices)
                     mean += vertex / static_cast<double>(hull->vertices.size());
                 addBallAbout(part.pose * mean);
             }
-        for (const auto &node : cover.getNodes())
+        for (const auto &node : sphereTree.getNodes())
             addBallAbout(node.ball.center);
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
-        std::vector<Ball> core;
+        std::vector<Ball> innerSpheres;
         for (const Ball &ball : candidates)
         {
-            // A ball whose center an earlier, larger one holds adds little.
+            // A ball adds little if an earlier, larger one contains its center.
             const auto holds = [&ball](const Ball &other)
             { return (other.center - ball.center).norm() < 0.5 * other.radius || other.center == ball.center; };
-            if (core.size() < INNER_SPHERES && std::none_of(core.begin(), core.end(), holds))
-                core.push_back(ball);
+            if (innerSpheres.size() < INNER_SPHERES && std::none_of(innerSpheres.begin(), innerSpheres.end(), holds))
+                innerSpheres.push_back(ball);
         }
-        return core;
+        return innerSpheres;
     }
 }

@@ -5,12 +5,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief Balls that contain \e parts, as a tree: pieces of every shape, halved across their longest extent until
-        their balls are an eighth of the shape's own or fit their piece tightly. Takes well under a millisecond. */
+    /** \brief The sphere tree of \e parts. Halves the pieces of every shape across their longest extent, until their
+        balls are an eighth of the shape's own or fit their piece tightly. Takes well under a millisecond. */
     SphereTree buildSphereTree(const std::vector<Body::Part> &parts);
 
-    /** \brief A few large balls inside \e parts, the largest first: the largest ones about the centers of \e cover */
-    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &cover);
+    /** \brief A few large balls inside \e parts, the largest first. They are the largest ones about the centers of
+        \e sphereTree. */
+    std::vector<Ball> buildInnerSpheres(const std::vector<Body::Part> &parts, const SphereTree &sphereTree);
 
     /** \brief Signed distance of \e point to the nearest of \e parts */
     double signedDistance(const std::vector<Body::Part> &parts, const Eigen::Vector3d &point);

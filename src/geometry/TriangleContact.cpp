@@ -23,8 +23,8 @@ namespace ompl_certificates
             return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
         }
 
-        /** Whether the two are farther apart than \e margin along an axis: across an edge of one in its plane. That settles
-            triangles in one plane. */
+        /** Whether the two are farther apart than \e margin along an axis that lies in the plane of one and across an
+            edge of it. That settles triangles in one plane. */
         bool apartAcrossAnEdge(const TriangleTree::Facet &one, const TriangleTree::Facet &other, double margin)
         {
             for (std::size_t i = 0; i < 3; ++i)
@@ -46,8 +46,8 @@ namespace ompl_certificates
             return false;
         }
 
-        /** Whether an edge between the given sides of a face, which passes the face's edges on the sides \e a, \e b and
-            \e c, pierces it */
+        /** Whether an edge between the sides \e from and \e to of a face pierces it. It passes the face's edges on the
+            sides \e a, \e b and \e c. */
         Touching piercing(int from, int to, int a, int b, int c)
         {
             if (from * to > 0 || a * b < 0 || b * c < 0 || c * a < 0)

@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Squared distance of the point \e p, given as its difference from the segment's first end, to a segment; also to
-        one of no length */
+    /** \brief Squared distance of a point to a segment, which may have length zero. \e p is the point minus the
+        segment's first end. */
     inline double squaredDistanceToSegment(const Eigen::Vector3d &p, const Eigen::Vector3d &segment)
     {
         const double along = p.dot(segment), length = segment.squaredNorm();

@@ -12,7 +12,7 @@ namespace ompl_certificates
         /** Squares of larger ones would not fit into the single precision of a TriangleTree. */
         constexpr double LARGEST_COORDINATE = 1e15;
 
-        /** For each vertex the first one in some order that is at the same place */
+        /** For each vertex the first one, in some order, with the same coordinates */
         std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3d> &vertices)
         {
             std::vector<std::uint32_t> order(vertices.size());

@@ -15,7 +15,7 @@ namespace ompl_certificates
         /** The squares of larger coordinates do not fit into single precision. */
         constexpr double FARTHEST = 1e18;
 
-        /** Whether \e triangle is nearer than \e nearest, a squared distance, which is then lowered */
+        /** Whether \e triangle is nearer than \e nearest, a squared distance; if so, lowers it */
         bool lowerToDistance(const TriangleTree::Facet &triangle, const Eigen::Vector3d &point, double &nearest)
         {
             const auto &[a, b, c] = triangle.corners;
@@ -106,15 +106,15 @@ namespace ompl_certificates
                     }
                     bounds[k] = sum * SHRINK;
                 }
-                // The nearest is put on the stack last.
+                // Insert in order: the nearest child goes on top of the stack.
                 Open *const begin = stack + open;
                 for (int k = 0; k < 4; ++k)
                     if (bounds[k] < lowest)
                     {
-                        Open *place = stack + open++;
-                        for (; place != begin && place[-1].bound < bounds[k]; --place)
-                            *place = place[-1];
-                        *place = {bounds[k], node.child[k]};
+                        Open *slot = stack + open++;
+                        for (; slot != begin && slot[-1].bound < bounds[k]; --slot)
+                            *slot = slot[-1];
+                        *slot = {bounds[k], node.child[k]};
                     }
             }
             do

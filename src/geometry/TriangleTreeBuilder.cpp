@@ -12,7 +12,7 @@ namespace ompl_certificates
         constexpr std::uint32_t LEAF_SIZE = 4;
         constexpr std::size_t BINS = 16;
 
-        /** Deeper than this, triangles are halved by number, which ends after 28 more levels at most. */
+        /** Below this depth triangles are halved by number, which ends after at most 28 more levels. */
         constexpr unsigned int DEEPEST_BY_COST = 40;
 
         using Box = Eigen::AlignedBox3f;
@@ -43,8 +43,8 @@ namespace ompl_certificates
         };
     }
 
-    /** \brief Builds a TriangleTree from the top: ranges of triangles are cut in two where the areas of the halves' boxes
-        times their numbers have the smallest sum, and each node takes the four largest ranges of what it is cut into. */
+    /** \brief Builds a TriangleTree from the top. Cuts a range of triangles where the areas of the halves' boxes times
+        their numbers have the smallest sum. Each node takes the four largest ranges of what it is cut into. */
     class TriangleTreeBuilder
     {
     public:
@@ -89,7 +89,7 @@ namespace ompl_certificates
         }
 
     private:
-        /** Drop all but the first of triangles with equal corners: faces of some programs' meshes have two sides. */
+        /** Drop all but the first of triangles with equal corners: some programs write meshes with two-sided faces. */
         void dropTwins()
         {
             struct Key
@@ -145,7 +145,7 @@ namespace ompl_certificates
             return box;
         }
 
-        /** Put the items of a range in order, so that its first \e return value ones are one half of it. */
+        /** Order the items of a range so that the first \e return value ones are one half of it. */
         std::uint32_t cut(const Range &range)
         {
             const auto begin = items_.begin() + range.first, end = begin + range.count;

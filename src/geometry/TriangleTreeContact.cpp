@@ -12,8 +12,8 @@ namespace ompl_certificates
         /** Pays for the rounding of boxes in single precision, relative to the largest coordinate */
         constexpr double ROUNDING = 1e-6;
 
-        /** So many triangles that may just touch are enough to leave the answer to the exact check: where meshes lie upon each
-            other there are as many as triangles, and the first one ends the exact check. */
+        /** After so many triangles that may just touch, the exact check decides. Where meshes lie upon each other,
+            nearly all triangles do, and the first one ends the exact check. */
         constexpr unsigned int MOST_UNKNOWN = 32;
 
         struct Box
@@ -22,7 +22,7 @@ namespace ompl_certificates
             Eigen::Vector3f half;
         };
 
-        /** How boxes of one frame lie in another one */
+        /** The transform of boxes from one frame to another */
         struct Turn
         {
             Eigen::Matrix3f rotation;
@@ -35,8 +35,8 @@ namespace ompl_certificates
             }
         };
 
-        /** Which of the four boxes of \e node touch \e box, which \e turn takes to the node's frame, to within \e slack:
-            they are separated along no axis of either. */
+        /** Which of the four boxes of \e node touch \e box, to within \e slack: no axis of either separates them. \e
+            turn takes \e box to the node's frame. */
         template <typename Node>
         void overlaps(const Node &node, const Box &box, const Turn &turn, float slack, bool *overlap)
         {
@@ -59,11 +59,11 @@ namespace ompl_certificates
             {
                 const float x = turn.rotation(0, axis), y = turn.rotation(1, axis), z = turn.rotation(2, axis);
                 const float ax = turn.absolute(0, axis), ay = turn.absolute(1, axis), az = turn.absolute(2, axis);
-                const float reach = box.half[axis] + slack;
+                const float extent = box.half[axis] + slack;
                 for (int k = 0; k < 4; ++k)
                 {
                     const float gap = std::abs(x * middles[0][k] + y * middles[1][k] + z * middles[2][k]);
-                    const float both = reach + ax * halves[0][k] + ay * halves[1][k] + az * halves[2][k];
+                    const float both = extent + ax * halves[0][k] + ay * halves[1][k] + az * halves[2][k];
                     outside[k] |= static_cast<int>(gap > both);
                 }
             }

@@ -14,7 +14,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** OMPL's: quaternions whose dot product is this close to 1 have the distance 0. */
+        /** As in OMPL, quaternions whose dot product is this close to 1 have the distance 0. */
         constexpr double SAME_ROTATION = 1e-9;
     }
 
@@ -128,7 +128,7 @@ namespace ompl_certificates
         for (const Term &term : terms_)
         {
             double distance = 0.0;
-            if (term.kind == Term::VECTOR)  // as most are, and in the loop that counts
+            if (term.kind == Term::VECTOR)  // the most frequent kind, in the hottest loop
             {
                 for (unsigned int i = term.first; i < term.first + term.count; ++i)
                     distance += (row[i] - other[i]) * (row[i] - other[i]);

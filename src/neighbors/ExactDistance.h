@@ -6,12 +6,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief The distance of a space, computed from copies of its states' coordinates that lie side by side: states
-        themselves are scattered over the memory, and waiting for them takes longer than the distance. */
+    /** \brief The distance of a space, computed from adjacent copies of its states' coordinates. The states themselves
+        are scattered over the memory, and waiting for them takes longer than the distance. */
     class ExactDistance
     {
     public:
-        /** \brief The distance of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of such */
+        /** \brief The distance of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of
+            these */
         explicit ExactDistance(const ompl::base::StateSpace &space);
 
         /** \brief Whether every part of the space is of a class whose distance this class knows */
@@ -29,8 +30,8 @@ namespace ompl_certificates
         /** \brief Write the coordinates of \e state */
         void copy(const ompl::base::State *state, double *row) const;
 
-        /** \brief The space's distance, by the same operations in the same order, and so to the last bit. Only if isKnown(),
-            and for states that FlatMetric::flatten() accepts. */
+        /** \brief The space's distance, by the same operations in the same order, so equal to the last bit. Only if
+            isKnown(), and for states that FlatMetric::flatten() accepts. */
         double operator()(const double *row, const double *other) const;
 
     private:

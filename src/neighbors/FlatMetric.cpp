@@ -11,8 +11,8 @@
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
 
-// The one loop that all the time goes into, compiled for wider registers too; the loader picks. Sanitizers are not up yet
-// when it does.
+// The loop that takes nearly all the time is compiled for wider registers too, and the loader picks. Sanitizers are not
+// ready yet when it does.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&                           \
     !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 #define OMPL_CERTIFICATES_WIDE __attribute__((target_clones("avx2", "default")))
@@ -28,8 +28,8 @@ namespace ompl_certificates
     {
         constexpr double FLOAT_UNIT = 0x1.0p-24, DOUBLE_UNIT = 0x1.0p-53;
 
-        /** What the square of a quaternions' chord may be wrong by: lengths off 1 (twice LENGTH_ERROR), OMPL's distance 0
-            for all dot products above 1 - 1e-9, and rounding (less than 2e-6). */
+        /** The error of a quaternions' chord, squared: lengths off 1 (twice LENGTH_ERROR), OMPL's distance 0 for all
+            dot products above 1 - 1e-9, and rounding (less than 2e-6). */
         constexpr double LENGTH_ERROR = 1e-6;
         constexpr float CHORD_ERROR = 5e-6F;
 
@@ -66,7 +66,7 @@ namespace ompl_certificates
             return x * x;
         }
 
-        /** How far two angles are apart that differ by \e difference, if half a turn is \e half */
+        /** The distance of two angles that differ by \e difference; \e half is half a turn */
         float around(float difference, float half)
         {
             const float straight = std::abs(difference);
@@ -181,10 +181,10 @@ namespace ompl_certificates
         {
             const double value = (values[i] - part.center[i]) * part.weight;
             row[i] = static_cast<float>(value);
-            // The doubles are rounded too, which shows where the bounds are far from 0.
+            // The doubles are rounded too, which matters where the bounds are far from 0.
             const double raw = (std::abs(values[i]) + std::abs(part.center[i])) * part.weight;
             const double size = std::max(std::abs(value), raw * (8.0 * DOUBLE_UNIT / FLOAT_UNIT));
-            if (!(size < 1e15))  // nor are squares to overflow
+            if (!(size < 1e15))  // also keeps squares from overflowing
                 return false;
             most = std::max(most, size);
         }
@@ -204,8 +204,8 @@ namespace ompl_certificates
 
     float FlatMetric::threshold(double distance, double magnitude) const
     {
-        // Each coordinate of each row was rounded once; a distance changes by no more than the sum of that. Its own terms
-        // are rounded when they are computed, and relative to their size.
+        // Each coordinate of each row was rounded once; a distance changes by at most the sum of that. Its own terms
+        // are rounded as they are computed, relative to their size.
         const double absolute = 8.0 * dimension_ * FLOAT_UNIT * magnitude;
         const double relative = 4.0 * (dimension_ + 32) * FLOAT_UNIT;
         const double most = (distance + absolute) * (1.0 + relative);
@@ -228,7 +228,7 @@ namespace ompl_certificates
         {
             const unsigned int i = part.first;
             const auto half = static_cast<float>(M_PI * part.weight);
-            // From outside an arc, one of its ends is nearest, this way around or that.
+            // From outside an arc, one of its ends is nearest, one way round or the other.
             return outside(i, 1.0F) == 0.0F ? 0.0F
                                             : std::min(around(row[i] - low[i], half), around(row[i] - high[i], half));
         }

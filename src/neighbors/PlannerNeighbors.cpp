@@ -39,8 +39,8 @@ namespace ompl_certificates
         template <typename T>
         using NeighborsPtr = std::shared_ptr<ompl::NearestNeighbors<T>>;
 
-        /** Opens the members in which OMPL's planners keep their structures. They are protected, and the public way to
-            change them, setNearestNeighbors(), makes structures that do not know the planner's vertices. */
+        /** Opens the members in which OMPL's planners keep their structures. They are protected, and their public
+            setter, setNearestNeighbors(), makes structures that do not know the planner's vertices. */
         template <typename PlannerType>
         struct Open : PlannerType
         {
@@ -105,7 +105,7 @@ namespace ompl_certificates
             }
         };
 
-        /** Puts the kd-tree in the place of a GNAT. */
+        /** Replaces a GNAT by the kd-tree. */
         struct ToKdTree
         {
             ob::StateSpacePtr space;
@@ -131,7 +131,7 @@ namespace ompl_certificates
             }
         };
 
-        /** Puts a structure into one that takes the time. */
+        /** Wraps a structure into one that measures its time. */
         struct ToTimed
         {
             std::shared_ptr<NearestClock> clock;
@@ -163,7 +163,7 @@ namespace ompl_certificates
                    exchange(Open<PlannerType>::startTree(*known)) + exchange(Open<PlannerType>::goalTree(*known)) > 0;
         }
 
-        /** Let a connection strategy, which has a pointer of its own to the structure, look in \e neighbors.
+        /** Let a connection strategy, which has its own pointer to the structure, search in \e neighbors.
             \return false if it is not one of OMPL's */
         template <typename Vertex, typename Strategy>
         bool redirect(Strategy &strategy, const NeighborsPtr<Vertex> &neighbors)
@@ -186,7 +186,7 @@ namespace ompl_certificates
             return exchange(neighbors, [&states](const Vertex &vertex) { return states[vertex]; });
         }
 
-        /** … and that connect vertices by a strategy */
+        /** … and that also connect vertices by a strategy */
         template <typename PlannerType, typename Exchange>
         bool inRoadmap(ob::Planner &planner, const Exchange &exchange)
         {
@@ -195,7 +195,7 @@ namespace ompl_certificates
                 return false;
             using Opened = Open<PlannerType>;
             auto &neighbors = Opened::nn(*known);
-            // A strategy of the user's would go on to look in the old structure.
+            // A strategy of the user's would still search the old structure.
             return redirect(Opened::connectionStrategy(*known), neighbors) &&
                    inGraph(neighbors, Opened::states(*known), exchange) &&
                    redirect(Opened::connectionStrategy(*known), neighbors);

@@ -9,15 +9,15 @@
 
 namespace ompl_certificates
 {
-    /** \brief Whether \e space is of this very class. Not dynamic_cast: a derived class, such as Dubins' cars, may have a
-        distance of its own. */
+    /** \brief Whether \e space is of exactly this class. Not dynamic_cast: a derived class, such as Dubins' cars, may
+        have its own distance. */
     template <typename Space>
     bool isOfClass(const ompl::base::StateSpace &space)
     {
         return typeid(space) == typeid(Space);
     }
 
-    /** \brief Whether \e space says that its distance is made up so */
+    /** \brief Whether \e space says that its distance is composed in this way */
     inline bool isSearchable(const ompl::base::StateSpace &space, SearchableStateSpace::Composition composition)
     {
         const auto *searchable = dynamic_cast<const SearchableStateSpace *>(&space);

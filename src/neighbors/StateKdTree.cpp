@@ -16,7 +16,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How many states a leaf takes before it is divided */
+        /** The number of states at which a leaf is divided */
         constexpr std::uint32_t LEAF_SIZE = 64;
 
         /** The number in (low, high] that is a multiple of the largest power of two */
@@ -25,7 +25,7 @@ namespace ompl_certificates
             for (int exponent = std::ilogb(std::max(std::abs(low), std::abs(high))) + 1;; --exponent)
             {
                 const float step = std::ldexp(1.0F, exponent), cut = std::floor(high / step) * step;
-                // Below the smallest step there is, every number is a multiple.
+                // Below the smallest step, every number is a multiple.
                 if (step == 0.0F || !std::isfinite(cut))
                     return high;
                 if (cut > low)
@@ -128,8 +128,8 @@ namespace ompl_certificates
     float StateKdTree::chooseCut(const Leaf &leaf, std::uint32_t coordinate, float low, float high,
                                  unsigned int depth) const
     {
-        // Halves are best, but states that come in order would make a list of them. Beyond the depth that a mere
-        // imbalance explains, cuts are at round numbers: those on any path get finer, and so are few.
+        // Halves are best, but states that come in order would make a list of them. Beyond the depth that mere
+        // imbalance explains, cuts are at round numbers: on any path those get finer, and so are few.
         if (depth > 8 + 3 * std::log2(static_cast<double>(leaves_.size())))
             return roundest(low, high);
         const float *column = leaf.columns.col(coordinate).data();
@@ -138,7 +138,7 @@ namespace ompl_certificates
         std::nth_element(values.begin(), middle, values.end());
         if (*middle > low)
             return *middle;
-        // At least half of them are at the low end: the next value leaves these there.
+        // At least half of the states are at the low end: a cut at the next value leaves them there.
         float next = high;
         for (const float value : values)
             if (value > low)
@@ -180,7 +180,7 @@ namespace ompl_certificates
                 row[d] = old.columns(static_cast<Eigen::Index>(i), d);
             const auto side = row[widest] < cut ? left : right;
             Leaf &to_leaf = *nodes_[side].leaf;
-            // Equal states that made a leaf large may all stay on one side.
+            // If a leaf is large for its equal states, all of them may stay on one side.
             if (to_leaf.indices.size() == static_cast<std::size_t>(to_leaf.columns.rows()))
                 to_leaf.columns.conservativeResize(2 * to_leaf.columns.rows(), Eigen::NoChange);
             put(to_leaf, row.data(), old.indices[i]);
@@ -233,7 +233,7 @@ namespace ompl_certificates
         leaf.indices[slot.position] = leaf.indices[last];
         slots_[leaf.indices[slot.position]] = slot;
         leaf.indices.pop_back();
-        // The last state's number
+        // The last state's index
         const auto end = static_cast<Index>(slots_.size() - 1);
         if (index != end)
         {

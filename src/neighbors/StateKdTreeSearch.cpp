@@ -17,21 +17,21 @@ namespace ompl_certificates
     {
         constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-        /** The most neighbors of which a heap is kept */
+        /** Up to this number of neighbors, a heap of the best is kept. */
         constexpr std::size_t MOST_IN_HEAP = 32;
 
-        /** Bounds are computed for so many states at a time; see FlatMetric::bounds() */
+        /** The number of states whose bounds are computed at a time; see FlatMetric::bounds() */
         constexpr std::size_t BATCH = 64;
 
-        /** A node that is still to be searched, and the squared bound of its distance */
+        /** A node still to be searched, and the squared bound of its distance */
         struct Pending
         {
             std::uint32_t node;
             float square;
         };
 
-        /** A state that was not ruled out: its squared bound, and what it is compared by: its true distance if that is
-            known, or else the squared bound again */
+        /** A state that was not ruled out: its squared bound, and its key. The key is its true distance if known, or
+            else the squared bound again. */
         struct Candidate
         {
             float square;
@@ -39,8 +39,8 @@ namespace ompl_certificates
             double key;
         };
 
-        /** Sort by distance, then by number. RRT* asks for hundreds or thousands of neighbors, whose distances are spread
-            enough to go straight to about their places. */
+        /** Sort by distance, then by index. RRT* asks for hundreds or thousands of neighbors, whose distances are
+            spread enough to go straight to about their positions. */
         void sortNeighbors(StateKdTree::Neighbors &neighbors)
         {
             constexpr std::size_t FEW = 64;
@@ -51,22 +51,22 @@ namespace ompl_certificates
             if (size < FEW || !std::isfinite(scale) || !std::isfinite(range))
                 return std::sort(neighbors.begin(), neighbors.end());
             thread_local StateKdTree::Neighbors other;
-            thread_local std::vector<std::uint32_t> starts, places;
+            thread_local std::vector<std::uint32_t> starts, bucketOf;
             starts.assign(buckets, 0);
-            places.resize(size);
+            bucketOf.resize(size);
             other.resize(size);
             for (std::size_t i = 0; i < size; ++i)
             {
-                places[i] = static_cast<std::uint32_t>((neighbors[i].first - low) * scale);
-                ++starts[places[i]];
+                bucketOf[i] = static_cast<std::uint32_t>((neighbors[i].first - low) * scale);
+                ++starts[bucketOf[i]];
             }
             std::uint32_t sum = 0;
             for (auto &start : starts)
                 sum += std::exchange(start, sum);
             for (std::size_t i = 0; i < size; ++i)
-                other[starts[places[i]]++] = neighbors[i];
+                other[starts[bucketOf[i]]++] = neighbors[i];
             neighbors.swap(other);
-            // Each start has become the bucket's end.
+            // Each start has become its bucket's end.
             std::size_t begin = 0;
             for (const auto end : starts)
             {
@@ -76,8 +76,8 @@ namespace ompl_certificates
             }
         }
 
-        /** A key that at least \e count of the candidates, and mostly few more, do not exceed. Where exactly they end does not
-            matter yet, and counting has no branches to guess, unlike std::nth_element(). */
+        /** A key that at least \e count of the candidates, and mostly few more, do not exceed. Their exact number does
+            not matter yet. Unlike std::nth_element(), counting has no branches to predict. */
         double enoughFor(const std::vector<Candidate> &candidates, std::size_t count)
         {
             constexpr unsigned int ROUNDS = 6;
@@ -92,7 +92,7 @@ namespace ompl_certificates
             {
                 const std::size_t wanted = count + count / 16 - std::min(atLow, count);
                 const double part = static_cast<double>(wanted) / static_cast<double>(atHigh - atLow);
-                // In turns by where the keys would be if they were spread evenly, and in halves, for they are not.
+                // Alternate between interpolation, as if keys were spread evenly, and bisection, since they are not.
                 const double middle = low + (high - low) * (round % 2 == 0 ? std::min(part, 1.0) : 0.5);
                 std::size_t below = 0;
                 for (const Candidate &candidate : candidates)
@@ -103,7 +103,7 @@ namespace ompl_certificates
             return high;
         }
 
-        /** What a query needs to remember; kept for the thread's next one */
+        /** The scratch memory of a query; kept for the thread's next one */
         struct Scratch
         {
             std::vector<float> row;
@@ -121,7 +121,7 @@ namespace ompl_certificates
         double magnitude;
         float most;
         Scratch &scratch;
-        /** With so many candidates, those are dropped that are ruled out by now. */
+        /** At so many candidates, drop those that are ruled out by now. */
         std::size_t limit;
     };
 
@@ -165,10 +165,10 @@ namespace ompl_certificates
                 if (!(squares[i] <= search.most))
                     continue;
                 const Index index = leaf.indices[first + i];
-                // Where bounds are nearly the distance, those found can be told from the rest without it.
+                // Where bounds are nearly the distance, they select the neighbors without it.
                 const double key = metric_->isTight() ? squares[i] : distanceOf(search, index);
                 candidates.push_back({squares[i], index, key});
-                // A heap is kept of the best few; of many it would cost more than it rules out.
+                // A heap of the best few is kept; a large one would cost more than it rules out.
                 if (search.count > MOST_IN_HEAP)
                     continue;
                 if (best.size() == search.count)
@@ -232,7 +232,7 @@ namespace ompl_certificates
         double magnitude = magnitude_;
         if (!metric_->flatten(state, scratch.row.data(), magnitude))
         {
-            // Nothing is known of distances from such a state.
+            // The metric knows nothing of distances from such a state.
             for (Index i = 0; i < size(); ++i)
                 neighbors.emplace_back(distance(i), i);
         }
@@ -240,11 +240,11 @@ namespace ompl_certificates
         {
             scratch.exact.resize(exactDistance_->getSize());
             exactDistance_->copy(state, scratch.exact.data());
-            // The radius alone decides if all may be in it, which a limit out of reach says.
+            // If all states may be neighbors, the radius alone decides: a limit above the size says so.
             Search search{distance,  count,
                           magnitude, metric_->threshold(radius, magnitude),
                           scratch,   count == size() ? size() + 1 : 2 * count};
-            // A tree that can rule out few is not worth its walk.
+            // A tree that can rule out few states is not worth its walk.
             if (exact_ && radius == INFINITE && 2 * count > size())
                 for (Index i = 0; i < size(); ++i)
                     neighbors.emplace_back(distanceOf(search, i), i);
@@ -259,7 +259,7 @@ namespace ompl_certificates
             neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
                                            [&](const auto &neighbor) { return !(neighbor.first <= radius); }),
                             neighbors.end());
-        // A few too many are sooner sorted than told from the rest.
+        // A few too many are sorted faster than separated.
         if (2 * count < neighbors.size())
         {
             std::nth_element(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count),

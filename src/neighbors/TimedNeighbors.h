@@ -9,7 +9,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief Lets another structure do the work, and takes the time. */
+    /** \brief Forwards to another structure, and measures its time. */
     template <typename T>
     class TimedNeighbors : public ompl::NearestNeighbors<T>
     {

@@ -13,10 +13,11 @@
 
 namespace ompl_certificates
 {
-    /** \brief An FCL object of a geometry whose local box is known, which is Shape::FCL_SCALE times as large as its pose has it.
+    /** \brief An FCL object of a geometry whose local box is known. The geometry is Shape::FCL_SCALE times as large as
+        in its pose's frame.
 
-        FCL's own constructors compute that box anew, in the geometry itself: linear in the vertices of a mesh, and other
-        threads that check the same geometry see it change, and may get another verdict. */
+        FCL's own constructors compute that box again, in the geometry itself. That is linear in the vertices of a mesh,
+        and other threads that check the same geometry see it change and may get another verdict. */
     class PlacedGeometry : public fcl::CollisionObjectd
     {
     public:
@@ -31,7 +32,7 @@ namespace ompl_certificates
         }
     };
 
-    /** \brief FCL's tree of boxes over obstacles, and its exact check of those that the boxes do not separate */
+    /** \brief FCL's broadphase over obstacles, and its exact check of those that the boxes do not separate */
     class Broadphase
     {
     public:
@@ -64,8 +65,8 @@ namespace ompl_certificates
     private:
         static bool stopAtFirstContact(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *data)
         {
-            // FCL's default tolerance is a millionth of the length unit; this one is a millionth of the smaller shape, but
-            // not below what the larger one's rounding allows: FCL's solver would go on for ever.
+            // FCL's default tolerance is a millionth of the length unit. This one is a millionth of the smaller shape,
+            // but at least what the larger one's rounding allows: below that, FCL's solver never ends.
             const auto [small, large] =
                 std::minmax(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
             fcl::CollisionRequestd request;

@@ -9,8 +9,8 @@ namespace ompl_certificates
     {
         constexpr std::uint32_t LEAF_SIZE = 2;
 
-        /** Signed distance to a box: a lower bound of the signed distance to anything that the box contains. A flat box
-        (in the plane) bounds the depth by its other extents. */
+        /** Signed distance to a box: a lower bound of the signed distance to anything in the box. The depth in a flat
+            box (in the plane) is bounded by its other extents. */
         double signedDistanceToBox(const Eigen::AlignedBox3d &box, const Eigen::Vector3d &point)
         {
             const Eigen::Vector3d outside = (box.min() - point).cwiseMax(point - box.max());
@@ -22,7 +22,7 @@ namespace ompl_certificates
     void ClearanceTree::add(const Shape &shape, const Pose &pose)
     {
         Eigen::AlignedBox3d box = shape.getBounds().transformed(pose);
-        // A planar capsule is round out of the plane too, which would hide how deep a point is in its flat neighbours.
+        // A planar capsule is round out of the plane too, which would hide how deep a point is in its flat neighbors.
         if (shape.getDimension() == 2)
             box.min().z() = box.max().z() = 0.0;
         items_.push_back({box, pose.inverse(), shape});

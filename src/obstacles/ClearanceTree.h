@@ -37,8 +37,8 @@ namespace ompl_certificates
             Shape shape;
         };
 
-        /** A node: an inner one has its left child next to it and its right one at \e right; a leaf has right == 0 and
-            its items from \e first on. */
+        /** An inner node has its left child next to it and its right one at \e right. A leaf has right == 0 and its
+            items from \e first on. */
         struct Node
         {
             Eigen::AlignedBox3d box;

@@ -6,12 +6,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief Quick and certain answers about bodies among obstacles, where there is one; FCL is not asked. */
+    /** \brief Quick and certain answers about bodies among obstacles, in the cases that need no FCL */
     class ContactTest
     {
     public:
         /** \brief A test among these, which must outlive it
-            \param tolerance that of the obstacles; see Obstacles::getTolerance() */
+            \param tolerance see Obstacles::getTolerance() */
         ContactTest(const MeshSurface &surface, const ClearanceTree &primitives, unsigned int dimension,
                     double tolerance);
 
@@ -22,7 +22,7 @@ namespace ompl_certificates
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const;
 
     private:
-        /** \brief What the test leaves to the exact check */
+        /** \brief How near a contact must be for the test to leave it to the exact check */
         double marginOf(const Body &body) const
         {
             return tolerance_ + exactCheckTolerance(body.getBoundingRadius());

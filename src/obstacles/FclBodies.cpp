@@ -14,7 +14,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** The class that FCL names so, for those that are not taken */
+        /** FCL's class of that name, for messages about those that are refused */
         std::string nameOf(fcl::NODE_TYPE type)
         {
             switch (type)

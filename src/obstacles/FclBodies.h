@@ -8,7 +8,7 @@
 namespace ompl_certificates
 {
     /** \brief The body that an FCL object stands for, at its present pose
-        \throws ompl::Exception if it is of a kind that FclObstacles does not take, or not upright in the plane */
+        \throws ompl::Exception if it is of a kind that FclObstacles refuses, or not upright in the plane */
     PlacedBody bodyOf(const fcl::CollisionObjectd &object, unsigned int dimension);
 }
 

@@ -27,7 +27,7 @@ namespace ompl_certificates
             return bodies;
         }
 
-        /** The shapes of \e obstacles, which must be of that workspace and in place there */
+        /** The shapes of \e obstacles, each checked for the dimension and pose that its workspace needs */
         PlacedShapes placed(const std::vector<PlacedBody> &obstacles, unsigned int dimension)
         {
             if (dimension != 2 && dimension != 3)
@@ -70,7 +70,7 @@ namespace ompl_certificates
         primitives_->build();
         surface_ = std::make_unique<MeshSurface>(shapes, dimension, zInterval);
 
-        // In the plane, primitives are checked against meshes as prisms that are as high as those.
+        // In the plane, primitives are checked against meshes as prisms of the meshes' height.
         double prismHeight = 0.0;
         if (dimension == 2)
         {
@@ -125,7 +125,7 @@ namespace ompl_certificates
 
     std::uint64_t FclObstacles::getFingerprint() const
     {
-        // ZInterval matter only where they cut meshes.
+        // The z-interval matters only where it cuts meshes.
         const bool cuts = dimension_ == 2 && !surface_->isEmpty();
         std::uint64_t sum =
             fingerprintOf({double(dimension_), cuts ? zInterval_.low : 0.0, cuts ? zInterval_.high : 0.0});

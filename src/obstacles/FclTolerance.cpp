@@ -8,13 +8,13 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** The tolerance of FCL's checks of meshes, relative to their sizes: its solver for a primitive and a triangle. That
-            of two triangles is better; those that are just not degenerate have normals that are known to 2e-7. */
+        /** The tolerance of FCL's checks of meshes, relative to their sizes: that of its solver for a primitive and a
+            triangle. Two triangles do better: even barely non-degenerate ones have normals known to 2e-7. */
         constexpr double MESH_TOLERANCE = 1e-6;
 
-        /** What FCL may be wrong by whatever the sizes, in the scene's unit. Products of up to four lengths must stay above
-            its solver's absolute threshold, the rounding of 1.0: shapes that are smaller than this are judged by their
-            boxes at worst. */
+        /** FCL's error that does not depend on sizes, in the scene's unit. Products of up to four lengths must stay
+            above its solver's absolute threshold, the rounding of 1.0. Smaller shapes are judged by their boxes at
+            worst. */
         constexpr double ABSOLUTE_TOLERANCE = 5e-4 / Shape::FCL_SCALE;
     }
 

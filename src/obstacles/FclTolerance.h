@@ -5,8 +5,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief What clearances among \e obstacles must be exceeded by for FCL to agree; see Obstacles::getTolerance()
-        \param prismHeight how high primitives are made to be checked against meshes; 0 if they are not */
+    /** \brief How much clearances among \e obstacles must exceed a radius for FCL to agree; see
+        Obstacles::getTolerance()
+        \param prismHeight the height of primitives when checked against meshes; 0 if they are not */
     double fclTolerance(const PlacedShapes &obstacles, double prismHeight);
 }
 

@@ -20,7 +20,7 @@ namespace ompl_certificates
 
             void add(double number)
             {
-                number += 0.0;  // there are two zeros
+                number += 0.0;  // 0.0 and -0.0 are equal
                 std::uint64_t bits;
                 std::memcpy(&bits, &number, sizeof(bits));
                 add(bits);

@@ -5,8 +5,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A checksum of the shapes of an obstacle and of where they are, the same on every machine. Linear in the size
-        of its meshes. */
+    /** \brief A checksum of an obstacle's shapes and poses, the same on every machine. Cost: linear in the size of its
+        meshes. */
     std::uint64_t fingerprintOf(const PlacedBody &obstacle);
 
     /** \brief A checksum of numbers */

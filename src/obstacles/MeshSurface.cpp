@@ -6,7 +6,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** What a triangle has between two heights */
+        /** The part of a triangle between two values of z */
         std::vector<Eigen::Vector3d> between(const TriangleTree::Corners &triangle, double low, double high)
         {
             std::vector<Eigen::Vector3d> outline(triangle.begin(), triangle.end());
@@ -55,7 +55,8 @@ namespace ompl_certificates
     {
         const Eigen::AlignedBox3d bounds = triangles_.getBounds();
         const double size = bounds.sizes().maxCoeff();
-        // A little more than the robots reach, so that rounding leaves nothing out; prisms reach still a little farther.
+        // Slightly more than the robots' z-interval, so that rounding leaves nothing out; prisms are slightly higher
+        // still.
         const double slack = EXACT_CHECK_TOLERANCE * size;
         zInterval_ = ZInterval{robotZInterval.low - 2.0 * slack, robotZInterval.high + 2.0 * slack}.intersectedWith(
             {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
@@ -68,7 +69,7 @@ namespace ompl_certificates
                 corner.z() = 0.0;
             if (outline.empty())
                 continue;
-            // An upright triangle is a segment, seen from above.
+            // Seen from above, an upright triangle is a segment.
             if (triangles_.getTriangle(i).normal.z() == 0.0)
             {
                 const auto [first, last] =

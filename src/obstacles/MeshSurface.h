@@ -9,11 +9,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief The triangles of the obstacles' meshes, and in the plane what robots can touch of them, seen from above */
+    /** \brief The triangles of the obstacles' meshes; in the plane also what robots can touch of them, seen from
+        above */
     class MeshSurface
     {
     public:
-        /** \param zInterval in the plane: how far up and down the robots reach */
+        /** \param zInterval in the plane: the robots' z-interval */
         MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const ZInterval &zInterval);
 
         bool isEmpty() const
@@ -21,32 +22,31 @@ namespace ompl_certificates
             return triangles_.size() == 0;
         }
 
-        /** \brief The triangles in space; an ObstaclePart is a position in it */
+        /** \brief The triangles in space; an ObstaclePart is a position in this tree */
         const TriangleTree &getTriangles() const
         {
             return triangles_;
         }
 
-        /** \brief In the plane: what the meshes have in common with the robots' heights */
+        /** \brief In the plane: the intersection of the meshes' z-interval with the robots' */
         const ZInterval &getZInterval() const
         {
             return zInterval_;
         }
 
-        /** \brief The distance of \e point to the nearest triangle, or its outline in the plane, if less than \e most; else
-            \e most */
+        /** \brief The distance of \e point to the nearest triangle, in the plane to its outline; at most \e most */
         double distance(const Eigen::Vector3d &point, double most) const
         {
             return near().distance(point, most);
         }
 
-        /** \brief distance(), and the triangle that is nearest, or NO_PART if none is nearer than \e most */
+        /** \brief distance(), and the nearest triangle, or NO_PART if none is nearer than \e most */
         double findNearest(const Eigen::Vector3d &point, double most, ObstaclePart &part) const;
 
     private:
         void project(const ZInterval &robotZInterval);
 
-        /** \brief The tree that distances are found in */
+        /** \brief The tree in which distances are searched */
         const TriangleTree &near() const
         {
             return isPlanar_ ? outlines_ : triangles_;

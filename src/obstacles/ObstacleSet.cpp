@@ -27,7 +27,7 @@ namespace ompl_certificates
 
     ObstacleSet::Id ObstacleSet::add(const PlacedBody &obstacle)
     {
-        // It throws for what it does not take, here and not when the change is taken.
+        // Refuse a bad obstacle here, not when the change is taken.
         make({obstacle});
         obstacles_.emplace(next_, obstacle);
         return next_++;

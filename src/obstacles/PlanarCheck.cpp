@@ -6,9 +6,9 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Where FCL is asked about a part. Its solver is wrong about prisms that are equally high and exactly level, as all
-            polygons of a plane are: it finds them touching at up to a hundredth of their size. Hence they are lifted by a part
-            of their height, which changes nothing in the plane. */
+        /** The pose of a part for FCL. Its solver is wrong about prisms of equal height that are exactly level, as all
+            polygons of a plane are. It finds them touching across gaps of up to a hundredth of their size. So they are
+            lifted by a part of their height, which changes nothing in the plane. */
         Pose poseForFcl(const Shape &shape, const Pose &pose)
         {
             if (shape.getKind() != Shape::Kind::POLYTOPE)

@@ -10,12 +10,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief FCL's check in the plane: primitives against primitives there, meshes against meshes at their true heights, and
-        one against the other with the primitive as a prism that is high enough. */
+    /** \brief FCL's check in the plane. Primitives are checked against primitives in the plane, meshes against meshes
+        at their true z, and primitives against meshes as prisms that are high enough. */
     class PlanarCheck : public FclCheck
     {
     public:
-        /** \param meshZInterval what the obstacles' meshes have in common with the robots' heights */
+        /** \param meshZInterval the intersection of the obstacles' meshes' z-interval with the robots' */
         PlanarCheck(const PlacedShapes &obstacles, const ZInterval &meshZInterval);
 
         bool collides(const Body &body, const Pose &pose) const override;

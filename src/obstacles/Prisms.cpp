@@ -16,7 +16,7 @@ namespace ompl_certificates
             geometry->computeLocalAABB();
             pieces_.push_back({std::move(geometry), poseAt({x, 0.0, 0.0})});
         };
-        // FCL's solver may go on for ever with what has no width.
+        // FCL's solver may never end for shapes without width.
         const auto widened = [least = 1e-9 * height](double width) { return scale * std::max(width, least); };
         const auto cylinderAt = [&](double x)
         { add(std::make_shared<fcl::Cylinderd>(widened(shape.getRadius()), scale * height), x); };

@@ -10,14 +10,14 @@
 
 namespace ompl_certificates
 {
-    /** \brief A planar primitive as upright prisms of one height about the plane z = 0, to be checked against planar meshes,
-        which have true heights: a capsule takes a box and two cylinders. */
+    /** \brief A planar primitive as upright prisms of one height about the plane z = 0, to be checked against planar
+        meshes at their true z. A capsule becomes a box and two cylinders. */
     class Prism
     {
     public:
         Prism(const Shape &shape, double height);
 
-        /** \brief Whether it touches one of \e others when the shape's part of a body is at \e partPose, lifted by \e lift */
+        /** \brief Whether it touches one of \e others when its part of a body is at \e partPose, lifted by \e lift */
         bool collides(const Broadphase &others, const Pose &partPose, double lift) const;
 
         /** \brief Add it to \e others as an obstacle at \e partPose */
@@ -37,17 +37,17 @@ namespace ompl_certificates
         std::vector<Piece> pieces_;
     };
 
-    /** \brief The prisms of robots' primitives, all of one height, made when a shape is first asked for */
+    /** \brief The prisms of robots' primitives, all of one height, made when first asked for */
     class RobotPrisms
     {
     public:
-        /** \brief The prism of \e shape. A search among the few that there are; may be called from many threads at once. */
+        /** \brief The prism of \e shape. Searches the few that there are. May be called from many threads at once. */
         const Prism &get(const Shape &shape, double height) const;
 
     private:
         struct Entry
         {
-            /// Kept alive, so that no other shape can get the same address.
+            /// Kept alive, so that no other shape can get the same address
             std::shared_ptr<fcl::CollisionGeometryd> key;
             Prism prism;
             const Entry *next;
@@ -62,14 +62,15 @@ namespace ompl_certificates
     class ObstaclePrisms
     {
     public:
-        /** \brief Add an obstacle. Not once prisms were asked for. */
+        /** \brief Add an obstacle, before the first call of get(). */
         void add(const PlacedShape &primitive)
         {
             primitives_.push_back(primitive);
         }
 
-        /** \brief Prisms of the power of two that is at least \e height, made when first asked for: FCL's rounding grows with
-            the height, and no verdict may depend on what was asked before. May be called from many threads at once. */
+        /** \brief Prisms of the power of two that is at least \e height, made when first asked for. FCL's rounding
+            grows with the height, and no verdict may depend on earlier calls. May be called from many threads at
+            once. */
         const Broadphase &get(double height) const;
 
     private:

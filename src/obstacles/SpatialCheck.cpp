@@ -6,8 +6,9 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Where FCL is asked about a part. Its solver is wrong about prisms that are equally high and exactly level: it finds
-            them touching at up to a hundredth of their size. Hence polytopes are moved by less than what decides. */
+        /** The pose of a part for FCL. Its solver is wrong about prisms of equal height that are exactly level: it
+            finds them touching across gaps of up to a hundredth of their size. So polytopes are moved by less than
+            decides a verdict. */
         Pose poseForFcl(const Shape &shape, const Pose &pose)
         {
             if (shape.getKind() != Shape::Kind::POLYTOPE)

@@ -19,7 +19,8 @@ namespace ompl_certificates
             return (a + t * along - point).norm();
         }
 
-        /** The corners of a interval of \e line that keep it within \e tolerance (Douglas and Peucker), its end left out */
+        /** The corners of an interval of \e line that keep it within \e tolerance (Douglas and Peucker), without its
+            end */
         void simplify(const std::vector<Eigen::Vector2d> &line, std::size_t first, std::size_t last, double tolerance,
                       std::vector<Eigen::Vector2d> &result)
         {
@@ -57,8 +58,8 @@ namespace ompl_certificates
             return result;
         }
 
-        /** The sides of cells between inside and outside, each with the inside to its left. From each corner of cells they
-            leave in at most two of the directions +x, +y, -x, -y. */
+        /** The sides of cells between inside and outside, each with the inside to its left. At most two of the
+            directions +x, +y, -x, -y leave each corner. */
         class Sides
         {
         public:
@@ -72,13 +73,13 @@ namespace ompl_certificates
                 at(x, y) = static_cast<std::uint8_t>(at(x, y) | (1u << direction));
             }
 
-            /** Whether any leaves a corner */
+            /** Whether any side leaves a corner */
             bool leave(int x, int y)
             {
                 return at(x, y) != 0;
             }
 
-            /** Take the sides out that lead from a corner back to it, and return the corners on the way. */
+            /** Remove the sides of a path from a corner back to it, and return the corners on the way. */
             MeshOutline::Loop takeLine(int x, int y)
             {
                 constexpr int STEP_X[] = {1, 0, -1, 0}, STEP_Y[] = {0, 1, 0, -1};
@@ -88,7 +89,7 @@ namespace ompl_certificates
                 do
                 {
                     std::uint8_t &leaving = at(column, row);
-                    // Where two lines meet, turning left keeps cells that touch at a corner apart.
+                    // Where two lines meet, a left turn keeps cells that touch at a corner apart.
                     for (const unsigned int turn : {1u, 0u, 3u, 2u})
                         if ((leaving >> ((direction + turn) % 4u)) & 1u)
                         {
@@ -141,7 +142,7 @@ namespace ompl_certificates
         const Eigen::Vector3d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
         if (high.x() < 0.0 || high.y() < 0.0 || low.x() >= columns_ || low.y() >= rows_)
             return;
-        // What is thinner than a cell has no cell's center inside: its edges are marked as well.
+        // A shape thinner than a cell contains no cell's center: its edges are marked as well.
         for (std::size_t k = 0; k < 3; ++k)
         {
             const Eigen::Vector3d &a = p[k];

@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Finds the outlines of what many triangles cover in a picture, on a grid of cells: the cost and the size of
-        the result depend on the grid, and hardly on the number of triangles. */
+    /** \brief Finds the outlines of what many triangles cover in a picture, on a grid of cells. Cost and size of the
+        result depend on the grid, hardly on the number of triangles. */
     class MeshOutline
     {
     public:
@@ -18,8 +18,8 @@ namespace ompl_certificates
         /** \brief An empty grid over the rectangle from \e low to \e high, with square cells of the given side */
         MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side);
 
-        /** \brief Add a triangle: x and y in the picture, and as z how near it is to who looks at it. Those without area
-            are seen as a line. */
+        /** \brief Add a triangle: x and y in the picture, and as z how near it is to the viewer. One without area
+            becomes a line. */
         void add(const std::array<Eigen::Vector3d, 3> &corners);
 
         /** \brief Outlines of the cells whose nearest triangle is at \e level or nearer; inner outlines are holes. Smooth
@@ -27,7 +27,7 @@ namespace ompl_certificates
         std::vector<Loop> trace(double level) const;
 
     private:
-        /** \brief Note in the cell at \e point, in cells, that something is \e near; outside of the grid nothing happens */
+        /** \brief Note in the cell at \e point, in cells, that something is \e near; ignored outside of the grid */
         void mark(double x, double y, float near);
 
         /** \brief Whether the nearest triangle of a cell is at \e level or nearer */

@@ -14,10 +14,10 @@ namespace ompl_certificates
 
     namespace
     {
-        /** Okabe and Ito's colors, which people tell apart who see colors differently */
+        /** Okabe and Ito's colors, which color-blind people can tell apart */
         constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
-        /** The color of none of the robots */
+        /** A color that no robot has */
         constexpr const char *CERTIFICATE_COLOR = "#9A9A2E";
 
         constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0;
@@ -73,7 +73,7 @@ namespace ompl_certificates
         for (unsigned int i = 0; same && i < team->getRobotCount(); ++i)
             same = team->getRobots()[i] == scene_.getMembers()[i].robot;
         if (!same)
-            throw ompl::Exception(scene_.getSource(), "what shall be drawn was not planned for this scene's team");
+            throw ompl::Exception(scene_.getSource(), "the path or tree was not planned for this scene's team");
     }
 
     std::vector<ScenePicture::BodyPoses> ScenePicture::posesOf(const ob::State *state) const
@@ -95,7 +95,7 @@ namespace ompl_certificates
         stations_.assign(scene_.getMembers().size(), {});
         if (path.getStateCount() == 0)
             return;
-        // Some spaces turn the shorter way round only between neighbors: a denser path shows what is meant.
+        // Some spaces turn the shorter way round only between neighbors: a denser path shows the true motion.
         ompl::geometric::PathGeometric dense(path);
         const std::size_t states = std::max<std::size_t>(path.getStateCount(), 200);
         if (path.getStateCount() > 1)
@@ -141,7 +141,7 @@ namespace ompl_certificates
         certificates_.clear();
         const std::size_t step = certificates.size() / MAX_CERTIFICATES + 1;
         for (std::size_t i = 0; i < certificates.size(); i += step)
-            // Without obstacles clearance is infinite, and inside one it is negative.
+            // Clearance is infinite without obstacles, and negative inside one.
             if (certificates[i].clearance > 0.0 && std::isfinite(certificates[i].clearance))
                 certificates_.push_back(certificates[i]);
     }
@@ -184,7 +184,7 @@ namespace ompl_certificates
             svg.circle(view.project(starts_[i].front().translation()), ringOf(robot, view),
                        "fill='none' " + strokeOf(i));
         }
-        // One robot's goal may be where another starts: the crosses are on top, with a white edge.
+        // One robot's goal may be another's start: the crosses are on top, with a white edge.
         for (std::size_t i = 0; i < goals_.size(); ++i)
         {
             svg.beginGroup("fill='white' fill-opacity='0.25' stroke-dasharray='4,2' " + strokeOf(i));
@@ -198,13 +198,13 @@ namespace ompl_certificates
 
     void ScenePicture::drawView(SvgWriter &svg, const SceneView &view, const std::string &id) const
     {
-        // Bodies may reach beyond the bounds, which are those of the robots' positions.
+        // Bodies may stick out of the bounds, which limit the robots' positions.
         const Eigen::Vector2d edge(5.0, 5.0);
         svg.clipArea(id, view.getCorner() - edge, view.getSize() + 2.0 * edge);
         svg.rectangle(view.getCorner(), view.getSize(), "fill='#FCFCFA' stroke='#555' stroke-width='1.2'");
         svg.beginGroup("clip-path='url(#" + id + ")'");
 
-        // Balls in space lie behind each other in great numbers.
+        // In space many balls lie behind each other.
         const bool spatial = scene_.getDimension() == 3;
         const std::string certificateColor = CERTIFICATE_COLOR;
         svg.beginGroup(
@@ -214,7 +214,7 @@ namespace ompl_certificates
             svg.circle(view.project(certificate.point), view.getScale() * certificate.clearance);
         svg.endGroup();
 
-        // In space obstacles hide each other, and the robots.
+        // In space obstacles hide each other and the robots.
         svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
                                : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
         const ZInterval zInterval = scene_.getZInterval();

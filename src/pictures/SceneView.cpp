@@ -10,10 +10,10 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** How many points stand for a circle; a whole outline has two circles at most */
+        /** The number of points of a circle; a whole outline has at most two circles */
         constexpr int CIRCLE_POINTS = 64;
 
-        /** Points of a circle about \e center in the plane of \e x and \e y, which have its radius */
+        /** Points of a circle about \e center in the plane of \e x and \e y, whose length is its radius */
         void addCircle(const Eigen::Vector3d &center, const Eigen::Vector3d &x, const Eigen::Vector3d &y,
                        std::vector<Eigen::Vector3d> &points)
         {
@@ -44,7 +44,7 @@ namespace ompl_certificates
     void SceneView::drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const ZInterval &zInterval,
                              int levels) const
     {
-        // Seen from above what is higher is nearer, seen from the side what has the smaller y.
+        // From above the higher is nearer, from the side what has the smaller y.
         const int depth = 3 - up_;
         const double sign = depth == 2 ? 1.0 : -1.0;
         std::vector<Eigen::Vector3d> seen;
@@ -58,7 +58,7 @@ namespace ompl_certificates
         for (const TriangleMesh::Triangle &triangle : mesh.getTriangles())
             for (const std::uint32_t corner : triangle)
                 box.extend(seen[corner]);
-        // No more than what can be seen, and a little more, so that its edges are not
+        // Slightly more than can be seen, so that the edges are not
         const Eigen::Vector2d edge(8.0, 8.0), low = box.min().head<2>().cwiseMax(corner_ - edge) - 0.1 * edge,
                                               high = box.max().head<2>().cwiseMin(corner_ + size_ + edge) + 0.1 * edge;
         if ((high - low).minCoeff() <= 0.0)
@@ -83,30 +83,31 @@ namespace ompl_certificates
     {
         for (const Body::Part &part : body.getParts())
         {
-            const Pose place = pose * part.pose;
+            const Pose partPose = pose * part.pose;
             const Shape &shape = part.shape;
             if (shape.getKind() == Shape::Kind::BALL)
             {
-                // A point would not be seen.
-                svg.circle(project(place.translation()), std::max(1.5, scale_ * shape.getRadius()));
+                // A point would be invisible.
+                svg.circle(project(partPose.translation()), std::max(1.5, scale_ * shape.getRadius()));
                 continue;
             }
             if (const TriangleMesh *mesh = shape.getMesh())
             {
-                drawMesh(svg, *mesh, place, zInterval, levels);
+                drawMesh(svg, *mesh, partPose, zInterval, levels);
                 continue;
             }
             std::vector<Eigen::Vector3d> points;
             if (const ConvexHull *hull = shape.getHull())
                 for (const Eigen::Vector3d &vertex : hull->vertices)
-                    points.push_back(place * vertex);
+                    points.push_back(partPose * vertex);
             else
                 for (const double end : {-0.5, 0.5})
                 {
-                    const Eigen::Vector3d center = place * Eigen::Vector3d(0.0, 0.0, end * shape.getSize().z());
-                    // The ends of a capsule are seen as circles, those of a cylinder as its rims.
+                    const Eigen::Vector3d center = partPose * Eigen::Vector3d(0.0, 0.0, end * shape.getSize().z());
+                    // The ends of a capsule appear as circles, those of a cylinder as its rims.
                     const bool round = shape.getKind() == Shape::Kind::CAPSULE;
-                    const Eigen::Matrix3d frame = round ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(place.linear());
+                    const Eigen::Matrix3d frame =
+                        round ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(partPose.linear());
                     addCircle(center, shape.getRadius() * frame.col(0), shape.getRadius() * frame.col(round ? up_ : 1),
                               points);
                 }

@@ -8,7 +8,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief The workspace seen along one of its axes, at a place in a picture. */
+    /** \brief The workspace seen along one of its axes, at a position in a picture */
     class SceneView
     {
     public:
@@ -38,10 +38,9 @@ namespace ompl_certificates
         /** \brief Where \e point of the workspace is in the picture */
         Eigen::Vector2d project(const Eigen::Vector3d &point) const;
 
-        /** \brief Draw the outline of \e body at \e pose, each of its shapes for itself
-            \param zInterval of planar meshes only the triangles that reach into them are drawn
-            \param levels how many outlines a mesh gets: the whole, and those of the parts that are nearer and nearer to
-            who looks at it */
+        /** \brief Draw the outline of \e body at \e pose, each shape separately
+            \param zInterval of planar meshes only the triangles that overlap it are drawn
+            \param levels how many outlines a mesh gets: the whole, then parts nearer and nearer to the viewer */
         void draw(SvgWriter &svg, const Body &body, const Pose &pose, const ZInterval &zInterval = ZInterval(),
                   int levels = 1) const;
 

@@ -27,7 +27,7 @@ namespace ompl_certificates
             return text;
         }
 
-        /** \e text with what means something in XML, or nothing at all, replaced */
+        /** \e text with XML's special characters escaped and control characters replaced */
         std::string escaped(const std::string &text)
         {
             std::string result;
@@ -95,9 +95,9 @@ namespace ompl_certificates
         body_ += "'/>\n";
     }
 
-    void SvgWriter::text(const Eigen::Vector2d &place, const std::string &text, const std::string &attributes)
+    void SvgWriter::text(const Eigen::Vector2d &position, const std::string &text, const std::string &attributes)
     {
-        body_ += "<text x='" + number(place.x()) + "' y='" + number(place.y()) + "' " + attributes + ">" +
+        body_ += "<text x='" + number(position.x()) + "' y='" + number(position.y()) + "' " + attributes + ">" +
                  escaped(text) + "</text>\n";
     }
 

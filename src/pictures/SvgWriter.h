@@ -27,7 +27,7 @@ namespace ompl_certificates
         /** \brief A closed polygon */
         void polygon(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
 
-        /** \brief Several closed polygons as one area; those inside of others are holes */
+        /** \brief Several closed polygons as one area; those inside others are holes */
         void area(const std::vector<std::vector<Eigen::Vector2d>> &polygons, const std::string &attributes = "");
 
         /** \brief A line through points, open at its ends */
@@ -37,10 +37,10 @@ namespace ompl_certificates
         void segments(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> &segments,
                       const std::string &attributes = "");
 
-        /** \brief A text at its left end on the base line */
-        void text(const Eigen::Vector2d &place, const std::string &text, const std::string &attributes = "");
+        /** \brief A text whose base line starts at \e position */
+        void text(const Eigen::Vector2d &position, const std::string &text, const std::string &attributes = "");
 
-        /** \brief A rectangle that a group can be clipped to by "clip-path='url(#id)'" */
+        /** \brief A rectangle to which a group can be clipped by "clip-path='url(#id)'" */
         void clipArea(const std::string &id, const Eigen::Vector2d &corner, const Eigen::Vector2d &size);
 
         /** \brief The whole file, for a picture of the given size

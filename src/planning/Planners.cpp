@@ -61,7 +61,7 @@ namespace ompl_certificates
         public:
             Hooked(const ob::SpaceInformationPtr &si, SolveHooks hooks) : PlannerType(si), hooks_(std::move(hooks))
             {
-                // BITstar counts these by walking through its graph. Progress is asked for from another thread, which
+                // BITstar counts these by walking through its graph. OMPL asks for progress from another thread, which
                 // then walks through memory that the planner has just freed.
                 for (const char *name : {"current free states INTEGER", "current graph vertices INTEGER"})
                     this->plannerProgressProperties_.erase(name);
@@ -127,28 +127,28 @@ namespace ompl_certificates
                 {"PRM", {make<og::PRM>, "a roadmap of random states"}},
                 {"PRMstar",
                  {make<og::PRMstar>,
-                  "PRM whose number of neighbors grows with the roadmap, so that paths become the best"}},
+                  "PRM whose number of neighbors grows with the roadmap, so that paths converge to the best"}},
                 {"ProjEST", {make<og::ProjEST>, "EST that measures density in a projection"}},
                 {"RLRT", {make<og::RLRT>, "a tree that grows along random lines, without a search for near states"}},
                 {"RRT", {make<og::RRT>, "a tree that grows towards random states"}},
                 {"RRTConnect", {make<og::RRTConnect>, "two trees, from start and goal, that grow towards each other"}},
                 {"RRTXstatic", {make<og::RRTXstatic>, "RRT# that keeps the tree consistent up to a small error"}},
                 {"RRTsharp", {make<og::RRTsharp>, "RRT#: RRT* that passes each improvement on through the tree"}},
-                {"RRTstar", {make<og::RRTstar>, "RRT*: RRT that rewires its tree, so that paths become the best"}},
+                {"RRTstar", {make<og::RRTstar>, "RRT*: RRT that rewires its tree, so that paths converge to the best"}},
                 {"SBL",
                  {make<og::SBL>, "two trees on a grid of a projection; motions are checked when they are on a path"}},
                 {"SORRTstar", {make<og::SORRTstar>, "Informed RRT* that takes its samples in order of their promise"}},
                 {"SPARS", {make<og::SPARS>, "a sparse roadmap whose paths are near the best"}},
                 {"SPARStwo", {make<og::SPARStwo>, "SPARS that needs no dense roadmap beside it"}},
                 {"SST", {make<og::SST>, "a tree that keeps only the best state of each neighborhood"}},
-                {"STRIDE", {make<og::STRIDE>, "EST that measures density by its structure of near states"}},
+                {"STRIDE", {make<og::STRIDE>, "EST that measures density by its nearest-neighbor structure"}},
                 {"TRRT", {make<og::TRRT>, "RRT that avoids states of high cost"}},
                 {"pRRT", {make<og::pRRT>, "RRT in several threads"}},
                 {"pSBL", {make<og::pSBL>, "SBL in several threads"}}};
             return table;
         }
 
-        /** What OMPL's class is called where others write RRT* or RRT# */
+        /** OMPL's class name for what others write as RRT* or RRT# */
         std::string spelledOut(const std::string &name)
         {
             std::string text;
@@ -157,8 +157,8 @@ namespace ompl_certificates
             return text;
         }
 
-        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads numbers up to the
-            first character that is none, and takes every word but "false" for true. */
+        /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads the leading number
+            of a text, and takes every word but "false" for true. */
         bool understood(const std::string &value, const std::string &result)
         {
             char *end = nullptr;

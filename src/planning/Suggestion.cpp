@@ -14,7 +14,7 @@ namespace ompl_certificates
             return text;
         }
 
-        /** How many letters have to be put in, left out, replaced, or swapped with the next one */
+        /** How many letters must be inserted, removed, replaced, or swapped with the next one */
         std::size_t editDistance(const std::string &a, const std::string &b)
         {
             std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));

@@ -65,7 +65,7 @@ namespace ompl_certificates
     void TeamSetup::setNearestStructure(NearestStructure structure)
     {
         if (configured_)
-            throw ompl::Exception("The structure for near states is to be chosen before setup()");
+            throw ompl::Exception("Choose the structure for near states before setup()");
         nearestStructure_ = structure;
     }
 

@@ -22,7 +22,7 @@ namespace ompl_certificates
             trailer->setName(name + ".trailer");
             auto space = std::make_shared<ob::CompoundStateSpace>();
             space->addSubspace(car, 1.0);
-            // The weight that SE2StateSpace gives to its own angle.
+            // SE2StateSpace gives its own angle this weight.
             space->addSubspace(trailer, car->getSubspaceWeight(1));
             space->lock();
             return space;

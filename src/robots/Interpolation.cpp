@@ -26,13 +26,13 @@ namespace ompl_certificates
         const Eigen::Quaterniond a = quaternionOf(from), b = quaternionOf(to);
         const Eigen::Quaterniond turn = a.conjugate() * b;
         const double angle = 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-        // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal, angles up to 0.9e-4, or 1.6e-4 with its
-        // tolerance on their norms: it keeps the first orientation up to the end of the motion. Nothing bounds the speed
-        // of that jump.
+        // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal: angles up to 0.9e-4, or 1.6e-4 with its
+        // tolerance on their norms. Between two such it keeps the first orientation until the end of the motion, then
+        // jumps. No bound on the speed holds for that jump.
         constexpr double jump = 2e-4, noTurn = 1e-12;
         if (angle > noTurn && angle < jump)
             return 1e100;
-        // Unnormalised quaternions do not turn evenly; how unevenly is bounded by OMPL's tolerance on their norms.
+        // Unnormalised quaternions do not turn evenly. OMPL's tolerance on their norms bounds how unevenly.
         return angle * (1.0 + 1e-6);
     }
 

@@ -12,7 +12,7 @@ namespace ompl_certificates
     {
         for (const auto &robot : team->getRobots())
             mostBodies_ = std::max(mostBodies_, robot->getBodies().size());
-        // Orthonormalised sines of many frequencies: the same on every machine, with no robot at rest in any row.
+        // Orthonormalised sines of many frequencies: the same on every machine, and every robot counts in every row.
         const auto dimension = static_cast<Eigen::Index>(team->getWorkspaceDimension());
         const auto count = dimension * static_cast<Eigen::Index>(team->getRobotCount());
         Eigen::MatrixXd columns(count, dimension);

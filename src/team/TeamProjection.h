@@ -8,8 +8,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has dimensions,
-        with orthonormal rows, so that no robot's motion is invisible to a planner that looks at projections. */
+    /** \brief A fixed linear map from the positions of all robots to as many coordinates as the workspace has
+        dimensions. Its rows are orthonormal, so a planner that looks at projections sees every robot's motion. */
     class TeamProjection : public ompl::base::ProjectionEvaluator
     {
     public:
@@ -17,9 +17,9 @@ namespace ompl_certificates
 
         unsigned int getDimension() const override;
 
-        /** \brief OMPL infers the sizes of cells from random states, which takes random seeds. With the metric SUM, random
-            numbers are to be those of a CompoundStateSpace, which has no default projection: there the sizes are inferred
-            when a planner sets the projection up, and not yet by the space's own setup(). */
+        /** \brief OMPL infers the sizes of cells from random states, which takes random seeds. With the metric SUM,
+            random numbers must be those of a CompoundStateSpace, which has no default projection. So there the sizes
+            are inferred when a planner sets the projection up, not by the space's own setup(). */
         void setup() override;
 
         void project(const ompl::base::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override;

@@ -18,7 +18,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** Samples the components and forgets, or takes over, the references that no longer fit. */
+        /** Samples the components, and clears the references. */
         class TeamStateSampler : public ob::CompoundStateSampler
         {
         public:
@@ -48,8 +48,8 @@ namespace ompl_certificates
             const TeamStateSpace *team_;
         };
 
-        /** The dimension of a space that is R^n; 0 for others. Not dynamic_cast: a derived class may have a distance and
-            states of its own. */
+        /** The dimension of a space that is R^n; 0 for others. Not dynamic_cast: a derived class may have its own
+            distance and states. */
         unsigned int vectorDimension(const ob::StateSpace &space)
         {
             return typeid(space) == typeid(ob::RealVectorStateSpace) ? space.getDimension() : 0;
@@ -115,7 +115,7 @@ namespace ompl_certificates
             return CompoundStateSpace::getMaximumExtent();
         double squares = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
-            if (weights_[i] >= std::numeric_limits<double>::epsilon())  // 0 times infinity is not a number
+            if (weights_[i] >= std::numeric_limits<double>::epsilon())  // 0 times infinity is NaN
                 squares += std::pow(weights_[i] * components_[i]->getMaximumExtent(), 2);
         return std::sqrt(squares);
     }

@@ -53,7 +53,7 @@ TEST_P(Environment, GivesTheVerdictsOfItsObstacles)
         EXPECT_LE(environment.getCertificates().size(), 100U);
     }
     EXPECT_GT(certificates, 0U);
-    // Over all seeds: now and then a policy tries what costs more, with certificates or without.
+    // Over all seeds: now and then a policy tries the slower way, with certificates or without.
     EXPECT_LT(counts.clearanceQueries + counts.exactCalls, plainCounts.clearanceQueries + plainCounts.exactCalls);
 }
 
@@ -72,9 +72,9 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
         {
             const Eigen::Vector3d velocity = random.point(GetParam(), 4.0);
             const double spin = random.uniform(0.0, 3.0);
-            const MotionBound travel{velocity.norm(), spin};
+            const MotionBound motionBound{velocity.norm(), spin};
             const Pose pose = random.pose(GetParam(), 4.0);
-            const PoseVerdict verdict = environment.settle({body, pose, &travel}, NO_CERTIFICATE, policy, counts);
+            const PoseVerdict verdict = environment.settle({body, pose, &motionBound}, NO_CERTIFICATE, policy, counts);
             for (int k = 0; verdict.free && k < 20; ++k)
             {
                 const double time = std::min(verdict.validInterval, 1.0) * random.uniform(-1.0, 1.0);
@@ -83,7 +83,7 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
                 later.linear() =
                     Eigen::AngleAxisd(time * spin, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.linear();
                 ASSERT_FALSE(obstacles->collides(body, later))
-                    << "reach " << verdict.validInterval << ", time " << time;
+                    << "valid interval " << verdict.validInterval << ", time " << time;
             }
         }
     }

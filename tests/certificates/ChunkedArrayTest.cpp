@@ -9,21 +9,21 @@ using namespace ompl_certificates;
 TEST(ChunkedArray, KeepsItsElementsWhereTheyAreAsItGrows)
 {
     ChunkedArray<int> array;
-    std::vector<int *> places;
+    std::vector<int *> addresses;
     for (std::uint32_t i = 0; i < 10000; ++i)
     {
         ASSERT_EQ(array.append(), i);
         array[i] = static_cast<int>(3 * i);
-        places.push_back(&array[i]);
+        addresses.push_back(&array[i]);
     }
     EXPECT_EQ(array.size(), 10000U);
     for (std::uint32_t i = 0; i < 10000; ++i)
     {
-        ASSERT_EQ(&array[i], places[i]);
+        ASSERT_EQ(&array[i], addresses[i]);
         ASSERT_EQ(array[i], static_cast<int>(3 * i));
     }
-    for (std::size_t i = 1; i < places.size(); ++i)
-        ASSERT_NE(places[i], places[i - 1]);
+    for (std::size_t i = 1; i < addresses.size(); ++i)
+        ASSERT_NE(addresses[i], addresses[i - 1]);
 }
 
 TEST(ChunkedArray, TakesMemoryInProportionToItsSize)

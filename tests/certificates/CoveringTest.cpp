@@ -20,7 +20,7 @@ namespace
         return (certificate.point - query.center).norm() + certificate.clearance < query.collidingRadius;
     }
 
-    /** How far a query is from being decided the other way by some certificate; rounding may tip it if this is tiny. */
+    /** How far a query is from the opposite answer of some certificate. If this is tiny, rounding may decide. */
     double leastDoubt(const std::vector<Certificate> &certificates, const BallQuery &query)
     {
         double least = INF;
@@ -170,7 +170,7 @@ TEST(CertificateTree, RefusesWhatIsNotANumber)
 
 TEST(CertificateTree, GrowsFromATinyCellToFarPoints)
 {
-    // The first points differ by less than what their other coordinate resolves.
+    // The first points differ by less than the resolution of their other coordinate.
     CertificateTree tree(2);
     for (int i = 0; i < 20; ++i)
         tree.insert({{1e-12 * i, 1e7, 0.0}, 1.0});

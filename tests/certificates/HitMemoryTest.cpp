@@ -29,7 +29,7 @@ TEST(HitMemory, FindsThePartThatWasHitNearby)
         const double radius = random.logUniform(1e-6, 1e6);
         const Ball ball{random.point(3, 1000.0 * radius), radius};
         memory->note(ball, 7);
-        // Not all of them are in the same cell, but the next ones are somewhere around it.
+        // Not all of them are in the same cell, but the next ones are nearby.
         unsigned int found = 0;
         for (int i = 0; i < 200; ++i)
             found += memory->find({ball.center + random.point(3, 0.5 * radius), radius}) == 7U ? 1 : 0;

@@ -9,7 +9,7 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** Tree and list with the same certificates, and some of them removed from both */
+    /** A tree and a list with the same certificates, some of them removed from both */
     class Neighbors : public testing::TestWithParam<unsigned int>
     {
     protected:

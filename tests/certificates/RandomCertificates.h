@@ -12,8 +12,8 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief Certificates in an order that is hard on a tree: scattered, sorted, on a line, in clusters that shrink, or
-        many at the same places; their clearances are of any size and sign */
+        /** \brief Certificates in an order that is hard on a tree: scattered, sorted, on a line, in shrinking clusters,
+            or many at the same points. Their clearances have any size and sign. */
         inline std::vector<Certificate> randomCertificates(Random &random, unsigned int dimension, unsigned int count)
         {
             const unsigned int kind = random.below(6);

@@ -8,7 +8,8 @@ namespace
 {
     using std::chrono::microseconds;
 
-    /** What the parts of settling a pose cost, and how many poses of a thousand clearances and contact tests settle */
+    /** The costs of the steps that settle a pose, and how many of a thousand poses clearances and contact tests
+        settle */
     struct Costs
     {
         microseconds clearances{0};
@@ -17,14 +18,14 @@ namespace
         unsigned int settledByContact{0};
         microseconds exact{0};
 
-        /** What the exact check of those poses costs that clearances settle */
+        /** The cost of the exact check of those poses that clearances settle */
         microseconds exactWhereClear{exact};
 
-        /** How many samples a proof settles */
+        /** The number of samples that a proof settles */
         double samples{1.0};
     };
 
-    /** How many poses were settled with clearances, and how many with the contact test */
+    /** The number of poses settled with clearances and with the contact test */
     struct Tried
     {
         unsigned int clearances{0}, contact{0};
@@ -147,7 +148,7 @@ TEST(SwitchingPolicy, TriesWhatCostsMuchMoreSeldom)
 {
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(1, 1000, 1000));
-    // The two ways without clearances cost a thousand times as much.
+    // The two ways without clearances are a thousand times as expensive.
     EXPECT_GE(settle(policy, 100000, clearancesOf(1, 1000, 1000)).clearances, 99990U);
 }
 

@@ -12,7 +12,7 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** Certificates that differ from each other, as they would be found */
+    /** Different certificates, as found while planning */
     std::vector<Certificate> scattered(Random &random, unsigned int dimension, unsigned int count)
     {
         std::vector<Certificate> certificates;
@@ -25,7 +25,7 @@ namespace
         return certificates;
     }
 
-    /** A clearance that belongs to a point alone, so that a certificate put together of two is found out */
+    /** A clearance that only one point has, to detect a certificate mixed from two */
     double clearanceAt(const Eigen::Vector3d &point)
     {
         const double sum = point.x() + 3.0 * point.y() + 7.0 * point.z();
@@ -44,7 +44,7 @@ namespace
                                                : distance + certificate.clearance < query.collidingRadius;
     }
 
-    /** The seconds that the hammer test takes: OMPL_CERTIFICATES_HAMMER_SECONDS, or else a moment */
+    /** The seconds of the hammer test: OMPL_CERTIFICATES_HAMMER_SECONDS, or a moment by default */
     double hammerSeconds()
     {
         const char *text = std::getenv("OMPL_CERTIFICATES_HAMMER_SECONDS");
@@ -77,7 +77,7 @@ TEST_P(TreeThreads, FindTrueAnswersWhileOthersAddAndNothingIsLost)
                     for (const auto &certificate : share)
                     {
                         const CertificateIndex index = tree.insert(certificate);
-                        // What this thread has added it must find.
+                        // This thread must find what it has added.
                         const double r = 0.5 * certificate.clearance;
                         const BallQuery query =
                             r > 0.0 ? BallQuery{certificate.point, r, r - 1e9} : BallQuery{certificate.point, 1e9, 0.0};
@@ -122,7 +122,7 @@ TEST_P(TreeThreads, FindTrueAnswersWhileOthersAddAndNothingIsLost)
     }
 }
 
-/** Tree after tree is filled by some threads while others search; then all must be there as it was added. */
+/** Some threads fill tree after tree while others search; then every certificate must be there as it was added. */
 TEST_P(TreeThreads, HammerLosesAndTearsNothing)
 {
     using Clock = std::chrono::steady_clock;
@@ -143,7 +143,7 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
                     Random own(1000000ULL * round + writer);
                     for (unsigned int i = 0; i < count; ++i)
                     {
-                        // Crowds now and then, and places far out that make the root grow
+                        // Crowds now and then, and far points that make the root grow
                         const double half = own.chance(0.01) ? own.logUniform(1.0, 1e4) : own.logUniform(1e-3, 10.0);
                         Certificate certificate{own.point(GetParam(), half), 0.0};
                         certificate.clearance = clearanceAt(certificate.point);
@@ -168,7 +168,7 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
                     {
                         const double radius = own.uniform(0.0, 0.5);
                         const BallQuery query{own.point(GetParam(), own.logUniform(1e-3, 20.0)), radius, radius};
-                        // Seeds that are there, that are being added, and that are not there yet
+                        // Seeds that are present, being added, or not yet present
                         const Covering covering =
                             own.chance(0.5) ? tree.covering(query) : tree.covering(query, own.below(tree.size() + 10));
                         if (covering.verdict == Covering::UNKNOWN)

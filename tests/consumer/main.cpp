@@ -16,7 +16,7 @@
 
 namespace oc = ompl_certificates;
 
-/** \brief Two robots of different shapes pass a wall, first set up by hand and then by TeamSetup */
+/** \brief Two robots of different shapes pass a wall: set up by hand first, then by TeamSetup. */
 int main()
 {
     auto wall = std::make_shared<fcl::CollisionObjectd>(std::make_shared<fcl::Boxd>(0.5, 6.0, 1.0));

@@ -47,7 +47,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
 
     const std::string log = contentOf(folder / "teams_first.log");
     ASSERT_NE(contentOf(folder / "teams_second.log"), "");
-    // BITstar would read this from another thread by walking through its graph, and crash now and then.
+    // BITstar would count these from another thread by walking through its graph, and sometimes crash.
     EXPECT_EQ(log.find("current graph vertices"), std::string::npos);
     std::vector<std::string> states;
     for (const std::string method : {"fcl", "standard", "basic", "partial", "shared"})
@@ -58,8 +58,8 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
         ASSERT_EQ(runs.size(), 3u);
         const auto value = [&names](const std::vector<std::string> &run, const std::string &name)
         {
-            const auto place = std::find(names.begin(), names.end(), name);
-            return place == names.end() ? std::string() : run.at(static_cast<std::size_t>(place - names.begin()));
+            const auto found = std::find(names.begin(), names.end(), name);
+            return found == names.end() ? std::string() : run.at(static_cast<std::size_t>(found - names.begin()));
         };
         std::vector<std::string> counts;
         for (const auto &run : runs)
@@ -69,7 +69,7 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
             { return std::stoull("0" + value(run, name + " INTEGER")); };
             EXPECT_GT(count("robot_poses"), 10u);
             EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("asked"));
-            // Among few obstacles, robots on their own search for certificates, and keep them, only now and then.
+            // Among few obstacles, single robots search for certificates, and keep them, only now and then.
             if (method == "fcl" || method == "standard")
             {
                 EXPECT_EQ(count("certificates"), 0u);

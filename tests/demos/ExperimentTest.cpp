@@ -76,7 +76,7 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
     {
         ASSERT_EQ(runGrid(folder / "grid.yaml", folder / "parts", errors, shard), 0) << errors;
         const std::size_t now = trialsOf(folder / "parts").size();
-        // Methods that are compared are in one share.
+        // Methods to be compared are in one share.
         EXPECT_EQ((now - before) % 4, 0u);
         EXPECT_GT(now, before);
         before = now;
@@ -103,7 +103,7 @@ TEST(Experiment, repeatsItselfAndShardsMakeTheWhole)
             EXPECT_TRUE(end.at("node_poses").is_null());
             continue;
         }
-        // All robots of a sample that becomes a node were looked at.
+        // All robots of a sample that becomes a node were checked.
         EXPECT_EQ(end.at("node_poses").get<int>(), end.at("nodes").get<int>() * trial.at("robots").get<int>());
         EXPECT_LE(end.at("node_asked").get<int>(), end.at("sample_asked").get<int>());
         EXPECT_LE(end.at("sample_asked").get<int>(), end.at("asked").get<int>());
@@ -200,7 +200,7 @@ TEST(Experiment, losesNothingWhenNoMoreCanBeWritten)
     ASSERT_EQ(runGrid(folder / "grid.yaml", out, errors), 0) << errors;
     const auto before = trialsOf(out);
     std::filesystem::remove(out + "/trials/" + before.begin()->first);
-    // Files of one block at most, which a trial exceeds: writing fails as on a full disk.
+    // Files of at most one block, which a trial exceeds: writing fails as on a full disk.
     const std::string command = "trap '' XFSZ; ulimit -f 1; '" + program + "' '" + (folder / "grid.yaml") +
                                 "' --out '" + out + "' > /dev/null 2>&1";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);

@@ -7,7 +7,7 @@
 
 namespace
 {
-    /** What a command of the shell prints, errors included, and what it returns */
+    /** The output of a shell command, errors included, and its exit code */
     struct Answer
     {
         int code;

@@ -51,11 +51,11 @@ namespace
         ompl::RNG::setSeed(3);
         const auto setup = discAndBoxAmongColumns(structure);
         const ob::PlannerPtr planner = makePlanner(name, setup->getSpaceInformation());
-        // Without an objective PRM ends when another thread finds that it may.
+        // Without an objective PRM ends when another thread notices that it may.
         if (name == "PRM")
             setup->setOptimizationObjective(
                 std::make_shared<ob::PathLengthOptimizationObjective>(setup->getSpaceInformation()));
-        // Trees depend on the seed alone only in one thread …
+        // Trees depend on the seed alone only with one thread …
         for (const char *threads : {"thread_count", "num_threads"})
             if (planner->params().hasParam(threads))
                 planner->params().setParam(threads, "1");
@@ -64,7 +64,7 @@ namespace
         Grown grown;
         const auto clock = std::make_shared<NearestClock>();
         grown.timed = timeNearest(*planner, clock);
-        // … and if another that only waits for the end, as those of roadmaps, does not bring it about.
+        // … and if the end does not depend on another thread that merely waits for it, as roadmap planners' threads do.
         unsigned int left = iterations;
         const auto here = std::this_thread::get_id();
         const bool threaded = name == "pRRT" || name == "pSBL" || name == "CForest";
@@ -93,7 +93,7 @@ TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
     const auto kdTree = grow(GetParam(), NearestStructure::KD_TREE, iterations);
     const auto gnat = grow(GetParam(), NearestStructure::GNAT, iterations);
     ompl::msg::setLogLevel(level);
-    // It shows none of its planners' trees, and shortens paths for as long as it is not stopped.
+    // It shows none of its planners' trees, and shortens paths until it is stopped.
     if (GetParam() != "AnytimePathShortening")
     {
         EXPECT_GT(gnat.report.treeStates, 1U);
@@ -101,7 +101,7 @@ TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
         EXPECT_EQ(kdTree.report.digest, gnat.report.digest);
     }
 
-    // These work with grids or with structures of their own.
+    // These work with grids or structures of their own.
     static const std::set<std::string> others{"ABITstar", "AITstar",   "AnytimePathShortening",
                                               "BITstar",  "BKPIECE1",  "BiRLRT",
                                               "KPIECE1",  "LBKPIECE1", "PDST",

@@ -13,7 +13,7 @@
 
 namespace
 {
-    /** The numbers of a table of comma-separated values that is not empty, without its first line */
+    /** The numbers of a nonempty table of comma-separated values, without its header */
     std::vector<std::vector<double>> tableOf(std::string text)
     {
         std::replace(text.begin(), text.end(), ',', ' ');
@@ -29,7 +29,7 @@ namespace
         return rows;
     }
 
-    /** Plans in a folder that has scene.yaml, and reads the report */
+    /** Plans in a folder that contains scene.yaml, and reads the report */
     class PlanTeam : public ::testing::Test
     {
     protected:
@@ -110,7 +110,7 @@ TEST_F(PlanTeam, simplifiesTheSolution)
     EXPECT_DOUBLE_EQ(path.back()[0], report_.at("simplified_cost").get<double>());
     EXPECT_EQ(path.front(), tableOf(plain).front());
 
-    // There is nothing to simplify in an approximate solution.
+    // An approximate solution has nothing to simplify.
     ASSERT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--simplify"}), 1) << errors_;
     EXPECT_TRUE(report_.at("simplified_cost").is_null());
 }
@@ -153,7 +153,7 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
 
 TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)
 {
-    // A limit on the size of files is met as a full disk is, and reaches the program.
+    // A limit on the size of files acts like a full disk, and the program inherits it.
     rlimit before;
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
     const rlimit small{4096, before.rlim_max};
@@ -275,13 +275,13 @@ TEST_F(PlanTeam, recognizesASceneWithoutSolution)
 
 namespace
 {
-    /** Arguments in which @ stands for the folder, and a word that the complaint must contain */
+    /** Arguments in which @ stands for the folder, and a word that the error message must contain */
     struct BadInput
     {
         std::vector<std::string> arguments;
         std::string complaint;
 
-        /** Names the case in the output of the tests; else its bytes would. */
+        /** Names the case in the tests' output, instead of its bytes. */
         friend std::ostream &operator<<(std::ostream &out, const BadInput &input)
         {
             for (const auto &argument : input.arguments)

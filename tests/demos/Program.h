@@ -91,7 +91,7 @@ private:
     pid_t child_{0};
 };
 
-/** \brief A scene of two discs and a box, which is solved in no time */
+/** \brief A scene of two discs and a box that is solved at once */
 inline const char *easyScene()
 {
     return R"(environment:

@@ -1,9 +1,9 @@
 #ifndef OMPL_CERTIFICATES_TESTS_DOCS_GIVEN_
 #define OMPL_CERTIFICATES_TESTS_DOCS_GIVEN_
 
-// What the snippets of README.md and docs/*.md take as given: things of the reader's own program. A name goes here only
-// if the text around the snippet, or a comment in it, says what it is. Of our headers and OMPL's setup there is none here:
-// a snippet that forgets its own must not compile.
+// What the snippets of README.md and docs/*.md assume: objects of the reader's own program. A name goes here only if
+// the text around the snippet, or a comment in it, explains it. Our headers and OMPL's setup are left out: a snippet
+// that forgets them must not compile.
 
 #include <Eigen/Geometry>
 #include <fcl/narrowphase/collision_object.h>
@@ -19,10 +19,10 @@ namespace ompl_certificates
 /** \brief The obstacles of a program that uses FCL already */
 extern std::vector<std::shared_ptr<fcl::CollisionObjectd>> collisionObjects;
 
-/** \brief Where robots may be */
+/** \brief The bounds of the robots' positions */
 extern ompl::base::RealVectorBounds bounds;
 
-/** \brief A team that was made before */
+/** \brief An existing team */
 extern std::shared_ptr<ompl_certificates::TeamStateSpace> team;
 
 /** \brief Two poses of an obstacle */

@@ -20,7 +20,7 @@ namespace ompl_certificates
             return folder;
         }
 
-        /** \brief Run \e read: it must come to an end, and may throw nothing but ompl::Exception. */
+        /** \brief Run \e read: it must end, and may throw nothing but ompl::Exception. */
         inline int run(const std::function<void()> &read)
         {
             ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

@@ -1,5 +1,5 @@
-// Files of certificates: the first byte says whether the dimension, the fingerprint of the obstacles and the checksum
-// are put right before the file is read, which the fuzzer would never guess.
+// Files of certificates. The first byte says whether to repair the dimension, the fingerprint of the obstacles and the
+// checksum before the file is read: the fuzzer would never guess them.
 #include "FuzzFile.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::size_t loaded = 0;
     fuzz::run([&] { loaded = loadCertificates(checker, file); });
     if (checker.getCertificateCount() > loaded)
-        std::abort();  // A file that is refused leaves nothing.
+        std::abort();  // A refused file leaves nothing.
     fuzz::run(
         [&]
         {

@@ -1,4 +1,4 @@
-// Scenes in YAML: reading, validating and drawing up the problem may only throw ompl::Exception.
+// Scenes in YAML: reading, validating and making the problem may only throw ompl::Exception.
 #include "FuzzFile.h"
 
 #include "ompl_certificates/scene/YamlScene.h"
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     return fuzz::run(
         [&]
         {
-            // Meshes that it names are looked for in an empty folder.
+            // Its meshes are searched in an empty folder.
             const YamlScene scene = YamlScene::fromText(fuzz::textOf(data, size), fuzz::folder() / "scene.yaml");
             scene.validate();
         });

@@ -51,7 +51,7 @@ TEST(Body, RefusesAConcaveOutlineAndNamesThePoint)
                   .find("Point 12 of 13 (counted from 0), (1.000000, 1.000000, 0.500000), lies inside"),
               std::string::npos);
 
-    // Whoever wants the hull says so.
+    // Whoever wants the hull asks for it by name.
     EXPECT_EQ(Body::convexHull(angle).getParts().front().shape.getHull()->vertices.size(), 5U);
     EXPECT_EQ(Body::convexHull(dented).getParts().front().shape.getHull()->vertices.size(), 10U);
 }
@@ -129,7 +129,7 @@ TEST(Body, EqualsABodyOfTheSamePartsInTheSameOrder)
     EXPECT_TRUE(body == copy);
 }
 
-TEST(Body, ReachesAsFarAsItsFarthestPoint)
+TEST(Body, BoundingRadiusIsThatOfTheFarthestPoint)
 {
     for (unsigned int seed = 0; seed < scaled(300); ++seed)
     {
@@ -150,13 +150,13 @@ TEST(Body, MakesItsBallsOnceForAllThreads)
     for (int round = 0; round < 20; ++round)
     {
         const Body body = Body::box(1.0, 2.0, 3.0);
-        const SphereTree *covers[4];
+        const SphereTree *trees[4];
         std::vector<std::thread> threads;
-        for (auto &cover : covers)
-            threads.emplace_back([&cover, copy = body] { cover = &copy.getSphereTree(); });
+        for (auto &tree : trees)
+            threads.emplace_back([&tree, copy = body] { tree = &copy.getSphereTree(); });
         for (auto &thread : threads)
             thread.join();
-        for (const SphereTree *cover : covers)
-            EXPECT_EQ(cover, &body.getSphereTree());
+        for (const SphereTree *tree : trees)
+            EXPECT_EQ(tree, &body.getSphereTree());
     }
 }

@@ -14,7 +14,7 @@ namespace
     using Points = std::vector<Eigen::Vector3d>;
 
     /** How far \e point is beyond the points along the directions that can hold a face: the normals of all pairs of
-        points in the plane, of all triples in space. Not positive if, and only if, the hull contains the point. */
+        points in the plane, of all triples in space. Positive if and only if the point lies outside the hull. */
     double farthestBeyond(const Points &points, unsigned int dimension, const Eigen::Vector3d &point)
     {
         double farthest = -std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ TEST(ConvexHull, IsClosedForNearlyCoplanarPoints)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        // Corners and points of the faces of a box, each off its place by about the tolerance of the hull.
+        // Corners and points of the faces of a box, moved by about the tolerance of the hull
         const double noise = random.logUniform(1e-12, 1e-7);
         Points points = boxCorners();
         for (int i = 0; i < 6; ++i)

@@ -7,15 +7,16 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
-    void cut(Random &random, const SphereTree &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    /** A random cut through the tree: each node is taken whole or replaced by its children. */
+    void cut(Random &random, const SphereTree &sphereTree, std::uint32_t index, double wholeChance,
+             std::vector<Ball> &balls)
     {
-        const SphereTree::Node &node = cover.getNodes()[index];
+        const SphereTree::Node &node = sphereTree.getNodes()[index];
         if (node.childCount == 0 || random.chance(wholeChance))
             balls.push_back(node.ball);
         else
             for (std::uint32_t child = 0; child < node.childCount; ++child)
-                cut(random, cover, node.firstChild + child, wholeChance, balls);
+                cut(random, sphereTree, node.firstChild + child, wholeChance, balls);
     }
 
     bool contains(const std::vector<Ball> &balls, const Eigen::Vector3d &point)

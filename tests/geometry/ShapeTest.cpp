@@ -18,7 +18,7 @@ namespace
         return upright ? Eigen::Vector3d(0.0, point.x(), point.y()) : point;
     }
 
-    /** The way along which the signed distance grows fastest */
+    /** The direction in which the signed distance grows fastest */
     Eigen::Vector3d gradientAt(const Shape &shape, const Eigen::Vector3d &point, double step)
     {
         const bool planar = shape.getDimension() == 2, upright = planar && shape.getKind() == Shape::Kind::CAPSULE;

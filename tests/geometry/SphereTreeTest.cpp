@@ -7,15 +7,16 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** A cut through the tree: each node is taken whole or replaced by its children, by chance. */
-    void cut(Random &random, const SphereTree &cover, std::uint32_t index, double wholeChance, std::vector<Ball> &balls)
+    /** A random cut through the tree: each node is taken whole or replaced by its children. */
+    void cut(Random &random, const SphereTree &sphereTree, std::uint32_t index, double wholeChance,
+             std::vector<Ball> &balls)
     {
-        const SphereTree::Node &node = cover.getNodes()[index];
+        const SphereTree::Node &node = sphereTree.getNodes()[index];
         if (node.childCount == 0 || random.chance(wholeChance))
             balls.push_back(node.ball);
         else
             for (std::uint32_t child = 0; child < node.childCount; ++child)
-                cut(random, cover, node.firstChild + child, wholeChance, balls);
+                cut(random, sphereTree, node.firstChild + child, wholeChance, balls);
     }
 
     bool contains(const std::vector<Ball> &balls, const Eigen::Vector3d &point)
@@ -46,7 +47,7 @@ protected:
     }
 };
 
-TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
+TEST_P(BodyBalls, OfAnyCutThroughTheSphereTreeContainTheBody)
 {
     forMany(
         [](Random &random, const Body &body, double)
@@ -64,7 +65,7 @@ TEST_P(BodyBalls, OfAnyCutThroughTheCoverContainTheBody)
         });
 }
 
-TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
+TEST_P(BodyBalls, InnerSpheresLieInsideTheBody)
 {
     forMany(
         [](Random &random, const Body &body, double size)
@@ -79,7 +80,7 @@ TEST_P(BodyBalls, OfTheCoreLieInsideTheBody)
         });
 }
 
-TEST_P(BodyBalls, OfTheCoreAreSorted)
+TEST_P(BodyBalls, InnerSpheresAreSorted)
 {
     forMany(
         [](Random &, const Body &body, double)
@@ -139,7 +140,7 @@ TEST(SphereTree, EnclosingBallIsNearlyTheSmallest)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        // Points of a ball's surface that are not all on one side of it: no smaller ball holds them.
+        // Points of a ball's surface that are not all on one side of it: no smaller ball contains them.
         const Eigen::Vector3d center = random.point(3, 5.0);
         std::vector<Eigen::Vector3d> points;
         for (int i = 0; i < 10; ++i)

@@ -90,7 +90,7 @@ TEST(TriangleMesh, BodiesAreEqualIfTheirMeshesAre)
     EXPECT_FALSE(body == Body::box(1, 2, 3));
 }
 
-TEST(TriangleMesh, BodiesReachAsFarAsTheirVertices)
+TEST(TriangleMesh, BoundingRadiusIsThatOfTheFarthestVertex)
 {
     EXPECT_DOUBLE_EQ(Body::mesh(boxMesh({2, 4, 4})).getBoundingRadius(), 3.0);
     EXPECT_DOUBLE_EQ(Body::planarMesh(boxMesh({6, 8, 4})).getBoundingRadius(), 5.0);

@@ -12,7 +12,7 @@ namespace
 {
     constexpr double INF = std::numeric_limits<double>::infinity();
 
-    /** By the nearest of points of the triangle on a grid that is refined about the nearest: slow and simple */
+    /** Slow and simple: the nearest point on a grid over the triangle, refined around it */
     double bruteDistance(const Eigen::Vector3d &point, const TriangleTree::Corners &corners)
     {
         const auto &[a, b, c] = corners;

@@ -23,7 +23,7 @@ namespace
         ob::State *state;
     };
 
-    /** Random elements of a space, among them equal ones and such at the seams */
+    /** Random elements of a space, some equal, some at the seams */
     class Elements
     {
     public:
@@ -62,7 +62,8 @@ namespace
         }
 
     private:
-        /** To a lattice, next to the seam of the circle, or to the opposite quaternion, which is the same rotation */
+        /** Moves a state to a lattice, next to the seam of the circle, or to the opposite quaternion, which is the same
+            rotation. */
         void distort(const ob::StateSpace &space, ob::State *state)
         {
             if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))

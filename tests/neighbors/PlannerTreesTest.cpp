@@ -28,7 +28,7 @@ namespace
     {
         const auto level = ompl::msg::getLogLevel();
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        ompl::RNG::setSeed(7);  // OMPL complains when it is not the first time
+        ompl::RNG::setSeed(7);  // OMPL complains about any seed but the first
         og::SimpleSetup setup(team);
         setup.setStateValidityChecker(
             [](const ob::State *state)

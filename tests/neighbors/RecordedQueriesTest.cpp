@@ -20,7 +20,7 @@ namespace og = ompl::geometric;
 
 namespace
 {
-    /** What came of all queries so far */
+    /** The results of all queries so far */
     struct Tally
     {
         std::size_t queries{0}, neighbors{0}, ties{0}, different{0};
@@ -83,7 +83,8 @@ namespace
             std::vector<T> expected;
             tree_.nearestR(data, radius, found);
             gnat_.nearestR(data, radius, expected);
-            // New states are just the planner's range away, and at the radius itself GNAT's bounds may round either way.
+            // New states are exactly the planner's range away, and at the radius itself GNAT's bounds may round either
+            // way.
             const auto isInside = [&](const T &near) { return this->distFun_(data, near) < radius * (1.0 - 1e-12); };
             std::vector<T> within;
             std::copy_if(found.begin(), found.end(), std::back_inserter(within), isInside);
@@ -151,7 +152,7 @@ namespace
     {
         ompl::RNG::setSeed(seed + 1);
         auto si = std::make_shared<ob::SpaceInformation>(team);
-        // Some states are refused, in no order
+        // Refuse some states, in no order.
         unsigned int checks = 0;
         si->setStateValidityChecker([&](const ob::State *) { return ++checks % 97 != 96; });
         si->setStateValidityCheckingResolution(0.2);
@@ -177,7 +178,8 @@ class RecordedQueries : public testing::TestWithParam<const char *>
 {
 };
 
-/** All that RRT and RRT* ask, of teams of one to five. With OMPL_CERTIFICATES_TEST_SCALE=60 these are more than 10^6 queries. */
+/** All that RRT and RRT* ask, of teams of one to five. With OMPL_CERTIFICATES_TEST_SCALE=60 these are more than 10^6
+    queries. */
 TEST_P(RecordedQueries, AreAnsweredAsByGnat)
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

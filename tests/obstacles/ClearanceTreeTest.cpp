@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Dimension, RandomClearanceTree, testing::Values(2U, 3U)
 
 TEST(ClearanceTree, FindsDepthsOfFlatShapesBesideCapsules)
 {
-    // A capsule reaches out of the plane; that must not hide how deep a point is in a rectangle.
+    // A capsule sticks out of the plane; that must not hide how deep a point is in a rectangle.
     ClearanceTree tree;
     const auto capsule = Body::planarCapsule(0.1, 1.0).getParts().front();
     tree.add(Shape::box(Eigen::Vector2d(2.0, 2.0)), planarPose(-1.0, 0.0));

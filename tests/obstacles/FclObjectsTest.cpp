@@ -29,7 +29,7 @@ namespace
         return std::make_shared<fcl::CollisionObjectd>(std::make_shared<Geometry>(sizes...), pose);
     }
 
-    /** A pyramid, its apex up */
+    /** An upright pyramid */
     std::shared_ptr<fcl::CollisionObjectd> pyramid(const Pose &pose)
     {
         auto vertices = std::make_shared<std::vector<fcl::Vector3d>>(

@@ -65,7 +65,7 @@ TEST_P(RandomObstacles, CollideWithABallAsTheirClearanceSays)
                                       unit * random.logUniform(1e-6, 1.0) * random.direction(dimension));
                     }
                     const double clearance = obstacles.clearance(pose.translation());
-                    // Just smaller and just larger than the gap, by what is promised of both
+                    // Slightly smaller and slightly larger than the gap, by the two tolerances
                     const double slack =
                         obstacles.getTolerance() * (1.0 + (random.chance(0.5) ? 0.0 : random.logUniform(1e-3, 1e4)));
                     const double small = (clearance - slack) / (1.0 + EXACT_CHECK_TOLERANCE);

@@ -119,7 +119,7 @@ TEST_P(MeshObstacles, CollideWithABodyOnlyIfOneOfItsFinestBallsDoes)
     EXPECT_GT(free, scaled(300));
 }
 
-TEST_P(MeshObstacles, CollideWithABodyIfItsCoreOrItsSurfaceIsInside)
+TEST_P(MeshObstacles, CollideWithABodyIfAnInnerSphereOrItsSurfaceIsInside)
 {
     unsigned int byInnerSpheres = 0, bySurface = 0;
     forMany(300, 0.3,
@@ -197,7 +197,7 @@ TEST(MeshObstacles, DoNotTouchWhatIsWhollyInside)
     EXPECT_TRUE(FclObstacles(3, {{Body::mesh(boxMesh({1, 1, 1}))}}).collides(Body::sphere(5.0), Pose::Identity()));
 }
 
-TEST(MeshObstacles, CountInThePlaneWhereTheRobotsReach)
+TEST(MeshObstacles, CountInThePlaneWithinTheZIntervalOfTheRobots)
 {
     // A wall from z = 0 to 10 under a roof that is wider
     const std::vector<PlacedBody> bodies{{Body::planarMesh(boxMesh({1, 10, 10}, {0, 0, 5}))},
@@ -270,7 +270,7 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
     EXPECT_TRUE(std::isinf(above.clearance({0.0, 0.0, 0.0})));
 }
 
-/** FCL's solver goes on for ever with some cylinders without width. This test then does as well. */
+/** FCL's solver never ends for some cylinders without width. Then this test never ends either. */
 TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsAndSegmentsInFiniteTime)
 {
     const Body bodies[] = {Body::disc(0.0), Body::box(1e-11, 1e-11), Body::box(1.0, 1e-11),
@@ -291,14 +291,14 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsAndSegmentsInFiniteTime)
     }
 }
 
-/** FCL's constructors of a collision object compute the geometry's box anew, while other threads read it. */
+/** FCL's constructors of a collision object compute the geometry's box again, while other threads read it. */
 TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
 {
     const Body mesh = Body::mesh(boxMesh({2, 2, 10})), plane = Body::planarMesh(boxMesh({2, 2, 10}));
     for (const Body &body : {mesh, plane})
     {
         const FclObstacles obstacles(body.getDimension(), {{body}});
-        // Something larger, that is still right but not what FCL would put there
+        // Something larger, which is still right but not what FCL would compute
         double &radius = body.getParts().front().shape.getCollisionGeometry()->aabb_radius;
         radius *= 1.5;
         const double before = radius;

@@ -9,7 +9,7 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** Whether a core ball of the body holds an obstacle point, by more than the tolerance */
+    /** Whether an inner sphere of the body contains an obstacle point, by more than the tolerance */
     bool isCertifiedColliding(const FclObstacles &obstacles, const Body &body, const Pose &pose)
     {
         const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
@@ -18,7 +18,7 @@ namespace
                            { return obstacles.clearance(pose * ball.center) + margin < ball.radius; });
     }
 
-    /** Moves \e body up to where the exact check changes its mind, and tries what is certified there. */
+    /** Moves \e body to where the exact check's verdict changes, and tests what is certified there. */
     void expectTrueAround(Random &random, const FclObstacles &obstacles, const Body &body, double unit)
     {
         Pose pose = nearPose(random, obstacles, body, unit);
@@ -44,8 +44,8 @@ namespace
 
     using Outline = std::vector<Eigen::Vector2d>;
 
-    /** How far an edge of \e a has all of \e b before it: the distance of convex polygons that are near each other, if one
-        of both orders gives a positive one */
+    /** How far all of \e b lies beyond an edge of \e a. For convex polygons close to each other this is their distance,
+        if one of both orders gives a positive one. */
     double gapBefore(const Outline &a, const Outline &b)
     {
         double widest = -std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ namespace
     }
 }
 
-// FCL's solver has absolute thresholds, which are above all that is made of small lengths.
+// FCL's solver has absolute thresholds, which exceed all products of small lengths.
 TEST(Tolerance, CoversWhatFclMakesOfTinyShapes)
 {
     for (unsigned int seed = 0; seed < scaled(200); ++seed)
@@ -78,7 +78,7 @@ TEST(Tolerance, CoversWhatFclMakesOfTinyShapes)
     }
 }
 
-// FCL enlarges boxes by what grows with the square of their size.
+// FCL enlarges boxes by an amount that grows with the square of their size.
 TEST(Tolerance, CoversWhatFclMakesOfHugeBoxes)
 {
     for (unsigned int seed = 0; seed < scaled(200); ++seed)
@@ -93,7 +93,7 @@ TEST(Tolerance, CoversWhatFclMakesOfHugeBoxes)
     }
 }
 
-// A disc that is small beside a triangle is checked less precisely than two triangles are.
+// A disc much smaller than a triangle is checked less precisely than two triangles are.
 TEST(Tolerance, CoversWhatFclMakesOfDiscsAndTriangles)
 {
     for (unsigned int seed = 0; seed < scaled(150); ++seed)
@@ -107,7 +107,7 @@ TEST(Tolerance, CoversWhatFclMakesOfDiscsAndTriangles)
     }
 }
 
-// FCL's solver finds prisms touching that are equally high, exactly level, and a hundredth of their size apart.
+// FCL's solver finds prisms touching that are of equal height, exactly level, and a hundredth of their size apart.
 TEST(Tolerance, CoversWhatFclMakesOfLevelPrisms)
 {
     unsigned int compared = 0;
@@ -116,7 +116,7 @@ TEST(Tolerance, CoversWhatFclMakesOfLevelPrisms)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const unsigned int dimension = 2 + seed % 2;
-        // Corners on a circle: all of them are the outline's, in order.
+        // Corners on a circle: all of them belong to the outline, in order.
         Outline outline;
         std::vector<Eigen::Vector3d> corners;
         for (double angle = random.uniform(0.1, 1.0); angle < 6.2; angle += random.uniform(0.3, 2.0))

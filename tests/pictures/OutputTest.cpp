@@ -26,7 +26,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** A folder of its own for each test, gone afterwards */
+        /** A folder for each test, removed afterwards */
         class Output : public ::testing::Test
         {
         protected:
@@ -165,7 +165,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** All keys of a JSON object, those of objects in it with a dot */
+        /** All keys of a JSON object; keys of nested objects with a dot */
         std::set<std::string> keysOf(const nlohmann::json &object, const std::string &prefix = "")
         {
             std::set<std::string> keys;
@@ -208,7 +208,7 @@ namespace ompl_certificates
     TEST_F(Output, AFullDiskLeavesWhatWasThere)
     {
         writeWholeFile(file("a.txt"), "old");
-        // A limit on the size of files is met as a full disk is: some of the text is written, then no more.
+        // A limit on the size of files acts like a full disk: some of the text is written, then no more.
         rlimit before;
         ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
         const rlimit small{10000, before.rlim_max};
@@ -249,7 +249,7 @@ namespace ompl_certificates
             EXPECT_NO_THROW(requireWritable(name)) << name;
         EXPECT_EQ(readWholeFile(file("a.txt")), "old");
         EXPECT_EQ(fileCount(), 3u);
-        // Access rights tell nothing of the last ones to root.
+        // For root, access rights say nothing about the last ones.
         for (const std::string &name :
              {file("no/a.txt"), file("a.txt/b.txt"), folder_.path(), std::string(), std::string("/dev/full"),
               std::string("/proc/a.txt"), std::string("/proc/version")})
@@ -327,7 +327,7 @@ namespace ompl_certificates
         EXPECT_EQ(inSpace.size(), reals.size());
         for (const std::string name : {"balloon.z", "quadrotor.qx", "quadrotor.qw"})
             EXPECT_NE(std::find(inSpace.begin(), inSpace.end(), name), inSpace.end()) << name;
-        // Robots of one kind have coordinates of one kind: no name comes twice.
+        // Robots of one kind have coordinates of the same kind, but no name may come twice.
         EXPECT_EQ(std::set<std::string>(inSpace.begin(), inSpace.end()).size(), inSpace.size());
     }
 

@@ -13,7 +13,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** All random numbers from here on are those of \e seed. OMPL calls that an error if others were drawn before. */
+    /** Take all further random numbers from \e seed. OMPL calls that an error if others were drawn before. */
     void reseed(unsigned int seed)
     {
         const auto level = ompl::msg::getLogLevel();
@@ -22,7 +22,7 @@ namespace
         ompl::msg::setLogLevel(level);
     }
 
-    /** What a planner has grown */
+    /** The outcome of a planner */
     struct Result
     {
         std::vector<std::vector<double>> states;
@@ -138,7 +138,7 @@ TEST_P(Trees, AreTheSameUnderAllMethods)
 
 TEST_P(Trees, DifferFromSeedToSeed)
 {
-    // Else the test above would compare nothing.
+    // Otherwise the test above would compare nothing.
     const Problem problem = randomProblem(1, 0);
     EXPECT_FALSE(plan(problem, Method::STANDARD, GetParam(), 1, 200) ==
                  plan(problem, Method::STANDARD, GetParam(), 2, 200));

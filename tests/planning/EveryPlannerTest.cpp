@@ -1,6 +1,6 @@
-// Each of OMPL's geometric planners runs in a TeamSetup, with no more said to it than to any other planner. Planners that
-// need more than a space and a problem are left out. TSRRT needs a task space, VFRRT a vector field, XXL a decomposition of
-// the space, QRRT a sequence of spaces. LightningRetrieveRepair and ThunderRetrieveRepair need a database of plans.
+// Each of OMPL's geometric planners runs in a TeamSetup without special settings. Planners that need more than a space
+// and a problem are left out. TSRRT needs a task space, VFRRT a vector field, XXL a decomposition of the space, QRRT a
+// sequence of spaces. LightningRetrieveRepair and ThunderRetrieveRepair need a database of plans.
 
 #include "support/ForgivenLeaks.h"
 #include "support/Teams.h"
@@ -120,7 +120,7 @@ namespace
                               {"pRRT", make<og::pRRT>},
                               {"pSBL", make<og::pSBL>}};
 
-    /** A disc and a box that change sides beside a post */
+    /** A disc and a box that change sides past a post */
     TeamSetupPtr easyProblem(TeamStateSpace::Metric metric = TeamStateSpace::EUCLIDEAN)
     {
         auto team = std::make_shared<TeamStateSpace>(metric);
@@ -156,9 +156,9 @@ namespace
             ompl::RNG::setSeed(1);
             const auto setup = easyProblem(metric);
             setup->setPlanner(GetParam().make(setup->getSpaceInformation()));
-            // Mostly the first time is enough; the others are for a machine that is busy. The iterations end, for OMPL's
-            // LazyLBTRRT fails an assertion of its own after some random numbers. FMT begins anew each time, with all its
-            // samples.
+            // Mostly the first time is enough; the others are for a busy machine. Iterations are limited because OMPL's
+            // LazyLBTRRT fails an assertion of its own after some random numbers. FMT starts from scratch each time,
+            // with all its samples.
             const double seconds = std::string(GetParam().name).find("FMT") == std::string::npos ? 0.2 : 2.0;
             const auto end = ompl::time::now() + ompl::time::seconds(10.0);
             while (!setup->haveExactSolutionPath() && ompl::time::now() < end)
@@ -207,7 +207,7 @@ TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
     EXPECT_EQ(objectiveWith(std::make_shared<og::BiTRRT>(si)), nullptr);
     EXPECT_NE(objectiveWith(std::make_shared<og::CForest>(si)), nullptr);
 
-    // Without a planner, and with one that is made late
+    // Without a planner, and with one that is set late
     const auto unplanned = easyProblem();
     unplanned->setup();
     EXPECT_NE(dynamic_cast<TeamPathLength *>(unplanned->getOptimizationObjective().get()), nullptr);

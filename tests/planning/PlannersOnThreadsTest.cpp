@@ -21,7 +21,7 @@ namespace og = ompl::geometric;
 
 namespace
 {
-    /** What a team plans with in these tests */
+    /** The setup of a team in these tests */
     struct Plan
     {
         explicit Plan(std::uint64_t seed)
@@ -31,7 +31,7 @@ namespace
             const auto team = teamOfDiscs();
             setup = std::make_shared<TeamSetup>(team, scatteredObstacles(random, 2, 10));
             setup->getStateSpace()->setLongestValidSegmentFraction(0.02);
-            si()->setup();  // or else motions have no samples
+            si()->setup();  // otherwise motions have no samples
             do
             {
                 start = std::make_unique<ob::ScopedState<>>(randomState(random, team));
@@ -39,7 +39,7 @@ namespace
             } while (!setup->getTeamChecker()->isValid(start->get()) ||
                      !setup->getTeamChecker()->isValid(goal->get()) || si()->checkMotion(start->get(), goal->get()));
             setup->setStartAndGoalStates(*start, *goal, 1e-9);
-            // No path is good enough, so that planners which look for better ones use up their time.
+            // No path is good enough, so planners that optimise use up their time.
             const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(si());
             objective->setCostThreshold(ob::Cost(0.0));
             setup->setOptimizationObjective(objective);
@@ -51,7 +51,7 @@ namespace
             return setup->getSpaceInformation();
         }
 
-        /** Plan for a while, and see that what came of it is right by the standard check */
+        /** Plan for a while, then verify the solution by the standard check. */
         void solveWith(const ob::PlannerPtr &planner, double seconds)
         {
             setup->setPlanner(planner);
@@ -95,7 +95,7 @@ TEST(PlannersOnThreads, CForest)
     Plan plan(1);
     auto planner = std::make_shared<og::CForest>(plan.si());
     planner->setNumThreads(3);       // of RRT*
-    planner->setFocusSearch(false);  // which OMPL knows for a few spaces of its own only
+    planner->setFocusSearch(false);  // OMPL knows this for a few spaces of its own only
     plan.solveWith(planner, SECONDS);
 }
 
@@ -121,13 +121,13 @@ TEST(PlannersOnThreads, AnytimePathShortening)
 
 TEST(PlannersOnThreads, PRM)
 {
-    // It looks for solutions in a thread of its own.
+    // This planner searches in a thread of its own.
     Plan plan(4);
     plan.solveWith(std::make_shared<og::PRM>(plan.si()), SECONDS);
 }
 
-/** What one thread learns serves the others: together they ask the obstacles hardly more often than one alone that checks
-    all that they check. */
+/** What one thread learns serves the others: together they ask the obstacles hardly more often than one thread that
+    makes all their checks. */
 TEST(PlannersOnThreads, LearnFromEachOther)
 {
     for (unsigned int seed = 0; seed < scaled(5); ++seed)
@@ -150,7 +150,7 @@ TEST(PlannersOnThreads, LearnFromEachOther)
                     [&, thread]
                     {
                         const auto &checker = *setups[shared ? 0 : thread]->getTeamChecker();
-                        // Each in another order: states with references of their own
+                        // Each thread in another order: states with their own references
                         ob::ScopedState<> copy(team);
                         for (unsigned int k = 0; k < states.size(); ++k)
                         {

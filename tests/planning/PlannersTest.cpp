@@ -79,7 +79,7 @@ TEST(Planners, CallTheHooksAroundSolve)
     problem->setStartAndGoalStates(start, goal);
     planner->setProblemDefinition(problem);
     planner->setup();
-    // For ever, but for the hook
+    // Endless, but for the hook
     planner->solve(ob::plannerNonTerminatingCondition());
     EXPECT_TRUE(stopped);
     EXPECT_TRUE(after);

@@ -24,7 +24,7 @@ namespace
         return std::make_shared<FclObstacles>(dimension, std::vector<PlacedBody>{});
     }
 
-    /** RRT that shows what it looks for near states in */
+    /** RRT that shows its nearest-neighbor structure */
     struct OpenRrt : ompl::geometric::RRT
     {
         using RRT::RRT;
@@ -128,7 +128,7 @@ TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)
     }
 }
 
-TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
+TEST(Checkers, RefuseRobotsBeyondTheZIntervalOfTheObstacles)
 {
     const auto obstacles = [](const ZInterval &zInterval)
     {
@@ -138,7 +138,7 @@ TEST(Checkers, RefuseRobotsThatReachBeyondTheHeightsOfTheObstacles)
     const ZInterval all = planarMeshTeam()->getZInterval();
     EXPECT_NO_THROW(TeamSetup(planarMeshTeam(), obstacles(all)));
     EXPECT_THROW(TeamSetup(planarMeshTeam(), obstacles({all.low, 0.5 * all.high})), ompl::Exception);
-    // Primitives reach through all heights.
+    // Primitives have an unbounded z-interval.
     EXPECT_NO_THROW(TeamSetup(teamOfDiscs(), obstacles({})));
     EXPECT_THROW(TeamSetup(teamOfDiscs(), obstacles(all)), ompl::Exception);
     TeamSetup setup(teamOfDiscs(), obstacles({}));

@@ -34,7 +34,7 @@ namespace
         }
     }
 
-    /** Where points of all bodies are, each body's some distance from its origin */
+    /** Positions of points of all bodies, each body's at some distance from its origin */
     std::vector<Eigen::Vector3d> probes(const Robot &robot, const ob::State *state,
                                         const std::vector<Eigen::Vector3d> &offsets)
     {
@@ -47,7 +47,7 @@ namespace
         return points;
     }
 
-    /** Checks that no probe travels further than the bounds allow between any two of many times. */
+    /** Checks that no probe moves further than the bounds allow between any two of many times. */
     void checkMotionBounds(Random &random, const Robot &robot, const ob::ScopedState<> &from,
                            const ob::ScopedState<> &to)
     {
@@ -62,21 +62,21 @@ namespace
             times.push_back(random.chance(0.3) ? random.logUniform(1e-9, 1.0) : random.uniform(0.0, 1.0));
         std::sort(times.begin(), times.end());
         ob::ScopedState<> at(space);
-        std::vector<std::vector<Eigen::Vector3d>> places;
+        std::vector<std::vector<Eigen::Vector3d>> positions;
         for (const double t : times)
         {
             space->interpolate(from.get(), to.get(), t, at.get());
             // The checks take a motion's ends as they are.
             const ob::State *state = t == 0.0 ? from.get() : t == 1.0 ? to.get() : at.get();
-            places.push_back(probes(robot, state, offsets));
+            positions.push_back(probes(robot, state, offsets));
         }
         for (std::size_t a = 0; a < times.size(); ++a)
             for (std::size_t b = a + 1; b < times.size(); ++b)
-                for (std::size_t i = 0; i < places[a].size(); ++i)
+                for (std::size_t i = 0; i < positions[a].size(); ++i)
                 {
-                    const double travelled = (places[b][i] - places[a][i]).norm();
+                    const double distance = (positions[b][i] - positions[a][i]).norm();
                     const double bound = bounds[i / offsets.size()].at(offsets[i % offsets.size()].norm());
-                    ASSERT_LE(travelled, bound * (times[b] - times[a]) * (1.0 + 1e-9) + 1e-11)
+                    ASSERT_LE(distance, bound * (times[b] - times[a]) * (1.0 + 1e-9) + 1e-11)
                         << "from " << times[a] << " to " << times[b];
                 }
     }

@@ -38,7 +38,7 @@ namespace ompl_certificates
 
         void changes(World &world, Tally &tally)
         {
-            // In contact with what may go, so that the contact is remembered
+            // In contact with what may be removed, so that the contact is remembered
             for (std::size_t i = 2; i < 6; ++i)
             {
                 world.redraw(world.pool[i]);
@@ -47,7 +47,7 @@ namespace ompl_certificates
             compareAll(world, tally);
             world.changeObstacles();
             compareAll(world, tally);
-            // OMPL takes it for granted that a motion starts at a valid state.
+            // OMPL assumes that a motion starts at a valid state.
             for (std::size_t i = 2; i < 6; ++i)
                 if (world.checked->isValid(world.pool[i]))
                     compareMotion(world, world.pool[i], world.pool[i + 1], tally);

@@ -10,8 +10,8 @@ namespace ompl_certificates
         /** \brief Change the obstacles, and compare verdicts on states and motions that were checked before */
         void changes(World &world, Tally &tally);
 
-        /** \brief Save or load certificates: what is loaded must change no verdict, whatever has become of the obstacles or of
-            the file */
+        /** \brief Save or load certificates: loading must change no verdict, whatever became of the obstacles or of the
+            file. */
         void files(World &world, Tally &tally);
     }
 }

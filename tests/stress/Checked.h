@@ -14,7 +14,7 @@ namespace ompl_certificates
 {
     namespace stress
     {
-        /** \brief What an environment is made of */
+        /** \brief The contents of an environment */
         struct Setting
         {
             std::vector<PlacedBody> obstacles;
@@ -33,14 +33,13 @@ namespace ompl_certificates
             std::shared_ptr<CertificateMotionValidator> discrete, continuous;
         };
 
-        /** \brief A team among obstacles: the standard check, and all others that must agree with it */
+        /** \brief A team among obstacles: the standard check, and all methods that must agree with it */
         struct Checked
         {
             Checked(const TeamStateSpacePtr &space, const Setting &setting);
 
-            /** \brief Put other obstacles in the place of those that are there: certificates are repaired, the standard check
-                begins anew
-                \param bodies all of them, as they are now */
+            /** \brief Replace the obstacles: certificates are repaired, the standard check starts from scratch.
+                \param bodies all obstacles, as they are now */
             void changeObstacles(ObstacleChange change, const std::vector<PlacedBody> &bodies);
 
             /** \brief FCL's verdict on the true geometry */

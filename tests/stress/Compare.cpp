@@ -98,7 +98,7 @@ namespace ompl_certificates
             };
             for (const Certified &certified : checked.certified)
             {
-                // In both orders, so that either form may be the one that finds nothing known yet.
+                // In both orders, so that either overload may be the one without any knowledge.
                 const bool plainFirst = world.random.chance(0.5);
                 std::pair<ob::State *, double> lastValid{state.get(), -7.0};
                 bool plain = false;
@@ -138,7 +138,7 @@ namespace ompl_certificates
                     continue;
                 for (int i = 0; i < 25; ++i)
                 {
-                    // Where it was proved: up to, and not including, the last valid state unless it is the end
+                    // The proved part: up to the last valid state, which is excluded unless it is the end
                     double t = i == 0 && accepted ? 1.0 : i == 1 ? 0.0 : world.random.uniform(0.0, end);
                     if (!accepted && t >= end)
                         continue;

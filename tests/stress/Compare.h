@@ -7,18 +7,19 @@ namespace ompl_certificates
 {
     namespace stress
     {
-        /** \brief Compare the verdict on a state of all methods with FCL's, which is returned
-            \throws Lie if one is not the same */
+        /** \brief Compare all methods' verdicts on a state with FCL's, and return that.
+            \throws Lie if one differs */
         bool compareState(World &world, const ompl::base::State *state, Tally &tally);
 
         /** \brief Compare the verdict of one method */
         void compareState(const World &world, const Certified &certified, const ompl::base::State *state, bool valid,
                           Tally &tally);
 
-        /** \brief Compare the verdicts on a motion, and where it becomes invalid, with OMPL's own over FCL's */
+        /** \brief Compare the verdicts on a motion, and where it becomes invalid, with those of OMPL's validator over
+            FCL. */
         void compareMotion(World &world, const ompl::base::State *from, ompl::base::State *to, Tally &tally);
 
-        /** \brief Check that what continuous checks accept is valid everywhere */
+        /** \brief Check that motions accepted by continuous checks are valid everywhere. */
         void compareContinuous(World &world, const ompl::base::State *from, ompl::base::State *to, Tally &tally);
 
         /** \brief A Lie about these states */

@@ -12,20 +12,20 @@ namespace ompl_certificates
 {
     namespace stress
     {
-        /** \brief A verdict that is not FCL's */
+        /** \brief A verdict that differs from FCL's */
         struct Lie
         {
             std::string what;
 
-            /** \brief The coordinates of the states that it is about, and their references */
+            /** \brief The coordinates of the states concerned, and their references */
             std::vector<std::vector<double>> states;
             std::vector<std::vector<CertificateIndex>> references;
 
-            /** \brief Whether the same is seen in another environment of the same team, with nothing known beforehand */
+            /** \brief Whether it also occurs in another environment of the same team, which knows nothing beforehand */
             std::function<bool(const Checked &)> isSeenIn;
         };
 
-        /** \brief Write all that is needed to look into \e lie, after leaving out obstacles that do not matter */
+        /** \brief Write all that is needed to investigate \e lie, without the obstacles that do not matter. */
         void report(std::ostream &out, const Lie &lie, const TeamStateSpacePtr &team, Setting setting);
     }
 }

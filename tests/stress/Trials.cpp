@@ -70,7 +70,7 @@ namespace ompl_certificates
                 moveUntilItTouches(world, tally, state, robot, world.random.direction(world.dimension));
             }
 
-            /** Puts positions on the world's grid, and turns about one axis at most, often not at all. */
+            /** Puts positions on the grid of the world, and turns about at most one axis, often about none. */
             void alignWithGrid(World &world, const ob::StateSpacePtr &space, ob::State *state)
             {
                 if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space.get()))
@@ -101,7 +101,7 @@ namespace ompl_certificates
                 auto *state = world.anyState();
                 test::randomize(world.random, world.team, state);
                 alignWithGrid(world, world.team, state);
-                // From where another robot or an obstacle is, more often than chance would have it.
+                // At the position of another robot or of an obstacle, more often than by chance
                 const unsigned int robot = world.random.below(world.team->getRobotCount()),
                                    other = world.random.below(world.team->getRobotCount());
                 const auto &obstacles = world.setting.obstacles;
@@ -166,11 +166,11 @@ namespace ompl_certificates
                 if (world.random.chance(0.5))
                     world.touch(state, world.random.below(world.team->getRobotCount()));
                 compareState(world, state, tally);
-                // What OMPL's spaces take for a distance or a middle of such a state is not defined; leave none.
+                // OMPL's spaces define no distance or interpolation for such a state; leave none.
                 test::randomize(world.random, world.team, state);
             }
 
-            /** OMPL's distances are not made for an angle of exactly pi, which is -pi. */
+            /** OMPL's distances do not support an angle of exactly pi, which is -pi. */
             void wrapAngles(const ob::StateSpacePtr &space, ob::State *state)
             {
                 if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space.get()))
@@ -180,7 +180,7 @@ namespace ompl_certificates
                     space->enforceBounds(state);
             }
 
-            /** Two states of a motion: mostly from a valid one, near or far, or with angles where they wrap around */
+            /** The two states of a motion: mostly from a valid one, near or far, or with angles that wrap around */
             std::pair<ob::State *, ob::State *> drawMotion(World &world)
             {
                 auto *from = world.pool[0], *to = world.pool[world.pool.size() - 1];
@@ -322,7 +322,7 @@ namespace ompl_certificates
                     throw *lie;
             }
 
-            /** A short RRT with each method from the same seed: the trees must be the same. */
+            /** A short RRT with each method from the same seed: the trees must be equal. */
             void planner(World &world, Tally &tally)
             {
                 auto *start = world.pool[0], *goal = world.pool[1];

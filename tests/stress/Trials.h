@@ -12,7 +12,7 @@ namespace ompl_certificates
 {
     namespace stress
     {
-        /** \brief What a kind of trial has compared so far */
+        /** \brief The comparisons of a kind of trial so far */
         struct Tally
         {
             std::uint64_t trials{0}, verdicts{0}, valid{0};
@@ -24,7 +24,7 @@ namespace ompl_certificates
             std::string name, description;
             void (*run)(World &world, Tally &tally);
 
-            /** \brief How many times a world that tries all kinds does this one */
+            /** \brief How often a world that tries all kinds runs this one */
             unsigned int times;
         };
 

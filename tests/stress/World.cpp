@@ -19,7 +19,7 @@ namespace ompl_certificates
 
             constexpr std::size_t POOL = 12;
 
-            /** A seed of its own for each world */
+            /** A different seed for each world */
             std::uint64_t mixed(std::uint64_t seed, std::uint64_t number)
             {
                 std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
@@ -116,7 +116,7 @@ namespace ompl_certificates
             for (unsigned int i = 0, count = 1 + random.below(4); i < count; ++i)
             {
                 const std::string name = "robot" + std::to_string(i);
-                // Equal bodies now and then: they share what is known of them.
+                // Equal bodies now and then: they share certificates.
                 const Body body = i > 0 && random.chance(0.2) ? team->getRobot(i - 1).getBodies().front()
                                                               : randomRobotBody(random.chance(meshChance));
                 const bool turns = random.chance(0.7);
@@ -168,7 +168,7 @@ namespace ompl_certificates
                 }
                 else
                 {
-                    // Anywhere, or by a little
+                    // Anywhere, or slightly moved
                     Pose &pose = there[which].pose;
                     if (random.chance(0.5))
                         pose = randomObstacle(0.0).pose;
@@ -238,7 +238,7 @@ namespace ompl_certificates
                 test::randomize(random, team, state);
             else
             {
-                // A step from a state whose references may be good hints, or old, or foreign.
+                // A step from a state whose references may be good hints, old, or foreign
                 test::randomize(random, team, state);
                 team->interpolate(source, state, random.logUniform(1e-6, 1.0), state);
             }
@@ -286,7 +286,7 @@ namespace ompl_certificates
             for (unsigned int i = 0; i < dimension; ++i)
             {
                 position[i] = target[i];
-                // The neighboring number, where a face is met exactly
+                // The neighboring number, where a face is hit exactly
                 if (random.chance(0.2))
                     position[i] = std::nextafter(target[i], random.sign() * 1e300);
             }

@@ -15,8 +15,8 @@ namespace ompl_certificates
 {
     namespace stress
     {
-        /** \brief A random team in a random environment, and a pool of states that are used again and again, so that their
-            references become old. Depends on the seed and its number alone. */
+        /** \brief A random team in a random environment, and a pool of states that are used again and again, so that
+            their references become old. Depends on the seed and on its number alone. */
         class World
         {
         public:
@@ -26,17 +26,17 @@ namespace ompl_certificates
             World(const World &) = delete;
             World &operator=(const World &) = delete;
 
-            /** \brief Anything within bounds, or near another state of the pool, or in contact; keeps its old references now and
-                then */
+            /** \brief Anything within bounds, or near another state of the pool, or in contact. Sometimes keeps its old
+                references. */
             void redraw(ompl::base::State *state);
 
-            /** \brief Put a robot so that a point of it is at a point of an obstacle or of another robot */
+            /** \brief Move a robot so that a point of it coincides with a point of an obstacle or of another robot. */
             void touch(ompl::base::State *state, unsigned int robot);
 
-            /** \brief Put a robot so that its middle is at a point inside an obstacle, or on its surface */
+            /** \brief Move a robot so that its middle is at a point inside an obstacle, or on its surface. */
             void sink(ompl::base::State *state, unsigned int robot);
 
-            /** \brief Where the coordinates of the robot's position are in a state */
+            /** \brief The coordinates of the robot's position in a state */
             double *positionOf(ompl::base::State *state, unsigned int robot) const;
 
             /** \brief One of the pool's states */
@@ -45,7 +45,7 @@ namespace ompl_certificates
                 return pool[random.below(pool.size())];
             }
 
-            /** \brief The nearest point of a grid, on which some of the obstacles are as well, upright */
+            /** \brief The nearest point of the grid on which some of the obstacles stand, upright */
             Eigen::Vector3d onGrid(const Eigen::Vector3d &point) const;
 
             /** \brief Shift the robot's position */
@@ -55,7 +55,7 @@ namespace ompl_certificates
             unsigned int dimension;
             double unit;
 
-            /** \brief Where the middle of the workspace is */
+            /** \brief The middle of the workspace */
             Eigen::Vector3d origin;
             TeamStateSpacePtr team;
             Setting setting;
@@ -64,7 +64,7 @@ namespace ompl_certificates
             /** \brief Add, remove or move one to three obstacles */
             void changeObstacles();
 
-            /** \brief Of how many changes the obstacles are the outcome */
+            /** \brief The number of changes of the obstacles so far */
             unsigned int changes{0};
 
             /** \brief For files of certificates */
@@ -87,7 +87,7 @@ namespace ompl_certificates
             std::unique_ptr<Checked> other_;
             double meshChance_;
 
-            /** \brief What setting.obstacles holds, and the names in that order */
+            /** \brief The contents of setting.obstacles, and their ids in that order */
             std::unique_ptr<ObstacleSet> set_;
             std::vector<ObstacleSet::Id> names_;
         };

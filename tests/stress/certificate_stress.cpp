@@ -32,7 +32,7 @@ namespace
         bool quiet{false};
     };
 
-    /** How each robot pose was settled, over all worlds: lies can only be found where certificates decide. */
+    /** How each robot pose was settled, over all worlds: lies only show where certificates decide. */
     struct Settled
     {
         std::uint64_t certifiedFree{0}, certifiedColliding{0}, asked{0};
@@ -71,7 +71,7 @@ namespace
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         }
 
-        /** Try world \e number. Returns whether all that it says is true. */
+        /** Try world \e number. Returns whether all its verdicts are true. */
         bool tryWorld(std::uint64_t number)
         {
             World world(options_.seed, number);
@@ -128,7 +128,7 @@ namespace
                 for (std::size_t i = 0; i < kinds.size(); ++i)
                     if (kinds[i].name == options_.only)
                         return i;
-            // What takes long has its turn at the end, now and then.
+            // Slow kinds run at the end, now and then.
             if (turn + 1 == 2 * turns && world.random.chance(0.25))
                 return kinds.size() - 1 - world.random.below(2);
             unsigned int at = world.random.below(turns);

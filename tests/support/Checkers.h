@@ -26,13 +26,13 @@ namespace ompl_certificates
                 }
             }
 
-            /** \brief FCL alone, to compare the others with */
+            /** \brief FCL alone, the reference for the others */
             const TeamSetup &reference() const
             {
                 return *setups.front();
             }
 
-            /** \brief All others: without certificates, but with the contact test, and with certificates */
+            /** \brief All others: with the contact test but no certificates, and with certificates */
             std::vector<TeamSetupPtr> compared() const
             {
                 return {setups.begin() + 1, setups.end()};

@@ -7,7 +7,7 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief Few obstacles that are treated like many, so that certificates are searched for at every chance */
+        /** \brief Few obstacles that claim to be expensive, so that certificates are searched for at every chance */
         class ExpensiveObstacles : public FclObstacles
         {
         public:

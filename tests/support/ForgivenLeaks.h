@@ -17,8 +17,8 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief While it lives, the address sanitizer tells of no leak of what this thread allocates: for code of others that
-            is known to leak */
+        /** \brief While it lives, the address sanitizer reports no leak of this thread's allocations: for foreign code
+            that is known to leak */
         class ForgivenLeaks
         {
         public:

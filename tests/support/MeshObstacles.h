@@ -10,7 +10,7 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief Some meshes, and primitives by chance, within about four times \e unit of the origin */
+        /** \brief Some meshes, and by chance some primitives, within about four times \e unit of the origin */
         inline std::vector<PlacedBody> randomMeshObstacles(Random &random, unsigned int dimension, double unit,
                                                            double primitiveChance)
         {
@@ -38,20 +38,21 @@ namespace ompl_certificates
             return part.pose * pointOf(random, *mesh, triangle);
         }
 
-        /** \brief A pose that is mostly such that the body just touches an obstacle, or nearly */
+        /** \brief A pose at which the body mostly just touches an obstacle, or nearly */
         inline Pose nearPose(Random &random, const FclObstacles &obstacles, const Body &body, double unit)
         {
             Pose pose = random.pose(body.getDimension(), 4.0 * unit);
-            const auto &[obstacle, place] = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
+            const auto &[obstacle, obstaclePose] = obstacles.getBodies()[random.below(obstacles.getBodies().size())];
             if (random.chance(0.7))
-                pose.translation() += place * surfacePointOf(random, obstacle) - pose * surfacePointOf(random, body) +
+                pose.translation() += obstaclePose * surfacePointOf(random, obstacle) -
+                                      pose * surfacePointOf(random, body) +
                                       random.point(3, unit * random.logUniform(1e-7, 1.0));
             if (body.getDimension() == 2)
                 pose.translation().z() = 0.0;
             return pose;
         }
 
-        /** \brief Whether the finest balls of the body's cover are all free */
+        /** \brief Whether all leaves of the body's sphere tree are free */
         inline bool isCertifiedFree(const FclObstacles &obstacles, const Body &body, const Pose &pose)
         {
             const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());

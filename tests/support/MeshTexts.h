@@ -22,7 +22,7 @@ namespace ompl_certificates
             "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\n"
             "endloop\nendfacet\nendsolid s\n";
 
-        /** One triangle with corners (0, 0, 0), (1, 0, 0), (0, 2, 0), placed by the nodes that are given */
+        /** One triangle with corners (0, 0, 0), (1, 0, 0), (0, 2, 0), placed by the given nodes */
         inline std::string collada(const std::string &nodes, const std::string &up = "Y_UP")
         {
             return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
@@ -45,7 +45,7 @@ namespace ompl_certificates
             return text.replace(text.find(old), old.size(), replacement);
         }
 
-        /** PLY's triangle in binary, which says that its face has so many corners */
+        /** PLY's triangle in binary, with the given number of corners in its face */
         inline std::string binaryPly(bool isBigEndian, std::uint32_t corners)
         {
             std::string text = with(with(PLY, "ascii", isBigEndian ? "binary_big_endian" : "binary_little_endian"),

@@ -14,8 +14,8 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief \e count times the environment variable OMPL_CERTIFICATES_TEST_SCALE, but at least one: how many random cases a
-        test tries */
+        /** \brief \e count times the environment variable OMPL_CERTIFICATES_TEST_SCALE, but at least one: the number of
+            random cases of a test */
         inline unsigned int scaled(unsigned int count)
         {
             const char *text = std::getenv("OMPL_CERTIFICATES_TEST_SCALE");

@@ -17,7 +17,7 @@ namespace ompl_certificates
             return random.chance(0.3) ? size : size * random.logUniform(slimmest, 1.0);
         }
 
-        /** \brief Points whose hull is about \e size wide; some lie in one plane, on one line, or twice at the same place */
+        /** \brief Points whose hull is about \e size wide; some lie in one plane, on one line, or at the same point */
         inline std::vector<Eigen::Vector3d> hullPoints(Random &random, unsigned int dimension, double size)
         {
             std::vector<Eigen::Vector3d> points;

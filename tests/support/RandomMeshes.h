@@ -112,7 +112,7 @@ namespace ompl_certificates
             }
         }
 
-        /** \brief The same mesh, higher by \e height */
+        /** \brief The same mesh, raised by \e height */
         inline TriangleMeshPtr raised(const TriangleMeshPtr &mesh, double height)
         {
             std::vector<Eigen::Vector3d> vertices = mesh->getVertices();
@@ -121,7 +121,7 @@ namespace ompl_certificates
             return std::make_shared<TriangleMesh>(std::move(vertices), mesh->getTriangles());
         }
 
-        /** \brief A body of a mesh of any kind, about \e size wide; in the plane, anywhere from below it to above it */
+        /** \brief A body of a mesh of any kind, about \e size wide; in the plane at a random z */
         inline Body randomMeshBody(Random &random, unsigned int dimension, double size)
         {
             const TriangleMeshPtr mesh = randomMesh(random, size);

@@ -51,7 +51,7 @@ namespace ompl_certificates
             return state;
         }
 
-        /** \brief A state at the part \e fraction of the way from \e from to a random one */
+        /** \brief A state at \e fraction of the way from \e from to a random one */
         inline ompl::base::ScopedState<> randomStateNear(Random &random, const ompl::base::ScopedState<> &from,
                                                          double fraction)
         {

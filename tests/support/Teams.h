@@ -55,7 +55,8 @@ namespace ompl_certificates
             return team;
         }
 
-        /** \brief In the plane: a box and a ball of which neither reaches as high as the other does, and a soup of triangles */
+        /** \brief In the plane: a box and a ball, neither of whose z-intervals contains the other, and a soup of
+            triangles */
         inline TeamStateSpacePtr planarMeshTeam(double unit = 1.0)
         {
             const auto bounds = cubeBounds(2, HALF * unit);
@@ -82,7 +83,7 @@ namespace ompl_certificates
             return team;
         }
 
-        /** \brief How many teams anyTeam() has; of meshes are those from FIRST_OF_MESHES on */
+        /** \brief The number of teams of anyTeam(); those from FIRST_OF_MESHES on have meshes */
         constexpr unsigned int TEAMS = 5, FIRST_OF_MESHES = 3;
 
         /** \brief One of the teams above */
@@ -103,7 +104,8 @@ namespace ompl_certificates
             }
         }
 
-        /** \brief Obstacles of all kinds that leave most of the workspace free; more of them in space, where there is more room */
+        /** \brief Obstacles of all kinds that leave most of the workspace free; more in space, where there is more
+            room */
         inline std::shared_ptr<FclObstacles> scatteredObstacles(Random &random, unsigned int dimension,
                                                                 unsigned int count, double unit = 1.0)
         {
@@ -116,7 +118,7 @@ namespace ompl_certificates
             return std::make_shared<ExpensiveObstacles>(dimension, bodies);
         }
 
-        /** \brief Obstacles for team \e which of anyTeam(): those above, and most of them meshes for a team of meshes */
+        /** \brief Obstacles for team \e which of anyTeam(): scattered ones, mostly meshes for a team of meshes */
         inline std::shared_ptr<FclObstacles> anyObstacles(Random &random, unsigned int which, unsigned int count,
                                                           double unit = 1.0)
         {

@@ -21,7 +21,7 @@ namespace
             ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         }
 
-        /** A checker that knows something */
+        /** A checker with certificates */
         std::shared_ptr<TeamSetup> makeExperienced(const ObstaclesPtr &obstacles, Method method)
         {
             auto setup = makeFresh(obstacles, method);
@@ -42,7 +42,7 @@ namespace
             return scatteredObstacles(random, team_->getWorkspaceDimension(), 10);
         }
 
-        /** Expects a refusal that names the file and contains \e reason, and nothing to have been taken. */
+        /** Expects a refusal that names the file and contains \e reason, and that nothing was loaded. */
         void expectRefused(const ObstaclesPtr &obstacles, const std::string &file, const std::string &reason,
                            Method method = Method::SHARED_PROJECTION) const
         {
@@ -79,7 +79,7 @@ TEST_P(CertificateFile, GivesBackWhatWasSaved)
     const auto experienced = makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker();
     ASSERT_GT(experienced->getCertificateCount(), 20U);
     saveCertificates(*experienced, file_);
-    // The same obstacles, made anew and in another order
+    // The same obstacles, made again in another order
     std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
     std::reverse(bodies.begin(), bodies.end());
     const auto again = std::make_shared<ExpensiveObstacles>(team_->getWorkspaceDimension(), bodies);
@@ -176,7 +176,7 @@ TEST_F(CertificateFile, StaysAsItWasWhereItCannotBeWritten)
 
 namespace
 {
-    /** Obstacles that cannot tell themselves from others */
+    /** Obstacles without a fingerprint */
     class Nameless : public ExpensiveObstacles
     {
     public:

@@ -65,7 +65,7 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
         watching.join();
         EXPECT_LE(largest, most) << nameOf(checker->getMethod());
         EXPECT_LE(checker->getCertificates().size(), most);
-        // Basic keeps whole teams, of up to four bodies, or nothing.
+        // Basic keeps certificates of whole teams, of up to four bodies, or nothing.
         EXPECT_GT(checker->getKeptCertificates(), most - 4);
         EXPECT_LE(checker->getCertificateCount(), checker->getKeptCertificates());
 
@@ -97,7 +97,7 @@ TEST(Memory, OfCertificatesIsThatOfTheDocumentation)
     }
 }
 
-// With OMPL_CERTIFICATES_TEST_SCALE=100 a million motions for each method
+// OMPL_CERTIFICATES_TEST_SCALE=100 makes a million motions for each method.
 TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);

@@ -127,7 +127,7 @@ TEST_F(ChangingObstacles, KeepTheNumberOfCertificates)
 
 TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
 {
-    // Two worlds in turns: in each, verdicts are the one or the other, never those of a mixture.
+    // Two worlds in turns: all verdicts are of one or the other, never of a mixture.
     const TeamStateSpacePtr team = teamOfDiscs();
     ObstacleSet set(2);
     const auto at = [](double x) { return Pose(Eigen::Translation3d(x, 0.0, 0.0)); };

@@ -67,7 +67,7 @@ TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)
             const auto state = randomState(random, team);
             const double clearance = checkers.reference().getTeamChecker()->clearance(state.get());
             const bool isValid = checkers.isValid(state.get());
-            // Of a state that is not valid only the sign is promised.
+            // For an invalid state only the sign is promised.
             const double nearest = sampledDistance(random, *team, *obstacles, state.get());
             ASSERT_LE(clearance, isValid ? nearest + 1e-9 : 0.0);
             positive += clearance > 0.0 ? 1 : 0;

@@ -49,7 +49,7 @@ protected:
 
 TEST_P(ContinuousMotions, ThatAreAcceptedNeverCollide)
 {
-    // Fewer than eight worlds may hold hardly any motion that is refused
+    // Fewer than eight worlds may hold hardly any invalid motion.
     const unsigned int seeds = std::max(8U, scaled(GetParam() < FIRST_OF_MESHES ? 24 : 8));
     unsigned int accepted = 0, refused = 0;
     for (unsigned int seed = 0; seed < seeds; ++seed)
@@ -128,7 +128,7 @@ TEST(ContinuousMotion, StopsAtAWallThatADiscreteCheckStepsOver)
 {
     auto team = std::make_shared<TeamStateSpace>();
     team->addRobot(RigidRobot::disc("disc", 0.01, cubeBounds(2, HALF)));
-    // Thinner than a step, and the samples fall beside it.
+    // A wall thinner than a step, between two samples
     const auto wall =
         std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(0.001, 20.0), planarPose(0.13, 0.0)}});
     ob::ScopedState<> from(team), to(team);

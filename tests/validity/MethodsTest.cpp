@@ -25,7 +25,7 @@ namespace
                                            {Body::disc(1.0), planarPose(3.0, 3.0)}});
         }
 
-        /** How many robots had to be checked exactly, at a state without references */
+        /** The number of robots checked exactly, at a state without references */
         unsigned int exactAt(const TeamSetup &setup, const std::vector<double> &reals)
         {
             ob::ScopedState<> state(team_);
@@ -84,7 +84,7 @@ TEST_F(Methods, SharedProjectionUsesAnyRobotsCertificates)
 
 TEST_F(Methods, MoveFromStateToStateByReference)
 {
-    // checkMotion() is handed the near state and the new one, which knows nothing yet.
+    // checkMotion() gets the near state and the new one, which has no references yet.
     for (const Method method : {Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
     {
         const TeamSetup setup(team_, obstacles_, method);

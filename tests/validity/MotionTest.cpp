@@ -47,11 +47,11 @@ namespace
             SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
             const unsigned int validCount = validator->getValidMotionCount();
             const unsigned int invalidCount = validator->getInvalidMotionCount();
-            // Not as it was allocated: what is there may be no number, which equals nothing.
+            // Not the state as allocated: it may hold NaN, which equals nothing.
             scene.team->copyState(state.get(), from.get());
             const auto before = realsOf(*scene.team, state.get());
             std::pair<ob::State *, double> lastValid{state.get(), -7.0}, timeOnly{nullptr, -7.0};
-            // In both orders, so that either overload may be the one that finds nothing known yet.
+            // In both orders, so that either overload may be the one without any knowledge.
             const bool first = scene.random.chance(0.5);
             if (first)
             {
@@ -100,7 +100,7 @@ TEST_P(Motions, AreJudgedAsOmplsOwnValidatorDoes)
         Scene scene(seed, GetParam(), seed % 3 == 0 ? 1.0 : seed % 3 == 1 ? 1e-3 : 1e4);
         for (int i = 0; i < 40; ++i)
         {
-            // Mostly from a valid state, as OMPL asks for, and from there anywhere: far, near, and very near.
+            // Mostly from a valid state, as OMPL requires, and from there anywhere: far, near, and very near
             const auto from = scene.random.chance(0.9) ? scene.validState() : randomState(scene.random, scene.team);
             if (scene.random.chance(0.5))
                 scene.checkers.certified()[scene.random.below(3)]->getTeamChecker()->isValid(from.get());
@@ -144,7 +144,7 @@ TEST_P(Motions, FromAStateToItselfAreAsValidAsTheState)
     }
 }
 
-/** With the address sanitizer, this fails if the validator leans on what it does not own. */
+/** With the address sanitizer, this fails if the validator uses what it does not own. */
 TEST_P(Motions, LeaveAValidatorThatOutlivesItsSetup)
 {
     ob::MotionValidatorPtr validator;

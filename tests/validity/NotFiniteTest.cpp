@@ -17,7 +17,7 @@ TEST_P(NotFinite, StatesAreInvalidForAllMethods)
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
-    // Without obstacles, where certificates are infinite, too
+    // Also without obstacles, where certificates are infinite
     for (const unsigned int obstacles : {0U, 5U})
     {
         const Checkers checkers(team, anyObstacles(random, GetParam(), obstacles));

@@ -68,7 +68,7 @@ namespace
         throw ompl::Exception("No valid state in a thousand");
     }
 
-    /** A motion as it was first checked */
+    /** A motion with its first verdict */
     struct Motion
     {
         ob::ScopedState<> from, to;
@@ -76,7 +76,7 @@ namespace
         double fraction;
     };
 
-    /** Whether the motion is valid by the overload that tells the last valid state, and up to where */
+    /** Whether the motion is valid, and up to where, by the overload that sets the last valid state */
     std::pair<bool, double> checkLast(const TeamSetup &setup, const ob::ScopedState<> &from,
                                       const ob::ScopedState<> &to)
     {
@@ -85,7 +85,7 @@ namespace
         const bool valid = setup.getSpaceInformation()->checkMotion(from.get(), to.get(), last);
         if (!valid)
         {
-            // What is kept of a motion that is refused must be accepted by itself.
+            // The valid part of a refused motion must be accepted by itself.
             EXPECT_TRUE(last.second == 0.0 || setup.getSpaceInformation()->checkMotion(from.get(), state.get()));
         }
         return {valid, last.second};
@@ -144,7 +144,7 @@ TEST_P(OneVerdict, OfOverloadsDirectionsMethodsAndWhateverIsKnown)
                 expectAgain(*setup, motion);
             motions.push_back(motion);
         }
-        // With all that has been learned since, with little of it, and with nothing
+        // With all that was learned since, with little of it, and with nothing
         const auto fresh = world.setup(CERTIFIED[seed % 3]);
         const auto exact = world.setup(Method::SHARED_PROJECTION);
         exact->getTeamChecker()->setAdaptive(false);
@@ -197,7 +197,7 @@ TEST_P(OneVerdict, InEveryThread)
 
 namespace
 {
-    /** Whether no state of the path collides, looked at a thousand times as closely as a discrete check does */
+    /** Whether no state of the path collides, at a thousand times the resolution of a discrete check */
     bool isFreeThroughout(const og::PathGeometric &path, const TeamValidityChecker &standard)
     {
         const auto &space = path.getSpaceInformation()->getStateSpace();
@@ -241,7 +241,7 @@ TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
         og::PathGeometric &path = setup->getSolutionPath();
         ASSERT_TRUE(path.check()) << setup->getPlanner()->getName();
         const double length = path.length();
-        // OMPL's own smoothing may add a little.
+        // OMPL's own smoothing may add a little length.
         setup->simplifySolution();
         EXPECT_LE(path.length(), 1.05 * length);
         ASSERT_TRUE(path.check()) << setup->getPlanner()->getName();

@@ -11,7 +11,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** FCL's verdict on two bodies where they are in the workspace */
+    /** FCL's verdict on two bodies at their poses in the workspace */
     bool touchForFcl(const Body &a, const Pose &poseA, const Body &b, const Pose &poseB)
     {
         for (const auto &partA : a.getParts())
@@ -47,7 +47,7 @@ namespace
         return false;
     }
 
-    /** Robots of random bodies, some of them alike, in so little room that they often touch */
+    /** Robots of random bodies, some of them equal, in so little room that they often touch */
     TeamStateSpacePtr crowdedTeam(Random &random, unsigned int dimension)
     {
         const auto bounds = cubeBounds(dimension, 0.8);

@@ -10,7 +10,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** What rounding may leave of a planar pose */
+    /** A planar pose with rounding errors */
     Pose wobbly(Random &random, const Pose &pose)
     {
         const double tilt = 0.3 * random.logUniform(1e-17, 1e-12), lift = 0.5 * random.logUniform(1e-17, 1e-12);
@@ -55,7 +55,7 @@ namespace
 
     const Pose LYING(Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitY()));
 
-    /** A part at a planar pose; as a user computes it unless \e exact */
+    /** A part at a planar pose, with a user's rounding unless \e exact */
     Body::Part part(Random &random, const Shape &shape, const Pose &pose, bool exact)
     {
         const Pose clean = placed(shape, pose).pose, rounded = wobbly(random, pose);
@@ -66,7 +66,7 @@ namespace
 
     constexpr unsigned int KINDS = 6;
 
-    /** A body of each kind, twice the same whatever \e exact */
+    /** A body of each kind, the same whether \e exact or not */
     Body bodyOf(unsigned int kind, bool exact)
     {
         Random random(kind);
@@ -191,7 +191,7 @@ TEST(PlanarRounding, IsNoMoreThanRounding)
     EXPECT_THROW(Body({{capsule, Pose(Eigen::AngleAxisd(M_PI / 2.0 + 1e-9, Eigen::Vector3d::UnitY()))}}),
                  ompl::Exception);
     EXPECT_THROW(FclObstacles(2, {{Body({{box, Pose::Identity()}}), poseAt({0.0, 0.0, 1e-9})}}), ompl::Exception);
-    // What is exact already stays as it is.
+    // An exact pose stays as it is.
     const Pose pose = planarPose(1.0, 2.0, 0.3);
     EXPECT_EQ(Body({{box, pose}}).getParts().front().pose.matrix(), pose.matrix());
     const Body::Part lying = Body::planarCapsule(0.1, 1.0).getParts().front();

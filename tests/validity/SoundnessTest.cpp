@@ -18,7 +18,7 @@ namespace
         return state->as<ob::RealVectorStateSpace::StateType>()->values;
     }
 
-    /** A body that is a mesh with the chance \e meshes */
+    /** A body that is a mesh with probability \e meshes */
     Body anyBody(Random &random, unsigned int dimension, double size, double meshes)
     {
         return random.chance(meshes) ? randomMeshBody(random, dimension, size) : randomBody(random, dimension, size);
@@ -103,7 +103,7 @@ namespace
             return found_;
         }
 
-        /** Put the robot this far from where the verdict changes. */
+        /** Put the robot at this distance from where the verdict changes. */
         void moveTo(double gap)
         {
             Eigen::Map<Eigen::VectorXd>(position_, dimension_) = start_ + (high_ + gap) * along_;
@@ -137,7 +137,7 @@ namespace
         ++(valid ? counts.valid : counts.invalid);
         for (const auto &setup : checkers.compared())
         {
-            // What the references say must not matter: those of another method, of a near state, or anything.
+            // References must not matter: those of another method, of a near state, or random ones.
             if (random.chance(0.1))
                 for (unsigned int i = 0; i < checkers.team->getBodyCount(); ++i)
                     state->as<TeamStateSpace::StateType>()->setReference(i, random.below(200));
@@ -167,9 +167,9 @@ TEST_P(Soundness, VerdictsAreThoseOfTheStandardCheck)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double unit = seed % 3 == 0 ? 1.0 : seed % 3 == 1 ? 1e-3 : 1e4;
-        // Now and then far from the origin, as surveyed maps are
+        // Now and then far from the origin, as in surveyed maps
         const double origin = random.chance(0.1) ? 1e6 * unit : 0.0;
-        // Some robots and obstacles of a world of meshes are primitives, or all of them on one side.
+        // In a world of meshes, some robots and obstacles are primitives, or all robots or all obstacles.
         const auto chance = [&, some = std::get<1>(GetParam())] { return some ? random.below(3) / 2.0 : 0.0; };
         const auto team = randomTeam(random, std::get<0>(GetParam()), chance(), unit, origin);
         const Checkers checkers(team, randomObstacles(random, *team, chance(), unit, origin));

@@ -23,7 +23,7 @@ namespace
                 states_.push_back(randomState(random, team_));
         }
 
-        /** Expects the verdicts of all methods to be right for the states as they are, with their references. */
+        /** Expects right verdicts of all methods for the states as they are, with their references. */
         void expectRightVerdicts(const Checkers &checkers, std::size_t method)
         {
             const auto &setup = checkers.setups[method];

@@ -17,7 +17,7 @@ namespace
     void walk(const TeamSetup &setup, const TeamStateSpacePtr &team, unsigned int steps)
     {
         Random random(5);
-        // From a valid state: near one that is not, little would be looked at but that.
+        // From a valid state: near an invalid one, hardly anything else would be checked.
         std::vector<ob::ScopedState<>> tree{randomState(random, team)};
         while (!setup.getSpaceInformation()->isValid(tree[0].get()))
             tree[0] = randomState(random, team);

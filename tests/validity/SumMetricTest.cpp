@@ -55,7 +55,7 @@ namespace
         return plain;
     }
 
-    /** The states of a planner's tree with their parents', sorted: each structure lists its states in its own order. */
+    /** The states of a planner's tree with their parents', sorted: each structure lists states in its own order. */
     std::vector<std::vector<double>> treeOf(const og::SimpleSetup &setup)
     {
         ob::PlannerData data(setup.getSpaceInformation());
@@ -134,7 +134,7 @@ namespace
             if (const auto state = randomState(random, judge); standard.getTeamChecker()->isValid(state.get()))
                 ends.push_back(state.reals());
 
-        // The program that the user had
+        // The user's original program
         ompl::RNG::setSeed(11);
         og::SimpleSetup plain(plainSpaceOf(GetParam()));
         plain.setStateValidityChecker(

@@ -46,7 +46,7 @@ TEST_P(Threads, OnOneCheckerGetTheVerdictsOfOneAlone)
                 threads.emplace_back(
                     [&, thread]
                     {
-                        // Each in another order, all on the same states with their references.
+                        // Each thread in another order, all on the same states with their references
                         for (unsigned int k = 0; k < count; ++k)
                         {
                             const unsigned int i = (k * (2 * thread + 1) + 100 * thread) % count;

@@ -9,7 +9,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** Obstacles that know only a lower bound of the clearance, of a kind that users may bring */
+    /** Obstacles that know only a lower bound of the clearance, as a user may bring */
     class BoundedObstacles : public Obstacles
     {
     public:
@@ -48,7 +48,7 @@ namespace
         double factor_;
     };
 
-    /** Obstacles grown by a margin only in what they say of clearances: negative although nothing is touched */
+    /** Obstacles whose clearances, but not collisions, include a margin: negative although nothing is touched */
     class ShyObstacles : public BoundedObstacles
     {
     public:
@@ -66,7 +66,7 @@ namespace
         double shyness_;
     };
 
-    /** An arm of two links about a fixed joint: a robot that a user may bring */
+    /** An arm of two links about a fixed joint, as a user may bring */
     class Arm : public Robot
     {
     public:
@@ -120,7 +120,7 @@ namespace
     {
         unsigned int states{0}, valid{0}, validMotions{0};
 
-        /** Expects that there was something to tell apart. */
+        /** Expects both verdicts to have occurred. */
         void expectVariety() const
         {
             EXPECT_GT(valid, states / 20);

@@ -15,7 +15,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** What \e trial complains of; empty if of nothing */
+    /** The complaint of \e trial; empty if there is none */
     std::string complaintOf(const std::function<void()> &trial)
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
@@ -109,7 +109,7 @@ namespace
         return complaintOf([&] { checkRobot(robot); });
     }
 
-    /** True obstacles, and what somebody says of them */
+    /** True obstacles, and another's claims about them */
     struct Told : Obstacles
     {
         explicit Told(ObstaclesPtr obstacles) : truth(std::move(obstacles))
@@ -184,7 +184,7 @@ namespace
         ToldObstacles() : team_(anyTeam(GetParam()))
         {
             Random random(3);
-            // Of all heights, so that discs may be asked about
+            // With an unbounded z-interval, so that discs may be asked about
             const auto made = anyObstacles(random, GetParam(), 10);
             told_ = std::make_unique<Told>(std::make_shared<FclObstacles>(made->getDimension(), made->getBodies()));
         }
@@ -240,13 +240,13 @@ TEST(CheckRobot, FindsPosesThatAreNone)
 TEST_P(ToldObstacles, AreWithoutFaultIfTheyTellTheTruth)
 {
     EXPECT_EQ(complaint(), "");
-    // The true ones too, which know parts
+    // The true ones, too, which know parts
     EXPECT_EQ(
         complaintOf(
             [&]
             { checkObstacles(*told_->truth, bodiesOf(*team_), cubeBounds(told_->getDimension(), HALF), scaled(300)); }),
         "");
-    // A lower bound is enough where collisions are not proved by it.
+    // A lower bound is enough if it does not prove collisions.
     told_->factor = 0.5;
     told_->offset = -0.01;
     told_->proves = false;
@@ -279,7 +279,7 @@ TEST_P(ToldObstacles, AreFoundToNameOtherClearancesAsNearest)
 TEST_P(ToldObstacles, AreFoundToContradictThemselvesAboutBodies)
 {
     told_->touching = [](const Body &, const Pose &) { return Touching::UNKNOWN; };
-    // Right about balls alone
+    // Right only about balls
     told_->collision = [this](const Body &body, const Pose &pose)
     { return told_->truth->collides(body, pose) || (!body.isBall() && pose.translation().x() > 2.0); };
     if (GetParam() > 0)
@@ -305,7 +305,7 @@ TEST_P(ToldObstacles, AreFoundToTouchWhatIsFree)
 
 INSTANTIATE_TEST_SUITE_P(Kind, ToldObstacles, testing::Range(0U, TEAMS));
 
-TEST(CheckObstacles, KeepsToTheHeightsThatTheyWereMadeFor)
+TEST(CheckObstacles, KeepsToTheZIntervalThatTheyWereMadeFor)
 {
     Random random(3);
     const auto team = planarMeshTeam();

@@ -18,7 +18,7 @@ namespace
         return std::make_unique<WorldLock::Check>(lock);
     }
 
-    /** A change in a thread of its own. A test that fails may leave it waiting, so it keeps its lock. */
+    /** A change in a thread of its own. A failing test may leave it waiting, so it keeps its lock. */
     std::future<void> change(const std::shared_ptr<WorldLock> &lock)
     {
         std::promise<void> done;
@@ -90,7 +90,7 @@ TEST(WorldLock, IsLeftInAnyOrder)
     EXPECT_FALSE(isDone(change(second), A_MOMENT));
     other.reset();
 
-    // What was left leaves nothing behind: the next check is one.
+    // A finished check leaves nothing behind: the next one holds the lock again.
     const Hold again = hold(*first);
     EXPECT_FALSE(isDone(change(first), A_MOMENT));
 }

@@ -15,7 +15,8 @@ namespace ompl_certificates
         double radius{0.0};
     };
 
-    /** \brief A ball that contains all of \e points enlarged by \e rounding, within a few per cent of the smallest one.
+    /** \brief A ball that contains all of \e points enlarged by \e rounding. Its radius is within a few per cent of the
+        smallest.
         \e points must not be empty. Cost: linear in the number of points. */
     template <typename Points>
     Ball enclosingBall(const Points &points, double rounding)

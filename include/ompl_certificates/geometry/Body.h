@@ -15,9 +15,8 @@ namespace ompl_certificates
 {
     /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
-        A body cannot change after it has been made and is cheap to copy: copies share its shapes, its cover and its
-        core. The factories throw ompl::Exception for sizes that are not positive and finite. Lengths are in the scene's
-        unit. */
+        A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
+        factories throw ompl::Exception for sizes that are not positive and finite. Lengths are in the scene's unit. */
     class Body
     {
     public:
@@ -49,14 +48,16 @@ namespace ompl_certificates
         /** \brief A cylinder along z about the origin, in space */
         static Body cylinder(double radius, double length);
 
-        /** \brief The convex polygon with the given corners, in any order; points on its edges and repeated ones do not matter
-            \throws ompl::Exception if a point lies inside the hull of the others, by more than a millionth of its size, as
-            those of a concave outline do; if they span no area, or are too many (see ompl_certificates::convexHull()) */
+        /** \brief The convex polygon with the given corners, in any order. Repeated points and points on its edges are
+            allowed.
+            \throws ompl::Exception if a point lies inside the hull of the others by more than a millionth of its size,
+            as a concave outline's do; if they span no area, or are too many (see ompl_certificates::convexHull()) */
         static Body convexPolygon(const std::vector<Eigen::Vector2d> &points);
 
-        /** \brief The convex polytope with the given corners, in any order; points on its faces and repeated ones do not matter
-            \throws ompl::Exception if a point lies inside the hull of the others, as in convexPolygon(); if they span no
-            volume, or are too many (see ompl_certificates::convexHull()) */
+        /** \brief The convex polytope with the given corners, in any order. Repeated points and points on its faces are
+            allowed.
+            \throws ompl::Exception if a point lies inside the hull of the others, as in convexPolygon(); if they span
+            no volume, or are too many (see ompl_certificates::convexHull()) */
         static Body convexPolytope(const std::vector<Eigen::Vector3d> &points);
 
         /** \brief The convex hull of any points of the plane
@@ -72,8 +73,8 @@ namespace ompl_certificates
             Cost: see Shape::mesh(). */
         static Body mesh(TriangleMeshPtr mesh);
 
-        /** \brief A triangle mesh in the plane: it keeps its z, moves in x and y and turns about z. Two of them touch only
-            where their heights overlap.
+        /** \brief A triangle mesh in the plane: it keeps its z, moves in x and y and turns about z. Two of them touch
+            only where their z-intervals overlap.
             \throws ompl::Exception if it is null
             Cost: see Shape::mesh(). */
         static Body planarMesh(TriangleMeshPtr mesh);
@@ -91,27 +92,27 @@ namespace ompl_certificates
             return data_->parts;
         }
 
-        /** \brief Balls that contain the body, coarse to fine */
+        /** \brief A tree of balls whose union contains the body, coarse to fine */
         const SphereTree &getSphereTree() const
         {
-            return data_->getBalls().cover;
+            return data_->getBalls().sphereTree;
         }
 
-        /** \brief Balls that the body contains, the largest first. Empty for meshes, which are surfaces; else not: the body of a
-            point has a ball of radius 0. */
+        /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
+            nothing else: a point has a ball of radius 0. */
         const std::vector<Ball> &getInnerSpheres() const
         {
-            return data_->getBalls().core;
+            return data_->getBalls().innerSpheres;
         }
 
-        /** \brief The radius of the largest ball about the center of the cover's root that the body contains; minus infinity if
-            that center is outside */
+        /** \brief The radius of the largest ball about the center of the sphere tree's root that lies inside the body.
+            Minus infinity if that center is outside. */
         double getCentralRadius() const
         {
             return data_->getBalls().centralRadius;
         }
 
-        /** \brief Whether the body is one disc or one sphere, which its cover and its core describe exactly */
+        /** \brief Whether the body is one disc or one sphere, which root ball and inner sphere describe exactly */
         bool isBall() const
         {
             return data_->isBall;
@@ -123,8 +124,8 @@ namespace ompl_certificates
             return data_->boundingRadius;
         }
 
-        /** \brief How far up and down a planar body of meshes reaches. All heights for one with primitives, which stand for
-            upright prisms without end, and for bodies in space. */
+        /** \brief The z-interval of a planar body of meshes. Unbounded for spatial bodies, and for planar primitives,
+            which stand for endless upright prisms. */
         const ZInterval &getZInterval() const
         {
             return data_->zInterval;
@@ -138,11 +139,11 @@ namespace ompl_certificates
         bool operator==(const Body &other) const;
 
     private:
-        /** \brief The balls of a body; made when they are first asked for, since obstacles need none */
+        /** \brief The balls of a body, made when first asked for: obstacles need none */
         struct Balls
         {
-            SphereTree cover;
-            std::vector<Ball> core;
+            SphereTree sphereTree;
+            std::vector<Ball> innerSpheres;
             double centralRadius;
         };
 

@@ -3,8 +3,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The motion bound of a body along a motion whose time runs from 0 to 1: a point at distance d from the origin
-        of the body's frame travels at most (linear + angular * d) * dt in any interval of length dt. */
+    /** \brief The motion bound of a body along a motion whose time runs from 0 to 1. A point at distance d from the
+        origin of the body's frame moves at most (linear + angular * d) * dt in any interval of length dt. */
     struct MotionBound
     {
         double linear{0.0};

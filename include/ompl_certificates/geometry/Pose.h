@@ -18,10 +18,10 @@ namespace ompl_certificates
         return pose;
     }
 
-    /** \brief Whether a pose is somewhere: whether all its numbers are finite */
+    /** \brief Whether all numbers of a pose are finite */
     inline bool isFinite(const Pose &pose)
     {
-        // What is not finite, times zero, is not a number, and neither is a sum of it.
+        // A number that is not finite, times zero, is NaN, and so is any sum with it.
         return (pose.affine().array() * 0.0).sum() == 0.0;
     }
 
@@ -35,8 +35,8 @@ namespace ompl_certificates
         return pose;
     }
 
-    /** \brief Make \e pose exactly upright: what turns it out of the plane, as the rounding of a computed rotation does, is
-        dropped. Its z stays. */
+    /** \brief Make \e pose exactly upright. Drops what turns it out of the plane, such as the rounding of a computed
+        rotation. Its z stays. */
     inline void makeUpright(Pose &pose)
     {
         pose.linear().col(2) = Eigen::Vector3d::UnitZ();

@@ -13,11 +13,11 @@ namespace ompl_certificates
 {
     /** \brief A solid primitive or a triangle mesh, of the plane or of space, in its own frame.
 
-        All lengths are in the scene's unit. Planar primitives lie in the plane z = 0 and are handed to FCL as prisms, or
-        as spheres and capsules centered in the plane, so that FCL's verdict is the planar one. A mesh is a surface, as
-        for FCL: what is wholly inside a closed mesh does not touch it. A planar mesh is a true one that keeps its z. The
-        factories throw ompl::Exception for sizes that are not positive and finite (a ball's radius may be zero: a
-        point). */
+        All lengths are in the scene's unit. Planar primitives lie in the plane z = 0. FCL sees them as prisms, or as
+        spheres and capsules centered in the plane, so its verdict is the planar one. A mesh is a surface, as for FCL:
+        what lies wholly inside a closed mesh does not touch it. A planar mesh keeps its z and its triangles. The
+        factories throw ompl::Exception for sizes that are not positive and finite. A ball's radius may be zero: a
+        point. */
     class Shape
     {
     public:
@@ -28,8 +28,8 @@ namespace ompl_certificates
             BALL,
             /// A rectangle or a box about the origin, along the axes.
             BOX,
-            /// All points within a radius of a segment along z about the origin, as FCL has it; in a planar body laid
-            /// into the plane by the part's pose.
+            /// All points within a radius of a segment along z about the origin, as in FCL. In a planar body the part's
+            /// pose lays it into the plane.
             CAPSULE,
             /// A cylinder about the origin, along z.
             CYLINDER,
@@ -60,7 +60,7 @@ namespace ompl_certificates
 
         /** \brief The surface of a mesh, for the plane (\e dimension 2) or for space (3)
             \throws ompl::Exception if it is null
-            Cost: that of FCL's hierarchy of boxes, n log n for n triangles. */
+            Cost: n log n for n triangles, to build FCL's bounding volume hierarchy. */
         static Shape mesh(unsigned int dimension, TriangleMeshPtr mesh);
 
         /** \brief What this shape is */
@@ -99,21 +99,22 @@ namespace ompl_certificates
             return mesh_.get();
         }
 
-        /** \brief Signed distance from \e point, in the shape's frame, to the shape: exact, negative inside. A mesh has no
-            inside; for a planar one it is the distance to its projection into the plane. Takes a few nanoseconds;
-            linear in the number of faces of a polytope and of the triangles of a mesh. */
+        /** \brief Signed distance from \e point, in the shape's frame, to the shape: exact, negative inside. A mesh has
+            no inside. For a planar mesh it is the distance to its projection into the plane. Cost: a few nanoseconds;
+            linear in the faces of a polytope and in the triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
-        /** \brief Whether a planar shape at \e pose stays in the plane, but for rounding: upright and, but for meshes, at z = 0;
-            balls may be turned anyhow, capsules must lie. If so, the rounding (1e-12 at most) is taken out of \e pose, so
-            that all that is computed from it lies exactly in the plane. Spatial shapes may be anywhere. */
+        /** \brief Whether a planar shape at \e pose stays in the plane, but for rounding of at most 1e-12. It must be
+            upright and, unless it is a mesh, at z = 0. Balls may be turned anyhow; capsules must lie. If so, that
+            rounding is removed from \e pose, so that what is computed from it lies exactly in the plane. Spatial shapes
+            may be anywhere. */
         bool snapToPlane(Eigen::Isometry3d &pose) const;
 
         /** \brief The smallest box along the axes of the shape's frame that contains the shape */
         Eigen::AlignedBox3d getBounds() const;
 
-        /** \brief FCL is handed all lengths times this power of two. Its solvers have absolute tolerances that are made for
-            sizes above one; at a thousandth of that they report collisions across gaps of a per cent of a shape's size. */
+        /** \brief FCL is given all lengths times this power of two. Its solvers have absolute tolerances made for sizes
+            above one. At a thousandth of that they report collisions across gaps of one per cent of a shape's size. */
         static constexpr double FCL_SCALE = 1024.0;
 
         /** \brief The shape as FCL sees it, FCL_SCALE times as large, shared by all copies */

@@ -11,9 +11,9 @@ namespace ompl_certificates
 {
     /** \brief Balls in a body's frame whose union contains the body, as a tree from coarse to fine.
 
-        The root alone contains the whole body. The children of a node together contain the part of the body that the
-        node stands for, so any set of nodes that cuts every path from the root to a leaf covers the body. A few coarse
-        balls settle most poses; finer ones are looked at only where a coarse one is not certified. */
+        The root alone contains the whole body. The children of a node together contain that node's part of the body. So
+        any set of nodes that cuts every path from the root to a leaf covers the body. A few coarse balls settle most
+        poses; finer ones are only tried where a coarse one is not certified. */
     class SphereTree
     {
     public:
@@ -25,7 +25,8 @@ namespace ompl_certificates
             std::uint32_t childCount{0};
         };
 
-        /** \brief The most nodes on a path from the root to a leaf: the root, one for a shape of the body, and seven halvings */
+        /** \brief The most nodes on a path from the root to a leaf: the root, one for a shape of the body, and seven
+            halvings */
         static constexpr std::size_t MOST_LEVELS = 9;
 
         /** \brief Takes over \e nodes; the first is the root, and children come after their parent. */

@@ -12,10 +12,10 @@
 
 namespace ompl_certificates
 {
-    /** \brief A triangle soup in its own frame, in the scene's length unit. Cannot change and is shared by pointer.
+    /** \brief A triangle soup in its own frame, in the scene's length unit. It never changes and is shared by pointer.
 
-        Open, duplicated and degenerate triangles are normal input. Degenerate ones, which have practically no area (see
-        isDegenerate()), are kept but never collide and have no clearance: FCL's test of two triangles is undefined for
+        Open, duplicated and degenerate triangles are normal input. Degenerate ones have practically no area (see
+        isDegenerate()). They are kept, but never collide and have no clearance: FCL's triangle test is undefined for
         them, and what they touch is touched by their neighbors. */
     class TriangleMesh
     {
@@ -53,12 +53,12 @@ namespace ompl_certificates
             return bounds_;
         }
 
-        /** \brief Whether a triangle is lower than a ten-millionth of the largest distance of a corner from the origin: the
-            rounding of mesh files, which mostly have single precision */
+        /** \brief Whether a triangle's height is at most a ten-millionth of the largest distance of a corner from the
+            origin. That is the rounding of mesh files, which mostly have single precision. */
         bool isDegenerate(std::size_t triangle) const;
 
-        /** \brief Whether it encloses a volume: after welding equal vertices and dropping triangles with two equal
-            corners, each edge has exactly two triangles. Cost: n log n for n triangles, each time. */
+        /** \brief Whether the mesh encloses a volume: each edge has exactly two triangles, after welding equal vertices
+            and dropping triangles with two equal corners. Cost: n log n for n triangles, at every call. */
         bool isClosed() const;
 
         /** \brief A tree over the triangles that are not degenerate, in the mesh's frame; made when first asked for */

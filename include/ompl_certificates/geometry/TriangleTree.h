@@ -15,16 +15,17 @@ namespace ompl_certificates
     {
         /// They are farther apart than the margin.
         NO,
-        /// They are about to touch, or just touch: an exact check must tell.
+        /// They nearly or just touch: an exact check must tell.
         UNKNOWN,
-        /// They cross each other, and still do if one of them moves by the margin.
+        /// They cross, and still do if one of them moves by the margin.
         YES
     };
 
-    /** \brief A tree of boxes over triangles: finds the triangle nearest to a point, and whether triangles cross others.
+    /** \brief A tree of boxes over triangles. It finds the triangle nearest to a point, and whether triangles cross
+        others.
 
-        Each node holds the boxes of four children, in single precision and rounded outwards; triangles are looked at in
-        double precision. Uses about 140 bytes for a triangle. No method but add() and build() changes anything. */
+        Each node holds the boxes of four children, in single precision and rounded outwards. Triangles are tested in
+        double precision. Uses about 140 bytes per triangle. Only add() and build() change the tree. */
     class TriangleTree
     {
     public:
@@ -48,26 +49,26 @@ namespace ompl_certificates
             }
         };
 
-        /** \brief Says that there is no triangle */
+        /** \brief Stands for no triangle */
         static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
 
         /** \brief Add a triangle; it may have no area. Call build() after the last.
-            \param name what the caller knows it by; several may have the same */
+            \param name the caller's number for it, not necessarily unique */
         void add(const Corners &corners, std::uint32_t name);
 
-        /** \brief Build the tree: puts the triangles in an order of its own, and drops those that are there twice. Cost:
-            n log n for n triangles, some 0.1 s for 10^5. */
+        /** \brief Build the tree. Reorders the triangles and drops duplicates. Cost: n log n for n triangles, some 0.1
+            s for 10^5. */
         void build();
 
-        /** \brief The distance of \e point to the nearest triangle, or \e limit if that is not larger. Cost: logarithmic in
-            the number of triangles, unless many are about equally far.
+        /** \brief The distance of \e point to the nearest triangle, or \e limit if that is not larger. Cost:
+            logarithmic in the number of triangles, unless many are about equally far.
             \param nearest if not null: the position of the nearest triangle, or NONE if \e limit is not larger */
         double distance(const Eigen::Vector3d &point, double limit, std::uint32_t *nearest = nullptr) const;
 
-        /** \brief Whether \e triangle, in the frame of this tree, crosses one of the tree's, which must all have an area */
+        /** \brief Whether \e triangle, in the frame of this tree, crosses one of the tree's. All must have an area. */
         Touching touches(const Facet &triangle, double margin) const;
 
-        /** \brief Whether a triangle of \e other crosses one of this tree; all must have an area
+        /** \brief Whether a triangle of \e other crosses one of this tree. All must have an area.
             \param pose from the frame of \e other to the frame of this tree
             \param hit if not null and the answer is YES: the position of the triangle of this tree */
         Touching touches(const TriangleTree &other, const Pose &pose, double margin,
@@ -79,10 +80,10 @@ namespace ompl_certificates
             return triangles_[position];
         }
 
-        /** \brief A box along the axes that contains all triangles, a little larger than it need be; empty if there are none */
+        /** \brief A box along the axes that contains all triangles, slightly enlarged; empty if there are none */
         Eigen::AlignedBox3d getBounds() const;
 
-        /** \brief What the caller called the triangle at a position */
+        /** \brief The name that the caller gave the triangle at a position */
         std::uint32_t getName(std::uint32_t position) const
         {
             return names_[position];
@@ -97,7 +98,7 @@ namespace ompl_certificates
     private:
         friend class TriangleTreeBuilder;
 
-        /** \brief Four boxes, relative to origin_. A box that is not there is inside out and infinite. */
+        /** \brief Four boxes, relative to origin_. An absent box is inside out and infinite. */
         struct alignas(16) Node
         {
             float low[3][4];
@@ -105,7 +106,8 @@ namespace ompl_certificates
             std::uint32_t child[4];
         };
 
-        /** A child is another node, or a leaf: the flag, the index of its first triangle, and their number less one. */
+        /** A child is an inner node or a leaf. A leaf is the flag, the index of its first triangle, and their number
+            less one. */
         static constexpr std::uint32_t LEAF = 0x80000000U;
         static constexpr unsigned int COUNT_BITS = 2;
         static constexpr std::uint32_t MOST_TRIANGLES = LEAF >> COUNT_BITS;
@@ -125,7 +127,7 @@ namespace ompl_certificates
             return (leaf & ((1U << COUNT_BITS) - 1)) + 1;
         }
 
-        /** \brief A stack of this size holds what is open anywhere in a tree: three children a level, and no more levels */
+        /** \brief The stack that a depth-first walk needs: three open children per level */
         static constexpr std::size_t STACK_SIZE = 256;
 
         Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};

@@ -6,7 +6,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief A range of z, in the scene's length unit: how far up and down a planar body reaches. All heights by default. */
+    /** \brief A range of z, in the scene's length unit; unbounded by default */
     struct ZInterval
     {
         double low{-std::numeric_limits<double>::infinity()};

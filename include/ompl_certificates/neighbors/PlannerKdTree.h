@@ -33,14 +33,14 @@ namespace ompl_certificates
         {
         };
 
-        /** \brief Neither a state nor something that shows one */
+        /** \brief Neither a state nor an element that shows one */
         template <typename Data>
         const ompl::base::State *stateOf(const Data &, Prefer<0>)
         {
             return nullptr;
         }
 
-        /** \brief Something with a function \e getState() */
+        /** \brief An element with a function \e getState() */
         template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->getState())>>
         const ompl::base::State *stateOf(const Data &data, Prefer<1>)
         {
@@ -54,8 +54,8 @@ namespace ompl_certificates
             return data->state();
         }
 
-        /** \brief … with a member \e state_, as in SST and LazyLBTRRT. Before getState(), which is another state in SST's
-            witnesses. */
+        /** \brief … with a member \e state_, as in SST and LazyLBTRRT. Ranks before getState(), which returns another
+            state in SST's witnesses. */
         template <typename Data, typename = IfState<decltype(std::declval<const Data &>()->state_)>>
         const ompl::base::State *stateOf(const Data &data, Prefer<3>)
         {
@@ -78,22 +78,23 @@ namespace ompl_certificates
     }
 
     /** \brief A kd-tree for OMPL's planners. useKdTree() gives it to any planner. In a SearchableStateSpace, such as a
-        team's, a planner also takes it by itself:
+        team's, a planner can also use it directly:
 
             planner->setNearestNeighbors<ompl_certificates::PlannerKdTree>();
 
-        It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster; the more robots,
-        the more of a planner's time that is. Of equal distances the element that was added first comes first.
+        It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster. The more
+        robots, the larger that part of a planner's time. Of elements at equal distances, the one added first comes
+        first.
 
-        If it is not told, it learns the space from the first state added. It steps aside where it cannot know what a
-        distance is:
-        - elements that do not show a state (the vertices of PRM, LazyPRM, SPARS and SPARStwo) and states of another space
-          than SearchableStateSpace are left to GNAT, unless states and space are given to the constructor;
-        - so are distance functions that are not the space's distance, which the first few elements show, and states that
-          are not of the space (an angle out of its range, a coordinate that is not a number);
-        - a distance that is not even symmetric is left to a linear search, as GNAT's answers would be wrong.
+        If the space is not given, the first state added tells it. The tree steps aside where it cannot know the
+        distance:
+        - GNAT takes elements that do not show a state: the vertices of PRM, LazyPRM, SPARS and SPARStwo. It takes states
+          of spaces other than SearchableStateSpace, too. Neither applies if the constructor is given states and space.
+        - GNAT also takes distance functions other than the space's distance, which the first few elements show. So it
+          does with states outside the space: an angle out of its range, a coordinate that is not a number.
+        - A linear search takes a distance that is not even symmetric: GNAT's answers would be wrong.
 
-        As with GNAT, an element's state must not change while the element is stored, and constant functions may be called
+        As with GNAT, an element's state must not change while the element is stored. Constant functions may be called
         from many threads at once. */
     template <typename T>
     class PlannerKdTree : public ompl::NearestNeighbors<T>
@@ -105,14 +106,14 @@ namespace ompl_certificates
         /** \brief The state of an element */
         using StateFunction = std::function<const ompl::base::State *(const T &)>;
 
-        /** \brief Find the space when the first state is added */
+        /** \brief The first state added tells the space. */
         PlannerKdTree() : PlannerKdTree(nullptr)
         {
         }
 
-        /** \brief For states of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of these.
-            Elements of other spaces are left to \e other, which must be empty; to a GNAT if it is null. Elements that do
-            not show their state need \e stateOf. */
+        /** \brief For states of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of
+            these. Elements of other spaces go to \e other, which must be empty, or to a GNAT if it is null. Elements
+            that do not show their state need \e stateOf. */
         explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
                                std::shared_ptr<ompl::NearestNeighbors<T>> other = nullptr)
           : space_(std::move(space))
@@ -121,7 +122,7 @@ namespace ompl_certificates
         {
         }
 
-        /** \brief Elements that are stored are sorted in anew. */
+        /** \brief Sorts stored elements again. */
         void setDistanceFunction(const DistanceFunction &distance) override
         {
             std::vector<T> elements;
@@ -131,7 +132,7 @@ namespace ompl_certificates
             add(elements);
         }
 
-        /** \brief Whether elements are in the kd-tree now, not left to another structure */
+        /** \brief Whether the elements are in the kd-tree, not in another structure */
         bool usesKdTree() const
         {
             return tree_ != nullptr;
@@ -188,7 +189,7 @@ namespace ompl_certificates
             if (elements_.empty())
                 throw ompl::Exception("No elements found in nearest neighbors data structure");
             const auto &found = search(data, 1, std::numeric_limits<double>::infinity());
-            // None only if no distance is a number
+            // Empty only if no distance is a number
             return elements_[found.empty() ? 0 : found.front().second];
         }
 
@@ -220,7 +221,7 @@ namespace ompl_certificates
         }
 
     private:
-        /** Among so many elements the planner's distance is compared with the space's. */
+        /** The planner's distance is compared with the space's until there are so many elements. */
         static constexpr std::size_t TRIALS = 8;
 
         const ompl::base::State *stateOf(const T &data) const
@@ -228,12 +229,12 @@ namespace ompl_certificates
             return stateFunction_ ? stateFunction_(data) : detail::stateOf(data, detail::Prefer<5>());
         }
 
-        /** Decide where elements go, now that there is one to learn the space from. */
+        /** Decide where elements go, now that a first one tells the space. */
         void begin(const T &data)
         {
             const auto *state = stateOf(data);
             const ompl::base::StateSpace *space = space_.get();
-            // CForest's planners believe to be in a space of its own, which wraps the true one.
+            // CForest's planners see a space that wraps the true one.
             if (const auto *knowing = dynamic_cast<const SearchableStateSpace::StateType *>(state))
                 space = knowing->getSpace();
             if (state && space)
@@ -255,7 +256,7 @@ namespace ompl_certificates
                 if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
                     return stepAside(*gnat_);
             }
-            // Should OMPL compute them in another way one day, or the compiler fuse what it did not, rounding would differ.
+            // Rounding would differ if OMPL changed its formula, or if the compiler fused other operations.
             for (StateKdTree::Index i = 0; i < tree_->size(); ++i)
                 if (tree_->isExact() && tree_->distance(stateOf(data), i) != this->distFun_(data, elements_[i]))
                     tree_->distrust();
@@ -291,16 +292,16 @@ namespace ompl_certificates
 
         ompl::base::StateSpacePtr space_;
         StateFunction stateFunction_;
-        /** Of the elements in the tree; alive as long as their states are */
+        /** Of the elements in the tree; valid as long as their states are */
         const ompl::base::StateSpace *trialSpace_{nullptr};
         std::unique_ptr<StateKdTree> tree_;
-        /** There even if it is not needed: a GNAT takes one of OMPL's random seeds. So the seeds that planner and samplers
-            get, and with them the tree that is grown, do not depend on which structure the planner was given. */
+        /** Made even if not needed: a GNAT takes one of OMPL's random seeds. So the seeds of planner and samplers, and
+            with them the tree that is grown, do not depend on the structure. */
         std::shared_ptr<ompl::NearestNeighbors<T>> gnat_;
         ompl::NearestNeighborsLinear<T> linear_;
-        /** The one of them that has the elements, if the tree has not */
+        /** The structure that has the elements, if the tree has not */
         ompl::NearestNeighbors<T> *other_{nullptr};
-        /** The elements in the tree, by their numbers */
+        /** The elements in the tree, by index */
         std::vector<T> elements_;
     };
 }

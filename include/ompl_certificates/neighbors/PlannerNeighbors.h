@@ -11,12 +11,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief In what a planner looks for the states of its tree that are near a new one */
+    /** \brief The structure in which a planner searches its tree for near states */
     enum class NearestStructure
     {
         /// PlannerKdTree
         KD_TREE,
-        /// What OMPL gives it: a GNAT, if the space is a metric one
+        /// What OMPL chooses: a GNAT, if the space is a metric one
         GNAT
     };
 
@@ -30,7 +30,7 @@ namespace ompl_certificates
         \throws ompl::Exception that lists the names if there is none */
     NearestStructure nearestStructureOf(const std::string &name);
 
-    /** \brief Sums up the time that threads spend in a planner's structures */
+    /** \brief Sums up the time that threads spend in a planner's nearest-neighbor structures */
     class NearestClock
     {
     public:
@@ -51,20 +51,24 @@ namespace ompl_certificates
         std::atomic<std::uint64_t> nanoseconds_{0};
     };
 
-    /** \brief Put a PlannerKdTree in the place of each GNAT that OMPL has given \e planner; TeamSetup does this for its
+    /** \brief Put a PlannerKdTree in the place of each GNAT that OMPL has given \e planner. TeamSetup does this for its
         planner. Call it once the planner is set up, with its problem definition.
 
-        Unlike the planner's setNearestNeighbors() it needs not know the planner's class, it reaches the planners that have
-        no such function (EST, BiEST), those where it fails in OMPL 1.5.2 (PRM, and TRRT before setup()), those whose nodes
-        do not hold their states (PRM, LazyPRM, SPARS, SPARStwo), and the planners within CForest and AnytimePathShortening.
+        Unlike the planner's setNearestNeighbors() it does not need the planner's class. So it also works for these
+        planners:
+        - those without that function (EST, BiEST), and those where it fails in OMPL 1.5.2 (PRM, and TRRT before
+          setup());
+        - those whose nodes do not hold their states (PRM, LazyPRM, SPARS, SPARStwo);
+        - those within CForest and AnytimePathShortening.
+
         Structures of other classes are their user's choice and stay.
-        \return whether there was one to replace. There is none in planners that work with grids or other structures of
-        their own: KPIECE1, PDST, SBL, STRIDE, RLRT, BITstar and their kin. */
+        \return whether there was one to replace. Planners with grids or other structures of their own have none:
+        KPIECE1, PDST, SBL, STRIDE, RLRT, BITstar and their kin. */
     bool useKdTree(ompl::base::Planner &planner);
 
-    /** \brief From now on, add to \e clock the time that \e planner spends in its structures; costs some 50 ns per call of
-        theirs. Once for a planner, after setup() and useKdTree().
-        \return false if it has none within reach; see useKdTree() */
+    /** \brief From now on, add the time that \e planner spends in its structures to \e clock. Costs some 50 ns per call
+        of a structure. Call it once for a planner, after setup() and useKdTree().
+        \return false if no structure can be accessed; see useKdTree() */
     bool timeNearest(ompl::base::Planner &planner, const std::shared_ptr<NearestClock> &clock);
 }
 

@@ -5,24 +5,24 @@
 
 namespace ompl_certificates
 {
-    /** \brief A CompoundStateSpace that PlannerKdTree can search by itself, such as TeamStateSpace: it says how its distance is
-        made up, and its states know their space. */
+    /** \brief A CompoundStateSpace that PlannerKdTree can search without being told more, such as TeamStateSpace. It
+        tells how its distance is composed, and its states know their space. */
     class SearchableStateSpace : public ompl::base::CompoundStateSpace
     {
     public:
-        /** \brief How the components' weighted distances make up the space's */
+        /** \brief How the components' weighted distances compose the space's */
         enum class Composition
         {
             /// The root of the sum of their squares
             EUCLIDEAN,
             /// Their sum, as in a CompoundStateSpace
             SUM,
-            /// Not known, as in a derived class that may have a distance of its own
+            /// Unknown, as in a derived class that may have a distance of its own
             UNKNOWN
         };
 
-        /** \brief A state that knows its space. Those who are handed states alone, as OMPL's nearest-neighbour structures
-            are, learn the space from it. */
+        /** \brief A state that knows its space. OMPL's nearest-neighbor structures are given states alone, and learn
+            the space from them. */
         class StateType : public ompl::base::CompoundStateSpace::StateType
         {
         public:
@@ -37,7 +37,7 @@ namespace ompl_certificates
             const SearchableStateSpace *space_{nullptr};
         };
 
-        /** \brief How the distance is made up */
+        /** \brief How the distance is composed */
         virtual Composition getComposition() const = 0;
     };
 }

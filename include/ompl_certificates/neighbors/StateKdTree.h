@@ -14,31 +14,31 @@ namespace ompl_certificates
     class ExactDistance;
     class FlatMetric;
 
-    /** \brief A kd-tree over states of a SearchableStateSpace, or of R^n, SE(2), SE(3) and compounds of these: what
-        PlannerKdTree is made of.
+    /** \brief The kd-tree inside PlannerKdTree, over states of a SearchableStateSpace, or of R^n, SE(2), SE(3) and
+        compounds of these.
 
-        It numbers the states in the order in which they came and keeps copies of their coordinates, not the states. Its
-        own bounds only rule states out, by a margin larger than rounding; a distance function of the caller's decides.
-        States are added in the time of one descent (now and then a leaf of 64 is divided; nothing is ever rebuilt), and
-        the depth stays logarithmic in whatever order they come. Queries change nothing and may run at once from many
-        threads, as long as none adds or removes. */
+        States are numbered in the order in which they are added. The tree keeps copies of their coordinates, not the
+        states. Its own bounds only rule states out, by a margin larger than rounding; the caller's distance function
+        decides. Adding a state costs one descent; now and then a leaf of 64 is divided, and nothing is ever rebuilt.
+        The depth stays logarithmic in whatever order states come. Queries change nothing and may run from many threads
+        at once, as long as none adds or removes. */
     class StateKdTree
     {
     public:
         /** \brief The number of a state: 0, …, size() - 1 */
         using Index = std::uint32_t;
 
-        /** \brief Not a number of any state */
+        /** \brief The index of no state */
         static constexpr Index NONE = ~Index(0);
 
-        /** \brief The distance from the state that was asked about to the one with that number */
+        /** \brief The distance from the query state to the one with that index */
         using Distance = std::function<double(Index)>;
 
         /** \brief States and their distances */
         using Neighbors = std::vector<std::pair<double, Index>>;
 
-        /** \brief An empty tree for the states of \e space, whose weights and kinds of components it learns now. They must
-            not change as long as there are states in it; bounds may. */
+        /** \brief An empty tree for the states of \e space. It learns the space's weights and kinds of components now;
+            they must not change while it has states. Bounds may. */
         explicit StateKdTree(const ompl::base::StateSpace &space);
 
         ~StateKdTree();
@@ -49,8 +49,8 @@ namespace ompl_certificates
         /** \brief Whether the tree can rule out anything: it knows a component of the space. If not, do not use it. */
         bool isUseful() const;
 
-        /** \brief Whether distances to the states are the space's to the last bit, and so need not be asked of the caller:
-            true if the tree knows every component of the space. */
+        /** \brief Whether the tree computes the space's distance to the last bit, so that it need not ask the caller.
+            True if it knows every component of the space. */
         bool isExact() const
         {
             return exact_;
@@ -65,20 +65,20 @@ namespace ompl_certificates
         /** \brief The distance from \e state to the one with this number; only if isExact() */
         double distance(const ompl::base::State *state, Index index) const;
 
-        /** \brief Add a state; its number is the size before. The state must not change while it is in the tree.
-            \return false, and nothing is added, if the state is out of the domain of its space's distance: not finite,
-            an angle out of [-pi, pi], a quaternion that is not of unit length */
+        /** \brief Add a state; its index is the size before. The state must not change while it is in the tree.
+            \return false, and nothing is added, if the space's distance is not defined for the state. That is if it is
+            not finite, has an angle out of [-pi, pi], or a quaternion that is not of unit length. */
         bool add(const ompl::base::State *state);
 
-        /** \brief Remove the state with this number; the last one takes its number. Constant time. */
+        /** \brief Remove the state with this index. The last one takes its index. Constant time. */
         void remove(Index index);
 
-        /** \brief The number of a state that is equal to \e state and that \e is confirms; NONE if there is none. Takes the
-            time of a descent. */
+        /** \brief The index of a state that is equal to \e state and that \e is confirms; NONE if there is none. Cost:
+            a descent. */
         Index find(const ompl::base::State *state, const std::function<bool(Index)> &is) const;
 
-        /** \brief Find the \e count nearest of those states that are not further than \e radius from \e state, sorted; of
-            equal distances the lower number first. \e distance is called for these and few more, if not isExact(). */
+        /** \brief Find the \e count nearest of the states within \e radius of \e state, sorted; of equal distances the
+            lower index first. If not isExact(), calls \e distance for these and few more. */
         void nearest(const ompl::base::State *state, std::size_t count, double radius, const Distance &distance,
                      Neighbors &neighbors) const;
 
@@ -104,7 +104,7 @@ namespace ompl_certificates
             std::uint32_t position;
         };
 
-        /** A leaf, or a cut: lower coordinates in node \e child, others in the one after it */
+        /** A leaf or an inner node, which has lower coordinates in node \e child, others in the one after it */
         struct Node
         {
             Leaf *leaf{nullptr};
@@ -134,7 +134,7 @@ namespace ompl_certificates
         unsigned int rowSize_;
         std::unique_ptr<const ExactDistance> exactDistance_;
         std::vector<Node> nodes_;
-        /** The box of what is, or was, in node i: a row of low coordinates, then one of high ones */
+        /** The box of all states that node i ever had: a row of low coordinates, then one of high ones */
         std::vector<float> boxes_;
         std::vector<std::unique_ptr<Leaf>> leaves_;
         std::deque<Slot> slots_;

@@ -15,32 +15,32 @@ namespace ompl_certificates
     class FclCheck;
     class MeshSurface;
 
-    /** \brief Obstacles made of primitives and meshes, checked by FCL: a broadphase tree of their boxes and an exact check of
-        each pair of shapes that the boxes do not separate.
+    /** \brief Obstacles made of primitives and meshes, checked by FCL. A broadphase compares their boxes, then an exact
+        check compares each pair of shapes that the boxes do not separate.
 
-        Among primitives an exact check takes some 0.1 to 1 µs for up to thousands of them, a clearance 0.02 to 0.5 µs.
-        Of meshes with meshes an exact check takes 2 to 60 µs, a clearance about 1 µs.
+        Among primitives, up to thousands of them, an exact check takes some 0.1 to 1 µs and a clearance 0.02 to 0.5 µs.
+        For meshes among meshes an exact check takes 2 to 60 µs and a clearance about 1 µs.
 
-        Planar meshes have true heights: two of them touch where they do so in space. A planar primitive stands for an
-        upright prism without end, as an obstacle and as a robot, and is checked against meshes as one that is high
+        Planar meshes keep their z: two of them touch where they do so in space. A planar primitive stands for an
+        endless upright prism, as an obstacle and as a robot. Against meshes it is checked as a prism that is high
         enough. */
     class FclObstacles : public Obstacles
     {
     public:
         /** \brief Obstacles in a workspace of \e dimension 2 or 3, possibly none
-            \param zInterval in the plane: how far up and down the robots reach, which TeamStateSpace::getZInterval() tells; what
-            planar meshes have above or below does not count then. Checkers refuse robots that reach farther; primitives
-            reach through all heights.
-            \throws ompl::Exception if one has another dimension or a pose that is not finite, or if one in the plane is
-            tilted or, being no mesh, not at z = 0 */
+            \param zInterval in the plane: the z-interval of the robots, see TeamStateSpace::getZInterval(). Parts of
+            planar meshes outside it do not count, and checkers refuse robots that exceed it. The z-interval of
+            primitives is unbounded.
+            \throws ompl::Exception if an obstacle has another dimension or a pose that is not finite. In the plane also
+            if it is tilted, or is no mesh and not at z = 0. */
         FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const ZInterval &zInterval = {});
 
-        /** \brief Obstacles from the collision objects of an FCL program: spheres, boxes, capsules, cylinders, convex
-            polytopes and meshes (fcl::BVHModel of OBBRSS or OBB) at their present poses.
+        /** \brief Obstacles from the collision objects of an FCL program, at their present poses: spheres, boxes,
+            capsules, cylinders, convex polytopes and meshes (fcl::BVHModel of OBBRSS or OBB).
 
-            For a planar workspace (\e dimension 2) they are taken for their outline seen from above: boxes, cylinders and
-            capsules, which must stand upright, spheres, and convex polytopes, however they lie. Meshes must stand upright
-            and are taken as they are.
+            For a planar workspace (\e dimension 2) primitives become their outline seen from above. Boxes, cylinders
+            and capsules must stand upright; spheres and convex polytopes may lie anyhow. Meshes must stand upright and
+            are taken as they are.
             \throws ompl::Exception if an object is null, of another kind, or not upright where it must be */
         explicit FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                               unsigned int dimension = 3, const ZInterval &zInterval = {});
@@ -61,15 +61,15 @@ namespace ompl_certificates
 
         double clearance(const Eigen::Vector3d &point) const override;
 
-        /** \brief The parts are triangles; NO_PART where a primitive is nearest. */
+        /** \brief A part is a triangle; NO_PART where a primitive is nearest. */
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
-        /** \brief Knows of bodies of meshes among meshes in nearly all cases, of others only that meshes among them cross. Takes
-            0.1 to 20 µs, mostly a tenth of what collides() takes; nothing is allocated, FCL is not asked. */
+        /** \brief Decides nearly all mesh-mesh queries. For other shapes it only reports meshes that cross. Takes 0.1
+            to 20 µs, mostly a tenth of collides(). Allocates nothing and does not ask FCL. */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
-        /** \brief Looks for a triangle of the body that crosses triangle \e part of the obstacles, or for a point of the
-            triangle inside a primitive of the body. Takes 0.05 to 0.5 µs. */
+        /** \brief Looks for a triangle of the body that crosses triangle \e part of the obstacles, or for a point of
+            that triangle inside a primitive of the body. Takes 0.05 to 0.5 µs. */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
 
         double getTolerance() const override
@@ -80,10 +80,11 @@ namespace ompl_certificates
         /** \brief True if there are at most 16 shapes and no meshes */
         bool isClearanceCheap() const override;
 
-        /** \brief A checksum of the shapes, their poses and the heights, whatever their order. Linear in the size of it all. */
+        /** \brief A checksum of the shapes, their poses and the z-interval, whatever their order. Cost: linear in the
+            size of all shapes. */
         std::uint64_t getFingerprint() const override;
 
-        /** \brief The obstacles that these were made of */
+        /** \brief The obstacles given to the constructor */
         const std::vector<PlacedBody> &getBodies() const
         {
             return bodies_;

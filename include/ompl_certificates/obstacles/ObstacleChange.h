@@ -7,21 +7,21 @@
 
 namespace ompl_certificates
 {
-    /** \brief What has become of obstacles, with which clearances that are known can be repaired. ObstacleSet makes these;
-        for obstacles of another kind make them yourself. */
+    /** \brief What has changed among obstacles, for the repair of known clearances. ObstacleSet makes these; for
+        obstacles of another kind make them yourself. */
     struct ObstacleChange
     {
         /** \brief All obstacles, as they are now */
         ObstaclesPtr after;
 
-        /** \brief Those that have come; null if none has. One that has moved has gone and come. */
+        /** \brief The obstacles that were added; null if none. One that has moved was removed and added. */
         ObstaclesPtr added;
 
-        /** \brief Those that have gone; null if none has */
+        /** \brief The obstacles that were removed; null if none */
         ObstaclesPtr removed;
 
-        /** \brief The clearance now of \e point, whose clearance was \e before. All obstacles are asked only where what has
-            gone was nearest. */
+        /** \brief The new clearance of \e point, whose clearance was \e before. Asks all obstacles only where a removed
+            one was nearest. */
         double clearance(const Eigen::Vector3d &point, double before) const
         {
             if (removed &&

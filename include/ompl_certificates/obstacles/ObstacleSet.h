@@ -23,24 +23,24 @@ namespace ompl_certificates
     class ObstacleSet
     {
     public:
-        /** \brief Names an obstacle; that of one that was removed is not used again */
+        /** \brief Identifies an obstacle; never used again after its removal */
         using Id = std::uint64_t;
 
-        /** \brief No obstacles yet, in a workspace of \e dimension 2 or 3
+        /** \brief An empty set, in a workspace of \e dimension 2 or 3
             \param zInterval see FclObstacles::FclObstacles()
             \throws ompl::Exception for another dimension */
         explicit ObstacleSet(unsigned int dimension, const ZInterval &zInterval = {});
 
         /** \brief Add an obstacle
-            \throws ompl::Exception if FclObstacles would not take it */
+            \throws ompl::Exception if FclObstacles refuses it */
         Id add(const PlacedBody &obstacle);
 
-        /** \brief Put an obstacle elsewhere
-            \throws ompl::Exception if there is none of that name, or FclObstacles would not take it there */
+        /** \brief Move an obstacle to \e pose
+            \throws ompl::Exception if there is none with this id, or if FclObstacles refuses it there */
         void move(Id obstacle, const Pose &pose);
 
-        /** \brief Take an obstacle away
-            \throws ompl::Exception if there is none of that name */
+        /** \brief Remove an obstacle
+            \throws ompl::Exception if there is none with this id */
         void remove(Id obstacle);
 
         /** \brief The number of obstacles */
@@ -49,7 +49,7 @@ namespace ompl_certificates
             return obstacles_.size();
         }
 
-        /** \brief The obstacles as they are now, and what has come and gone since the last call. Cost: that of making
+        /** \brief The obstacles now, and what was added and removed since the last call. Cost: that of making
             FclObstacles of all of them. */
         ObstacleChange takeChange();
 
@@ -61,7 +61,7 @@ namespace ompl_certificates
         ZInterval zInterval_;
         Id next_{0};
 
-        /** \brief The obstacles now, and when the last change was taken */
+        /** \brief The obstacles now, and at the last takeChange() */
         std::map<Id, PlacedBody> obstacles_, taken_;
     };
 }

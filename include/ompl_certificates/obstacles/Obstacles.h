@@ -11,10 +11,10 @@
 
 namespace ompl_certificates
 {
-    /** \brief The number of a part of the obstacles, such as a triangle, in an order of the obstacles' own */
+    /** \brief The index of a part of the obstacles, such as a triangle, in an order of their own */
     using ObstaclePart = std::uint32_t;
 
-    /** \brief No part, or one that is not known */
+    /** \brief No part, or an unknown one */
     constexpr ObstaclePart NO_PART = std::numeric_limits<ObstaclePart>::max();
 
     /** \brief What the robots must not touch: an exact check for bodies, and the clearance of points.
@@ -29,7 +29,8 @@ namespace ompl_certificates
         /** \brief The dimension of the workspace: 2 or 3 */
         virtual unsigned int getDimension() const = 0;
 
-        /** \brief In the plane: how far up and down bodies may reach that these obstacles are asked about */
+        /** \brief In the plane: the z-interval that must contain those of the bodies that these obstacles are asked
+            about */
         virtual ZInterval getZInterval() const
         {
             return {};
@@ -38,55 +39,55 @@ namespace ompl_certificates
         /** \brief Whether \e body at \e pose touches an obstacle. This verdict is what certificates stand for. */
         virtual bool collides(const Body &body, const Pose &pose) const = 0;
 
-        /** \brief The clearance φ of a point of the workspace: its distance to the nearest obstacle point, negative inside a
-            solid where known, infinite if there are no obstacles.
+        /** \brief The clearance φ of a point of the workspace: its distance to the nearest obstacle point. Negative
+            inside a solid where known, infinite without obstacles.
 
             It must be 1-Lipschitz: the clearances of two points differ by no more than their distance. */
         virtual double clearance(const Eigen::Vector3d &point) const = 0;
 
         /** \brief clearance(), and which part of the obstacles is nearest
-            \param part set to that part, or to NO_PART where that is not known */
+            \param part set to that part, or to NO_PART if unknown */
         virtual double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
         {
             part = NO_PART;
             return clearance(point);
         }
 
-        /** \brief A quick answer to collides() where there is one: NO and YES are sure to be what collides() says.
+        /** \brief A quick answer to collides(), if there is one: NO and YES always agree with collides().
             \param hit if not null and the answer is YES: set to a part that the body touches, or to NO_PART */
         virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
         {
             return Touching::UNKNOWN;
         }
 
-        /** \brief Whether \e body at \e pose is sure to collide() because of \e part alone, such as one that it touched
-            nearby: cheaper than touches(). False where that is not known. */
+        /** \brief Whether \e body at \e pose is certain to collide() because of \e part alone, such as one that it
+            touched nearby. Cheaper than touches(). False if unknown. */
         virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
         {
             return false;
         }
 
-        /** \brief The ε of every clearance, in the scene's length unit: a ball with more clearance than its radius plus ε is
-            found free by collides(), and one with less than its radius minus ε is found colliding. It pays for rounding
-            and for the solver of the exact check. */
+        /** \brief The ε of every clearance, in the scene's length unit; it pays for rounding and for the exact check's
+            solver. collides() finds a ball free if its clearance exceeds its radius plus ε, and colliding if its
+            clearance is below its radius minus ε. */
         virtual double getTolerance() const = 0;
 
-        /** \brief Whether clearance() is the distance itself and not only a lower bound. Only then can a certificate prove
+        /** \brief Whether clearance() is the distance itself, not only a lower bound. Only then can a certificate prove
             that a body collides. */
         virtual bool provesCollisions() const
         {
             return true;
         }
 
-        /** \brief A number that tells these obstacles from others, in another run of the program too, so that certificates may
-            be kept in a file; 0 if there is none */
+        /** \brief A number that identifies these obstacles, also in another run of the program, so that certificates
+            may be kept in a file; 0 if there is none */
         virtual std::uint64_t getFingerprint() const
         {
             return 0;
         }
 
-        /** \brief Whether a clearance costs less than searching a tree of certificates (some 100 ns). Then certificates are
-            followed by reference, but searched for only now and then. */
+        /** \brief Whether a clearance costs less than searching a tree of certificates (some 100 ns). Then certificates
+            are followed by reference, but seldom searched for. */
         virtual bool isClearanceCheap() const
         {
             return false;
@@ -100,8 +101,8 @@ namespace ompl_certificates
         box-box test enlarges the boxes by about a millionth. */
     constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
 
-    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones: relative, and for sizes above
-        10^5 growing with the square, which is how FCL enlarges large boxes */
+    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones. It is relative; for sizes
+        above 10^5 it grows with the square, as FCL enlarges large boxes. */
     constexpr double exactCheckTolerance(double size)
     {
         return (EXACT_CHECK_TOLERANCE + 4e-11 * size) * size;

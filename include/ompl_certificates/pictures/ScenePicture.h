@@ -14,7 +14,7 @@ namespace ompl_certificates
     class SceneView;
     class SvgWriter;
 
-    /** \brief A picture of a scene, and of what a planner made of it, as SVG.
+    /** \brief A picture of a scene, and of a planner's results in it, as SVG.
 
         Every robot has a color. Its start is its body within a circle, its goal the outline of its body with a cross.
         Scenes in space are seen from above (x to the right, y up) and from the side (x to the right, z up). */
@@ -28,12 +28,12 @@ namespace ompl_certificates
             \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots */
         void setPath(const ompl::geometric::PathGeometric &path);
 
-        /** \brief Add a planner's tree, projected to each robot's place in the workspace. Of very large trees every
+        /** \brief Add a planner's tree, projected to each robot's position in the workspace. Of very large trees every
             n-th edge is drawn.
             \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots */
         void setTree(const ompl::base::PlannerData &data);
 
-        /** \brief Add the balls that certificates prove to be free. Of very many, every n-th is drawn. */
+        /** \brief Add the balls that certificates prove free. Of very many, every n-th is drawn. */
         void setCertificates(const std::vector<Certificate> &certificates);
 
         /** \brief The picture as the text of an SVG file */
@@ -59,7 +59,7 @@ namespace ompl_certificates
         /** \brief Draw everything in one view; \e id tells it from other views */
         void drawView(SvgWriter &svg, const SceneView &view, const std::string &id) const;
 
-        /** \brief Draw what the colors and marks mean, and return the lower right corner of it */
+        /** \brief Draw the legend, and return its lower right corner. */
         Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner) const;
 
         Scene scene_;
@@ -69,7 +69,7 @@ namespace ompl_certificates
         std::vector<std::vector<Eigen::Vector3d>> lines_;
         std::vector<std::vector<BodyPoses>> stations_;
 
-        /** For each robot: where its first body is at both ends of the edges of the tree */
+        /** For each robot: the positions of its first body at both ends of the tree's edges */
         std::vector<std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>> edges_;
         std::vector<Certificate> certificates_;
     };

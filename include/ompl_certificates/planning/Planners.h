@@ -8,21 +8,21 @@
 
 namespace ompl_certificates
 {
-    /** \brief What to do around a planner's solve() */
+    /** \brief Hooks around a planner's solve() */
     struct SolveHooks
     {
         /** \brief Ends solve() once it returns true. The planner's threads call it often. */
         std::function<bool()> stop{};
 
-        /** \brief Called as soon as solve() returns, before anybody looks at the solution */
+        /** \brief Called as soon as solve() returns, before the solution is used */
         std::function<void()> after{};
     };
 
-    /** \brief The names of all planners that makePlanner() makes: OMPL's classes, sorted */
+    /** \brief The names of all planners of makePlanner(): OMPL's classes, sorted */
     std::vector<std::string> plannerNames();
 
     /** \brief What the planner of that name is, in half a line
-        \throws ompl::Exception as makePlanner() */
+        \throws ompl::Exception like makePlanner() */
     std::string plannerDescription(const std::string &name);
 
     /** \brief OMPL's geometric planner of that class name, such as RRTConnect
@@ -31,7 +31,7 @@ namespace ompl_certificates
                                        const SolveHooks &hooks = {});
 
     /** \brief Set a parameter of \e planner
-        \throws ompl::Exception if the planner has none of that name (the message lists those it has), or refuses the
+        \throws ompl::Exception if the planner has none of that name (the message lists its parameters), or refuses the
         value */
     void setParameter(ompl::base::Planner &planner, const std::string &key, const std::string &value);
 }

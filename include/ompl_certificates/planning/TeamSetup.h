@@ -9,35 +9,35 @@
 
 namespace ompl_certificates
 {
-    /** \brief ompl::geometric::SimpleSetup for a team: with its validity checker and motion validator in place, the
-        planner's tree in a PlannerKdTree, and the team's path length to optimise.
+    /** \brief ompl::geometric::SimpleSetup for a team. Its validity checker and motion validator are in place, the
+        planner's tree is in a PlannerKdTree, and the default objective is the team's path length.
 
-        All of OMPL's geometric planners that take one space and one problem run in it. setup() gives the problem the
-        planner's defaultObjective() unless setOptimizationObjective() gave it another one. In an ompl::tools::Benchmark,
-        which sets up this class once, all planners get a TeamPathLength; PRM then plans for all of the time, as it does
-        after RRTstar in OMPL. */
+        All of OMPL's geometric planners for one space and one problem run in it. setup() gives the problem the
+        planner's defaultObjective(), unless setOptimizationObjective() gave it another. An ompl::tools::Benchmark sets
+        up this class once, so there all planners get a TeamPathLength; PRM then uses all of the time, as it does after
+        RRTstar in OMPL. */
     class TeamSetup : public ompl::geometric::SimpleSetup
     {
     public:
         /** \brief A setup for \e team among \e obstacles
-            \throws ompl::Exception as TeamValidityChecker does, or if the continuous mode is asked of a method without
+            \throws ompl::Exception like TeamValidityChecker, or if the continuous mode is asked of a method without
             certificates */
         TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
                   Method method = Method::SHARED_PROJECTION,
                   CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
-        /** \brief Choose what the planner looks for near states in. By default it is a PlannerKdTree, which finds what a
-            GNAT finds: trees are the same, but may differ where distances are exactly equal. A structure of another class
-            than OMPL's GNATs that the planner was given is kept.
-            \throws ompl::Exception if the planner is set up already, and has its structure */
+        /** \brief Choose the structure in which the planner searches for near states. The default is a PlannerKdTree.
+            It finds what a GNAT finds, so trees are the same, but may differ where distances are exactly equal. A
+            structure of another class than OMPL's GNATs is kept.
+            \throws ompl::Exception if the planner is set up already, and so has its structure */
         void setNearestStructure(NearestStructure structure);
 
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
 
-        /** \brief Simplify the solution with OMPL's PathSimplifier, for at most \e duration seconds (0: as long as it finds
-            something to do). Unlike ompl::geometric::SimpleSetup::simplifySolution(), whose steps keep pieces of motions
-            that were never checked by themselves, this keeps the last path that the motion validator accepts. */
+        /** \brief Simplify the solution with OMPL's PathSimplifier, for at most \e duration seconds (0: as long as it
+            finds something to do). Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions
+            that were never checked by themselves. This keeps the last path that the motion validator accepts. */
         void simplifySolution(double duration = 0.0);
 
         /** \brief The same, until \e condition becomes true */
@@ -55,18 +55,18 @@ namespace ompl_certificates
             return checker_;
         }
 
-        /** \brief What has been checked so far, and how */
+        /** \brief How many checks there were, and how they were settled */
         Statistics &getStatistics() const
         {
             return checker_->getStatistics();
         }
 
     private:
-        /** \brief Simplify \e path step by step; a step whose path is refused, or longer, is taken back */
+        /** \brief Simplify \e path step by step; undo a step whose path is invalid or longer. */
         void simplifyInSteps(ompl::geometric::PathGeometric &path,
                              const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Give the problem the planner's default objective, unless it has one of the user's */
+        /** \brief Give the problem the planner's default objective, unless the user gave it one. */
         void chooseObjective();
 
         std::shared_ptr<TeamValidityChecker> checker_;

@@ -9,9 +9,9 @@ namespace ompl_certificates
 {
     /** \brief A car that pulls a trailer in the plane: two bodies, hinged at the origin of the car's frame.
 
-        Its space is the compound of an ompl::base::SE2StateSpace (position and heading of the car, the position limited
-        by the bounds) and an ompl::base::SO2StateSpace (heading of the trailer, in the workspace's frame, not relative
-        to the car). The trailer's origin trails the hinge by the hitch length. Car and trailer are not checked against
+        Its space is a compound of two. An ompl::base::SE2StateSpace has the car's heading and its position, which the
+        bounds limit. An ompl::base::SO2StateSpace has the trailer's heading in the workspace's frame, not relative to
+        the car. The trailer's origin lies the hitch length behind the hinge. Car and trailer are not checked against
         each other. */
     class CarWithTrailer : public Robot
     {

@@ -13,12 +13,12 @@ namespace ompl_certificates
 {
     /** \brief One member of a team: its component of the team's state space, and the bodies that it moves.
 
-        Derive from this class to bring an own kind of robot, such as an arm: say where each body is for a state, and
-        how far it can travel along a motion. Both are called from many threads at once. */
+        Derive from this class to bring your own kind of robot, such as an arm. Say where each body is for a state, and
+        how far it can move along a motion. Both functions are called from many threads at once. */
     class Robot
     {
     public:
-        /** \brief A robot called \e name, which is also given to \e space
+        /** \brief A robot called \e name; \e space gets the same name
             \throws ompl::Exception if \e name is empty, \e space is null, or \e bodies is empty or mixes planar and
             spatial bodies */
         Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies);
@@ -28,7 +28,7 @@ namespace ompl_certificates
         Robot(const Robot &) = delete;
         Robot &operator=(const Robot &) = delete;
 
-        /** \brief The robot's name, which tells it from the others of its team */
+        /** \brief The robot's name, unique in its team */
         const std::string &getName() const
         {
             return name_;
@@ -55,12 +55,13 @@ namespace ompl_certificates
         /** \brief Write where each body is when the robot is in \e state: one pose per body, to \e poses[0], … */
         virtual void computePoses(const ompl::base::State *state, Pose *poses) const = 0;
 
-        /** \brief computePoses(), with the bodies of a planar robot exactly in the plane: upright and at z = 0, whatever rounding
-            computePoses() has left there. What the checkers ask for. */
+        /** \brief computePoses(), with the bodies of a planar robot put exactly into the plane: upright and at z = 0,
+            without the rounding of computePoses(). The checkers call this one. */
         void placeBodies(const ompl::base::State *state, Pose *poses) const;
 
-        /** \brief Write how far each body can travel along the space's interpolation from \e from to \e to: one bound
-            per body, to \e bounds[0], … A bound may be too large, which costs time, but never too small. */
+        /** \brief Write how far each body can move along the space's interpolation from \e from to \e to: one motion
+            bound per body, to \e bounds[0] and on. A bound that is too large costs time; one that is too small makes
+            verdicts wrong. */
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 

@@ -14,16 +14,16 @@ namespace ompl_certificates
 {
     /** \brief The state space of a team: a CompoundStateSpace with one component per robot.
 
-        The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space. A
-        program that used a CompoundStateSpace keeps its distances, ranges and trees with SUM; see Metric.
+        The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space.
+        With SUM, a program that used a CompoundStateSpace keeps its distances, ranges and trees; see Metric.
 
-        Every state carries, for each body of each robot, a reference to a certificate that proved it free. References are hints:
-        copyState(), cloneState() and interpolate() pass them on, sampling and deserialization clear them, and
+        Every state carries, for each body of each robot, a reference to a certificate that proved it free. References are
+        hints. copyState(), cloneState() and interpolate() pass them on; sampling and deserialization clear them;
         serialization, equality and distance ignore them. */
     class TeamStateSpace : public SearchableStateSpace
     {
     public:
-        /** \brief Which certificate a state refers to: a number that the validity checker knows the meaning of */
+        /** \brief Which certificate a state refers to: a number whose meaning only the validity checker knows */
         using Reference = std::uint32_t;
 
         /** \brief Refers to no certificate */
@@ -49,7 +49,7 @@ namespace ompl_certificates
         private:
             friend class TeamStateSpace;
 
-            /** The coordinates of all components that are R^n, side by side: they follow the state in its memory. */
+            /** The adjacent coordinates of all components that are R^n; they follow the state in its memory */
             const double *vectorValues() const
             {
                 return reinterpret_cast<const double *>(this + 1);
@@ -58,7 +58,7 @@ namespace ompl_certificates
             std::atomic<Reference> *references_{nullptr};
         };
 
-        /** \brief How the robots' weighted distances make up the team's */
+        /** \brief How the robots' weighted distances compose the team's */
         enum Metric
         {
             /// The root of the sum of their squares
@@ -71,15 +71,15 @@ namespace ompl_certificates
         /** \brief A team without robots */
         explicit TeamStateSpace(Metric metric = EUCLIDEAN);
 
-        /** \brief How the robots' distances make up the team's */
+        /** \brief How the robots' distances compose the team's */
         Metric getMetric() const
         {
             return metric_;
         }
 
-        /** \brief Add a robot; distances in its component count \e weight times
-            \throws ompl::Exception if \e robot is null, if its name is taken, if its workspace is not the others', if
-            \e weight is negative or not finite, or if the space is locked */
+        /** \brief Add a robot; distances in its component count \e weight times.
+            \throws ompl::Exception if \e robot is null, its name is taken, its workspace differs from the others',
+            \e weight is negative or not finite, or the space is locked */
         void addRobot(const RobotPtr &robot, double weight = 1.0);
 
         /** \brief The number of robots */
@@ -109,7 +109,7 @@ namespace ompl_certificates
         /** \brief The dimension of the team's workspace: 2 or 3; 0 while there is no robot */
         unsigned int getWorkspaceDimension() const;
 
-        /** \brief The heights that the robots' bodies reach from and to, for planar teams of meshes; see Body::getZInterval() */
+        /** \brief The z-interval of all robots' bodies, for planar teams of meshes; see Body::getZInterval() */
         ZInterval getZInterval() const;
 
         /** \brief Forget the certificate references of \e state */
@@ -128,16 +128,16 @@ namespace ompl_certificates
 
         void deserialize(ompl::base::State *state, const void *serialization) const override;
 
-        /** \brief A state in one piece of memory, but for the components that are not R^n: planners look at many states'
-            coordinates, and most of that is waiting for memory. */
+        /** \brief A state in one piece of memory, but for the components that are not R^n. Planners look at many
+            states' coordinates, and mostly wait for memory. */
         ompl::base::State *allocState() const override;
 
         void freeState(ompl::base::State *state) const override;
 
         ompl::base::StateSamplerPtr allocDefaultStateSampler() const override;
 
-        /** \brief Registers a default projection for planners that need one: the positions of all robots' first bodies,
-            combined into two (three for spatial teams) coordinates that every robot moves */
+        /** \brief Registers a default projection for planners that need one. It maps the positions of all robots' first
+            bodies to two coordinates (three for spatial teams), each of which every robot moves. */
         void registerProjections() override;
 
         /** \throws ompl::Exception if the team has no robot, or a component that was not added by addRobot() */
@@ -148,8 +148,8 @@ namespace ompl_certificates
 
         const Metric metric_;
         std::vector<RobotPtr> robots_;
-        /** The dimensions of the components that are R^n, 0 for others, and their sum. Planners ask for distances more than
-            for anything else, and those need no virtual call. */
+        /** The dimensions of the components that are R^n, 0 for others, and their sum. Distances are what planners ask
+            for most; these need no virtual call. */
         std::vector<unsigned int> vectors_;
         std::size_t vectorSum_{0};
         std::size_t bodyCount_{0};
