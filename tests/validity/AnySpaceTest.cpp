@@ -17,6 +17,7 @@
 #include <ompl/base/spaces/constraint/ProjectedStateSpace.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -133,7 +134,8 @@ TEST_P(AnySpace, OfOneRobotGivesTheVerdictsOfFcl)
 {
     Random random(GetParam());
     const auto obstacles = anyObstacles(random, GetParam(), 8);
-    for (const RobotPtr &robot : anyTeam(GetParam())->getRobots())
+    const auto team = anyTeam(GetParam());
+    for (const RobotPtr &robot : team->getRobots())
         for (const ob::StateSpacePtr &space : spacesOf({robot}))
         {
             SCOPED_TRACE(robot->getName() + " in " + space->getName());
@@ -151,6 +153,8 @@ TEST_P(AnySpace, AnswersForOneRobotAndOnePairAsForTheTeamOfThem)
     std::vector<std::shared_ptr<TeamValidityChecker>> checkers;
     for (const Method method : allMethods())
         checkers.push_back(std::make_shared<TeamValidityChecker>(si, obstacles, method));
+    si->setStateValidityChecker(checkers.front());
+    si->setup();
     unsigned int free = 0, touching = 0;
     const auto expect = [&](bool expected, const auto &ask)
     {
@@ -230,7 +234,7 @@ TEST(AnySpaceOfOneRobot, GrowsTheTreeOfAUsersProgram)
                         return state;
             };
             setup.setStartAndGoalStates(valid(), valid());
-            setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(si));
+            setup.setPlanner(std::make_shared<ompl::geometric::RRT>(si));
             setup.setup();
             ob::IterationTerminationCondition condition(500);
             setup.solve(condition);

@@ -1,3 +1,5 @@
+#include "validity/RobotPairs.h"
+
 #include "support/Checkers.h"
 
 #include <fcl/narrowphase/collision.h>
