@@ -69,7 +69,8 @@ namespace benchmarks
                 throw ompl::Exception("A record is of one set of obstacles");
             }
 
-            PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override
+            PoseVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                    const MotionSample &sample) const override
             {
                 const PoseQuery query = queryOf(robot, 0, context, sample);
                 const BallQuery ball = ballOf(query);

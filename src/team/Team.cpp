@@ -32,7 +32,8 @@ namespace ompl_certificates
             const ob::StateSpacePtr inner = space ? innerSpace(space, wrappers, plain) : nullptr;
             const auto *team = dynamic_cast<const TeamStateSpace *>(inner.get());
             if (!team)
-                throw ompl::Exception("A validity checker needs a TeamStateSpace, or to be told the robots of its space");
+                throw ompl::Exception(
+                    "A validity checker needs a TeamStateSpace, or to be told the robots of its space");
             return team->getRobots();
         }
 
@@ -80,7 +81,8 @@ namespace ompl_certificates
         if (!space_)
             throw ompl::Exception("A team needs a state space");
         if (robots_.empty())
-            throw ompl::Exception(space_->getName(), "there are no robots; add them before the validity checker is made");
+            throw ompl::Exception(space_->getName(),
+                                  "there are no robots; add them before the validity checker is made");
         firstBody_.push_back(0);
         for (const RobotPtr &robot : robots_)
         {

@@ -82,8 +82,7 @@ namespace ompl_certificates
         {
             const PoseQuery query = queryOf(robot, body - first, context, sample);
             SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
-            const PoseVerdict one =
-                environment_.ask(query, adaptive_ ? policies_[body] : indifferent, context.counts);
+            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : indifferent, context.counts);
             whole.free = one.free;
             whole.validInterval = std::min(whole.validInterval, one.validInterval);
             whole.by = std::max(whole.by, one.by);

@@ -42,7 +42,8 @@ namespace ompl_certificates
         }
     }
 
-    CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker, Mode mode)
+    CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker,
+                                                           Mode mode)
       : MotionValidator(checker ? checker->getSpaceInformation()
                                 : throw ompl::Exception("A motion validator needs a validity checker"))
       , checker_(std::move(checker))
@@ -51,8 +52,9 @@ namespace ompl_certificates
         const Team &team = checker_->getTeam();
         const Method method = checker_->getMethod();
         if (dynamic_cast<const ob::ConstrainedStateSpace *>(team.getStateSpace().get()))
-            throw ompl::Exception(team.getStateSpace()->getName(),
-                                  "is constrained: keep OMPL's ConstrainedMotionValidator, which asks the validity checker");
+            throw ompl::Exception(
+                team.getStateSpace()->getName(),
+                "is constrained: keep OMPL's ConstrainedMotionValidator, which asks the validity checker");
         isSampled_ = !makesCertificates(method) || !team.interpolatesRobots();
         if (isSampled_ && mode == CONTINUOUS)
             throw ompl::Exception(makesCertificates(method)

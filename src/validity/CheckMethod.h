@@ -49,7 +49,8 @@ namespace ompl_certificates
         CheckMethod &operator=(const CheckMethod &) = delete;
 
         /** \brief Settle a robot whose poses are in \e context, by its hints first; leaves better hints and counts there */
-        virtual PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const = 0;
+        virtual PoseVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                        const MotionSample &sample) const = 0;
 
         /** \brief For how long its hints prove a robot free; 0 if they do not. Looks no further. */
         virtual double provenInterval(unsigned int /*robot*/, const CheckContext & /*context*/) const

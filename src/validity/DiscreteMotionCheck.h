@@ -15,7 +15,8 @@ namespace ompl_certificates
                             const ompl::base::State *s2);
 
         /** \brief The check of one subject alone; see MotionCheck */
-        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from, States to);
+        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+                            States to);
 
         /** \brief Whether all samples are valid */
         bool isFree();

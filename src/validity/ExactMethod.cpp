@@ -11,7 +11,8 @@ namespace ompl_certificates
     {
     }
 
-    PoseVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context, const MotionSample & /*sample*/) const
+    PoseVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                         const MotionSample & /*sample*/) const
     {
         const auto &bodies = context.team.getRobot(robot).getBodies();
         const std::size_t first = context.team.getFirstBody(robot);

@@ -83,8 +83,7 @@ namespace ompl_certificates
         const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
         // Only now is it of interest how fast the robot moves.
         if (context_.sampledAt[robot] < 0.0)
-            team.getRobot(robot).computeMotionBounds(from, to,
-                                                     context_.motionBounds.data() + team.getFirstBody(robot));
+            team.getRobot(robot).computeMotionBounds(from, to, context_.motionBounds.data() + team.getFirstBody(robot));
         context_.sampledAt[robot] = t;
         const ompl::base::State *state = t == 0.0 ? from : to;
         if (t > 0.0 && t < 1.0)

@@ -14,7 +14,8 @@ namespace ompl_certificates
             environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles, limit));
     }
 
-    PoseVerdict ProjectedMethod::settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const
+    PoseVerdict ProjectedMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                             const MotionSample &sample) const
     {
         const CertifiedEnvironment &environment = environmentOf(robot);
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);

@@ -53,8 +53,8 @@ namespace ompl_certificates
                     for (std::size_t b = 0; b < second.size(); ++b)
                     {
                         // The body with the coarser sphere tree is looked up in the frame of the other.
-                        const bool swapped = second[b].getSphereTree().getNodes().size() <
-                                             first[a].getSphereTree().getNodes().size();
+                        const bool swapped =
+                            second[b].getSphereTree().getNodes().size() < first[a].getSphereTree().getNodes().size();
                         const bool balls = first[a].isBall() && second[b].isBall();
                         pairs_.back().bodies.push_back(
                             {team.getFirstBody(i) + a, team.getFirstBody(j) + b, &first[a], &second[b],
@@ -99,9 +99,9 @@ namespace ompl_certificates
             const double gap = bodies.gap(context);
             double speed = 0.0;
             if (sample.moves)
-                speed = context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
-                        context.motionBounds[bodies.secondIndex].at(
-                            bodies.second->getSphereTree().getRoot().center.norm());
+                speed =
+                    context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
+                    context.motionBounds[bodies.secondIndex].at(bodies.second->getSphereTree().getRoot().center.norm());
             if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
             {
                 verdict.validInterval = std::min(verdict.validInterval, intervalOf(gap, bodies.margin, speed));
@@ -123,7 +123,8 @@ namespace ompl_certificates
         return verdict;
     }
 
-    PoseVerdict RobotPairs::settleBodies(const BodyPair &bodies, CheckContext &context, const MotionSample &sample) const
+    PoseVerdict RobotPairs::settleBodies(const BodyPair &bodies, CheckContext &context,
+                                         const MotionSample &sample) const
     {
         const BodyFrame &frame = *bodies.frame;
         const Body &body = bodies.lookedUp();

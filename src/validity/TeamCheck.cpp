@@ -29,8 +29,9 @@ namespace ompl_certificates
                                       " dimensions, the team's workspace " +
                                       std::to_string(team.getWorkspaceDimension()));
             if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
-                throw ompl::Exception("The robots reach beyond the z-interval that the obstacles were made for; give them "
-                                      "the team's, TeamStateSpace::getZInterval()");
+                throw ompl::Exception(
+                    "The robots reach beyond the z-interval that the obstacles were made for; give them "
+                    "the team's, TeamStateSpace::getZInterval()");
         }
 
         std::unique_ptr<CheckMethod> makeMethod(Method method, const Team &team, const ObstaclesPtr &obstacles,
@@ -46,7 +47,8 @@ namespace ompl_certificates
                     return std::make_unique<BasicMethod>(team, obstacles, limit);
                 case Method::PARTIAL:
                 case Method::SHARED_PROJECTION:
-                    return std::make_unique<ProjectedMethod>(team, obstacles, method == Method::SHARED_PROJECTION, limit);
+                    return std::make_unique<ProjectedMethod>(team, obstacles, method == Method::SHARED_PROJECTION,
+                                                             limit);
             }
             throw ompl::Exception("Unknown method");
         }
@@ -69,8 +71,8 @@ namespace ompl_certificates
     }
 
     TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, std::unique_ptr<CheckMethod> checkMethod)
-      : TeamCheck(std::move(team), std::move(obstacles), Method::SHARED_PROJECTION, std::make_shared<CertificateLimit>(),
-                  std::move(checkMethod))
+      : TeamCheck(std::move(team), std::move(obstacles), Method::SHARED_PROJECTION,
+                  std::make_shared<CertificateLimit>(), std::move(checkMethod))
     {
     }
 

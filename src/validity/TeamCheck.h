@@ -140,7 +140,8 @@ namespace ompl_certificates
         }
 
         /** \brief Take the certificates that \e state refers to as hints; those of \e other for a body that has none */
-        void takeReferences(const ompl::base::State *state, const ompl::base::State *other, CheckContext &context) const;
+        void takeReferences(const ompl::base::State *state, const ompl::base::State *other,
+                            CheckContext &context) const;
 
         /** \brief Let \e state refer to the certificates found last */
         void giveReferences(const ompl::base::State *state, const CheckContext &context) const;

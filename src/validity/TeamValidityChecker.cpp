@@ -32,8 +32,8 @@ namespace ompl_certificates
     {
     }
 
-    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, Team team, const ObstaclesPtr &obstacles,
-                                             Method method)
+    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, Team team,
+                                             const ObstaclesPtr &obstacles, Method method)
       : StateValidityChecker(si), check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))
     {
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;

@@ -147,9 +147,9 @@ namespace ompl_certificates
                     if (world.checked->isValid(sample.get()))
                         continue;
                     throw lieAbout(world,
-                                   nameOf(certified.checker->getMethod()) + ": a continuous check proves a motion up to " +
-                                       std::to_string(end) + ", but the third state, at " + std::to_string(t) +
-                                       ", is invalid",
+                                   nameOf(certified.checker->getMethod()) +
+                                       ": a continuous check proves a motion up to " + std::to_string(end) +
+                                       ", but the third state, at " + std::to_string(t) + ", is invalid",
                                    {from, to, sample.get()});
                 }
             }

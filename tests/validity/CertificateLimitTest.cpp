@@ -117,8 +117,8 @@ TEST(Memory, StaysAsItIsOnceTheLimitIsReached)
             if (i % (motions / 10) == 0)
             {
                 const std::size_t heap = mallinfo2().uordblks;
-                std::printf("%s, %u motions: %zu certificates, heap %zu bytes\n", nameOf(checker->getMethod()).c_str(), i,
-                            checker->getKeptCertificates(), heap);
+                std::printf("%s, %u motions: %zu certificates, heap %zu bytes\n", nameOf(checker->getMethod()).c_str(),
+                            i, checker->getKeptCertificates(), heap);
                 if (i == 2 * (motions / 10))
                     early = heap;
                 if (early > 0)

@@ -162,8 +162,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             {
                 const std::size_t first = team.getFirstBody(i);
                 team.getRobot(i).computePoses(team.getRobotState(at.get(), i), context.poses.data() + first);
-                team.getRobot(i).computeMotionBounds(team.getRobotState(from.get(), i),
-                                                     team.getRobotState(to.get(), i),
+                team.getRobot(i).computeMotionBounds(team.getRobotState(from.get(), i), team.getRobotState(to.get(), i),
                                                      context.motionBounds.data() + first);
             }
         };

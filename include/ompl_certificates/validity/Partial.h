@@ -28,7 +28,7 @@ namespace ompl_certificates
 
         /** \brief For several robots, in any space that Team reads */
         Partial(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
-              const std::vector<RobotPtr> &robots)
+                const std::vector<RobotPtr> &robots)
           : TeamValidityChecker(si, obstacles, robots, Method::PARTIAL)
         {
         }

@@ -21,14 +21,15 @@ namespace ompl_certificates
         }
 
         /** \brief For one robot, in its own space or any that Team reads */
-        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles, const RobotPtr &robot)
+        SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
+                         const RobotPtr &robot)
           : TeamValidityChecker(si, obstacles, {robot}, Method::SHARED_PROJECTION)
         {
         }
 
         /** \brief For several robots, in any space that Team reads */
         SharedProjection(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
-              const std::vector<RobotPtr> &robots)
+                         const std::vector<RobotPtr> &robots)
           : TeamValidityChecker(si, obstacles, robots, Method::SHARED_PROJECTION)
         {
         }
