@@ -303,11 +303,11 @@ namespace
     {
         // OMPL complains about every seed but the first, though all that is made later obeys it.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        demos::catchInterrupts();
         std::error_code error;
         std::filesystem::create_directories(options.out, error);
         if (error)
             throw ompl::Exception("--out", options.out + " cannot be made: " + error.message());
-        demos::catchInterrupts();
         bool equal = true;
         for (const Task &task : TASKS)
         {

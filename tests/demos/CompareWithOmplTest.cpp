@@ -36,7 +36,6 @@ TEST(CompareWithOmpl, endsWhenInterrupted)
         Program program("compare_with_ompl", {"--scenes", SCENES, "--out", folder / "out", "--seeds", "1000"});
         while (!std::filesystem::exists(folder / "out"))
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
         program.signal(signal);
         EXPECT_EQ(program.wait(), 1);
         EXPECT_NE(program.output().find("interrupted"), std::string::npos) << program.output();

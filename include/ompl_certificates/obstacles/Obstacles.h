@@ -53,7 +53,7 @@ namespace ompl_certificates
         }
 
         /** \brief A quick answer to collides() where there is one: NO and YES are sure to be what collides() says.
-            \param hit if not null and the answer is YES: set to a part that the body touches, or to NO_PART */
+            If the answer is YES, the last argument is set to a part that the body touches, or to NO_PART; it may be null. */
         virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
         {
             return Touching::UNKNOWN;

@@ -22,6 +22,7 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::TeamValidityChecker() */
         CertificateChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles);
 
+        /** \brief Whether no robot of the team touches an obstacle or another robot */
         bool isValid(const ompl::base::State *state) const override;
 
         using TeamValidityChecker::isValid;
@@ -99,7 +100,11 @@ namespace ompl_certificates
         /** \brief Robots that are settled together: those from \e first to \e last - 1 */
         struct Group
         {
-            unsigned int first, last;
+            /** \brief The first robot */
+            unsigned int first;
+
+            /** \brief One more than the last robot */
+            unsigned int last;
         };
 
         /** \brief The number of groups */

@@ -41,6 +41,7 @@ namespace ompl_certificates
 
         ~TeamValidityChecker() override;
 
+        /** \brief Whether no robot of the team touches an obstacle or another robot */
         bool isValid(const ompl::base::State *state) const override;
 
         /** \brief The verdict without certificates, counted in \e counts and not in the statistics. Only while
@@ -136,12 +137,19 @@ namespace ompl_certificates
             takes a twentieth of a second. */
         void makeMeshTrees() const;
 
+        /** \brief The obstacles */
         ObstaclesPtr obstacles_;
+
+        /** \brief The team */
         const TeamStateSpace &team_;
 
         /** \brief How many certificates may be kept, of obstacles and of pairs of robots together */
         const std::shared_ptr<CertificateLimit> limit_{std::make_shared<CertificateLimit>()};
+
+        /** \brief The robots against each other */
         RobotPairs pairs_;
+
+        /** \brief Keeps checks and changes of the obstacles apart */
         mutable WorldLock worldLock_;
 
     private:
