@@ -1,17 +1,14 @@
 #include "common/CommandLine.h"
 
-// How it tells of names that are not there is not part of the library's interface.
-#include "planning/Suggestion.h"
-
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 
 #ifndef OMPL_CERTIFICATES_VERSION
 #define OMPL_CERTIFICATES_VERSION "of unknown version"
 #endif
-
-using namespace ompl_certificates;
 
 namespace demos
 {
@@ -25,6 +22,39 @@ namespace demos
                     c = ' ';
             std::cerr << app.get_name() << ": " << line << std::endl;
             return BAD_INPUT;
+        }
+
+        /** How many letters have to be put in, left out or replaced */
+        std::size_t editDistance(const std::string &a, const std::string &b)
+        {
+            // Of the beginnings of b, to those of a
+            std::vector<std::size_t> steps(b.size() + 1);
+            std::iota(steps.begin(), steps.end(), 0);
+            for (std::size_t i = 0; i < a.size(); ++i)
+            {
+                std::size_t diagonal = steps[0]++;
+                for (std::size_t j = 0; j < b.size(); ++j)
+                {
+                    const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+                    diagonal = steps[j + 1];
+                    steps[j + 1] = std::min({replaced, diagonal + 1, steps[j] + 1});
+                }
+            }
+            return steps.back();
+        }
+
+        /** What a complaint about \e word ends with: the most similar of \e names, or nothing if none is similar */
+        std::string didYouMean(const std::string &word, const std::vector<std::string> &names)
+        {
+            std::string best;
+            std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+            for (const std::string &name : names)
+                if (const std::size_t steps = editDistance(word, name); steps < fewest)
+                {
+                    fewest = steps;
+                    best = name;
+                }
+            return best.empty() ? "" : "; did you mean " + best + "?";
         }
 
         /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong may
@@ -95,8 +125,17 @@ namespace demos
 
     CLI::Validator oneOf(const std::vector<std::string> &words)
     {
-        return CLI::Validator([words](const std::string &word) { return whyNotOneOf(word, words); },
-                              "{" + joined(words) + "}", "one of");
+        std::string all;
+        for (const std::string &word : words)
+            all += (all.empty() ? "" : ", ") + word;
+        return CLI::Validator(
+            [words, all](const std::string &word)
+            {
+                return std::find(words.begin(), words.end(), word) != words.end()
+                           ? ""
+                           : "'" + word + "' is none of " + all + didYouMean(word, words);
+            },
+            "{" + all + "}", "one of");
     }
 
     std::vector<std::string> splitAtCommas(const std::string &text)
