@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <numeric>
 #include <sstream>
 
 #ifndef OMPL_CERTIFICATES_VERSION
@@ -24,23 +23,24 @@ namespace demos
             return BAD_INPUT;
         }
 
-        /** How many letters have to be put in, left out or replaced */
+        /** How many letters have to be put in, left out, replaced, or swapped with the next one */
         std::size_t editDistance(const std::string &a, const std::string &b)
         {
-            // Of the beginnings of b, to those of a
-            std::vector<std::size_t> steps(b.size() + 1);
-            std::iota(steps.begin(), steps.end(), 0);
-            for (std::size_t i = 0; i < a.size(); ++i)
-            {
-                std::size_t diagonal = steps[0]++;
-                for (std::size_t j = 0; j < b.size(); ++j)
+            std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+            for (std::size_t i = 0; i <= a.size(); ++i)
+                for (std::size_t j = 0; j <= b.size(); ++j)
                 {
-                    const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-                    diagonal = steps[j + 1];
-                    steps[j + 1] = std::min({replaced, diagonal + 1, steps[j] + 1});
+                    if (i == 0 || j == 0)
+                    {
+                        steps[i][j] = i + j;
+                        continue;
+                    }
+                    steps[i][j] = std::min({steps[i - 1][j] + 1, steps[i][j - 1] + 1,
+                                            steps[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+                    if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                        steps[i][j] = std::min(steps[i][j], steps[i - 2][j - 2] + 1);
                 }
-            }
-            return steps.back();
+            return steps[a.size()][b.size()];
         }
 
         /** What a complaint about \e word ends with: the most similar of \e names, or nothing if none is similar */
