@@ -50,7 +50,7 @@ namespace
         double resolution;
     };
 
-    const std::vector<Task> TASKS{{"paper_five_discs", "RRTstar", "25", 10000, 0.001},
+    const std::vector<Task> TASKS{{"paper_five_discs", "RRTstar", "60", 12000, 0.001},
                                   {"maze", "RRTConnect", "", 1000000, 0.01},
                                   {"sixteen_robots", "RRTConnect", "60", 1000000, 0.002}};
 

@@ -40,6 +40,14 @@ namespace demos
             return fs::exists(file, error) && !fs::is_regular_file(file, error);
         }
 
+        /** What is replaced when \e file is written: what a link points to */
+        fs::path targetOf(const std::string &file)
+        {
+            std::error_code error;
+            const fs::path target = fs::weakly_canonical(file, error);
+            return error ? fs::path(file) : target;
+        }
+
         /** What takes the place of \e target when it is complete */
         fs::path partOf(const fs::path &target)
         {
@@ -93,7 +101,7 @@ namespace demos
                 failWriting(file);
             return;
         }
-        const fs::path target = fs::weakly_canonical(file), part = partOf(target);
+        const fs::path target = targetOf(file), part = partOf(target);
         if (writeDirectly(part, text) && std::rename(part.c_str(), target.c_str()) == 0)
             return;
         const int reason = errno;
@@ -112,11 +120,12 @@ namespace demos
                 failWriting(file);
             return;
         }
-        if (fs::exists(file) && access(file.c_str(), W_OK) != 0)
+        std::error_code error;
+        if (fs::exists(file, error) && access(file.c_str(), W_OK) != 0)
             failWriting(file);
-        const fs::path part = partOf(fs::weakly_canonical(file));
+        const fs::path part = partOf(targetOf(file));
         if (!writeDirectly(part, ""))
             failWriting(file);
-        fs::remove(part);
+        fs::remove(part, error);
     }
 }
