@@ -37,16 +37,20 @@ namespace
         bool quiet{false};
     };
 
-    /** What is planned: the planner goes on for so many iterations, or, if it does not improve what it has, until it has a
-        solution. */
+    /** What is planned. RRT* makes all its iterations, RRTConnect ends with its first solution. */
     struct Task
     {
         std::string scene;
         std::string planner;
+
+        /** The length of the planner's steps, summed over the robots; empty for the planner's own */
         std::string range;
+
+        /** The most iterations */
         std::uint64_t iterations;
 
-        /** The longest valid segment as a fraction of each robot's extent */
+        /** The longest valid segment as a fraction of each robot's extent. OMPL's is 0.01: enough for the carts, but discs of
+            radius 1 would jump by 1.4, and drones of 1 m by 0.9 m. */
         double resolution;
     };
 
@@ -191,13 +195,14 @@ namespace
         /** Returns false if interrupted. */
         bool run()
         {
+            const std::string file = options_.scenes + "/" + task_.scene + ".yaml";
+            YamlScene(file).validate();
             const demos::ProgressBar bar([this] { return getProgress(); }, options_.quiet);
             for (unsigned int seed = 1; seed <= options_.seeds; ++seed)
                 for (std::size_t program = 0; program < PROGRAMS.size(); ++program, ++plansDone_)
                 {
-                    // Read anew each time: what bodies learn of themselves is kept with them.
-                    const YamlScene scene(options_.scenes + "/" + task_.scene + ".yaml");
-                    scene.validate();
+                    // Read anew each time: the trees of bodies are kept with them, and are part of what is measured.
+                    const YamlScene scene(file);
                     ompl::RNG::setSeed(seed);
                     demos::Limit limit(0.0, task_.iterations);
                     const std::string picture =
