@@ -64,9 +64,7 @@ namespace ompl_certificates
     {
         const std::uint64_t fingerprint = obstacles.getFingerprint();
         if (fingerprint == 0)
-            throw ompl::Exception(file,
-                                  "cannot belong to these obstacles: obstacles of this kind have no "
-                                  "fingerprint");
+            throw ompl::Exception(file, "cannot hold certificates of obstacles that have no fingerprint");
         return {obstacles.getDimension(), fingerprint};
     }
 

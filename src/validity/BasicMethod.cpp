@@ -81,8 +81,8 @@ namespace ompl_certificates
         for (std::size_t body = first; whole.free && body < end; ++body)
         {
             const PoseQuery query = queryOf(robot, body - first, context, sample);
-            SwitchingPolicy unused;  // A new policy tries everything.
-            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : unused, context.counts);
+            SwitchingPolicy untrained;  // A new policy tries everything.
+            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
             whole.free = one.free;
             whole.validInterval = std::min(whole.validInterval, one.validInterval);
             whole.by = std::max(whole.by, one.by);

@@ -12,8 +12,8 @@ namespace ompl_certificates
         free up to both ends of the cell. So the verdict depends only on the obstacles, the motion and the resolution.
 
         Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
-        also prove, by a small margin. Where the space interpolates symmetrically, both directions of a motion are
-        checked in the same way. The check then starts at the state whose serialized values come first. */
+        also prove, by a small margin. Where the space interpolates symmetrically, both directions of a motion are one.
+        Time then runs from the state whose serialized values come first. */
     class ContinuousMotionCheck : public MotionCheck
     {
     public:
@@ -34,10 +34,10 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Chooses the direction in which the motion is checked */
+        /** \brief Chooses the state from which time runs */
         void orient();
 
-        /** \brief Settles a subject in a cell; cells are counted from the start of the check
+        /** \brief Settles a subject in a cell; cells are counted from \e s1, wherever time runs from
             \param around set to the number of neighboring cells on either side that are proved free, too
             \return whether the cell is proved free */
         bool settleCell(unsigned int subject, int cell, int &around);

@@ -43,7 +43,7 @@ namespace ompl_certificates
         /** \brief How many samples on either side of one lie within \e interval */
         int samplesWithin(double interval) const;
 
-        /** \brief Not set if settleEnd() fails in isFree() */
+        /** \brief Stays 0 if settleEnd() fails in isFree() */
         int segments_{0};
     };
 }

@@ -27,7 +27,7 @@ namespace ompl_certificates
                 require(dimension_ == 2 || dimension_ == 3,
                         "getDimension() must be 2 or 3, not " + std::to_string(dimension_));
                 require(bounds.low.size() == dimension_ && bounds.high.size() == dimension_,
-                        "they have " + std::to_string(dimension_) + " dimensions, but the bounds " +
+                        "they have " + std::to_string(dimension_) + " dimensions, but the bounds have " +
                             std::to_string(bounds.low.size()));
                 for (unsigned int i = 0; i < dimension_; ++i)
                 {
@@ -53,8 +53,8 @@ namespace ompl_certificates
             void tryBody(const Body &body, std::size_t index, unsigned int samples)
             {
                 require(body.getDimension() == dimension_, "they have " + std::to_string(dimension_) +
-                                                               " dimensions, but body " + std::to_string(index) + " " +
-                                                               std::to_string(body.getDimension()));
+                                                               " dimensions, but body " + std::to_string(index) +
+                                                               " has " + std::to_string(body.getDimension()));
                 require(dimension_ == 3 || obstacles_.getZInterval().contain(body.getZInterval()),
                         "their z-interval does not contain that of body " + std::to_string(index));
                 for (unsigned int i = 0; i < samples; ++i)

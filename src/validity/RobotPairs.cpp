@@ -15,8 +15,8 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** How long two balls stay apart whose gap exceeds a margin. The cushion ensures that the gap at any time
-            within proves that, too. */
+        /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that
+            interval prove this, too. */
         double intervalOf(double gap, double margin, double speed)
         {
             return speed > 0.0 ? std::max(gap - margin * (1.0 + CertifiedEnvironment::PROOF_CUSHION), 0.0) / speed
@@ -130,8 +130,8 @@ namespace ompl_certificates
         const Pose relative = bodies.relativePose(context);
         CheckCounts asked;
         PoseVerdict verdict;
-        SwitchingPolicy unused;  // A new policy tries everything.
-        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : unused;
+        SwitchingPolicy untrained;  // A new policy tries everything.
+        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : untrained;
         if (frame.certified)
         {
             // In the environment's frame, the motion bounds of both bodies add up.

@@ -30,8 +30,8 @@ namespace ompl_certificates
                                       std::to_string(team.getWorkspaceDimension()));
             if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
                 throw ompl::Exception(
-                    "The obstacles' z-interval does not contain the robots'; make the obstacles for the "
-                    "team's, TeamStateSpace::getZInterval()");
+                    "The obstacles' z-interval does not contain the robots'; give them "
+                    "the team's: TeamStateSpace::getZInterval()");
         }
 
         std::unique_ptr<CheckMethod> makeMethod(Method method, const Team &team, const ObstaclesPtr &obstacles,

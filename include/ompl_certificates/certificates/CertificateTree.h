@@ -60,10 +60,10 @@ namespace ompl_certificates
         starts at the root, or, as in the paper, at the leaf of a given certificate. The seeded search ends early if
         that certificate is near the query.
 
-        Cells are divided in the middle. So the depth depends on the ratio of the points' distances, not on the order of
-        insertion. Nothing is ever rebuilt or moved. A cell keeps its first few certificates; later ones go into the
-        four cells it is divided into. The tree stores only certificates, not the states they prove. Each subtree keeps
-        bounds of its certificates' balls, by which a search skips it.
+        Cells are divided in the middle. So the ratio of the points' distances bounds the depth, in any order of
+        insertion. Insertion never rebuilds or moves anything. A cell keeps its first few certificates; later ones go
+        into the four cells it is divided into. The tree stores only certificates, not the states they prove. Each
+        subtree keeps bounds of its certificates' balls, by which a search skips it.
 
         Threads: any number may search while others add. add() takes a lock; searches take none. remove() and clear()
         need exclusive use of the tree.
@@ -223,9 +223,9 @@ namespace ompl_certificates
             std::atomic<Bucket *> bucket{nullptr};
             std::atomic<InnerNode *> parent{nullptr};
 
-            /** Bounds of the certificates below each child. For each axis, they are the largest c + d, d - c, c - d and
-                -c - d, rounded up, over points c and clearances d. The first two bound balls that are free, the other
-                two balls that collide. */
+            /** Bounds of the certificates below each child. For each axis they are the largest c + d, d - c, c - d and
+                -c - d. Here c is a point and d its clearance; all are rounded up. The first two bound balls that are
+                free, the other two balls that collide. */
             alignas(64) Bound bound[3][4];
         };
 

@@ -9,9 +9,9 @@ namespace ompl_certificates
         nothing.
 
         A team certificate holds one clearance for each body. It is made when a whole state was checked and found free.
-        States hand it on by reference, so the near state is the one that a planner extends or checks from. The method
-        applies the paper's method for single robots to a team unchanged. It is kept for comparison; it gets worse with
-        the number of robots.
+        States hand it on by reference, so the near state is the one that a planner extends or checks from. This is the
+        method for single robots, applied to a team unchanged. It is kept for comparison; it degrades with the number of
+        robots.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,

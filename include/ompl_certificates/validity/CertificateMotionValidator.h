@@ -13,8 +13,9 @@ namespace ompl_certificates
 
         Discrete mode gives the verdict and the last valid state of ompl::base::DiscreteMotionValidator. Some checks
         look at all samples, in the order of that class: those with a method without certificates, and those in a space
-        that does not move the robots as their own spaces do (see Team::interpolatesRobots()). The lock is taken once
-        for each motion. A motion is counted and timed as a whole.
+        that does not move the robots as their own spaces do (see Team::interpolatesRobots()).
+
+        changeObstacles() waits for the whole motion. A motion is counted and timed as a whole.
 
         Continuous mode accepts a motion only if all of it is proved free, so no collision can hide between two samples.
         The verdict depends only on the obstacles, the motion and the resolution. It is the same for both overloads and

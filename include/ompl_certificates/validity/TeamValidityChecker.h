@@ -32,8 +32,8 @@ namespace ompl_certificates
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                             Method method = Method::STANDARD);
 
-        /** \brief A checker for \e robots, whose states are parts of the states of \e si's space; Team tells which
-            spaces it reads
+        /** \brief A checker for \e robots, whose states are parts of those of \e si's space; Team tells which spaces it
+            reads
             \throws ompl::Exception as above, and as Team::Team() */
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                             const std::vector<RobotPtr> &robots, Method method = Method::STANDARD);
@@ -86,7 +86,7 @@ namespace ompl_certificates
         /** \brief The robots, and how to read their states from those of the space */
         const Team &getTeam() const;
 
-        /** \brief The obstacles. changeObstacles() makes the reference invalid. */
+        /** \brief The obstacles. changeObstacles() invalidates the reference. */
         const Obstacles &getObstacles() const;
 
         /** \brief Replaces the obstacles. All later verdicts are those of a new checker among the new obstacles.

@@ -7,9 +7,10 @@
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <vector>
 
-/** \file Trials for robots and obstacles of your own. Certificates trust what these classes report. If a motion bound
-    is too small or a clearance too large, a checker accepts collisions, and no check notices. So call these functions
-    in a test of your class. They try random cases, drawn by ompl::RNG: they find faults, but prove nothing. */
+/** \file
+    Trials for robots and obstacles of your own. Certificates trust what these classes report. If a motion bound is too
+    small or a clearance too large, a checker accepts collisions, and no check notices. So call these functions in a
+    test of your class. They try random cases, drawn by ompl::RNG: they find faults, but prove nothing. */
 
 namespace ompl_certificates
 {
