@@ -89,7 +89,7 @@ namespace ompl_certificates
 
         /** \brief Like covering(), but searches upwards from the leaf of certificate \e seed. A seed that is not in the
             tree is ignored. The seed may change which certificate is found, but not whether one is found. The checkers
-            do not use this: they try the seed by coveringBy() first. If that fails, a search from the root is as
+            do not use this. They try the seed by coveringBy() first; if that fails, a search from the root is as
             fast. */
         Covering covering(const BallQuery &query, CertificateIndex seed) const;
 
@@ -107,7 +107,8 @@ namespace ompl_certificates
             \param clearanceOf the new clearance of a certificate */
         void changeClearances(const std::function<double(const Certificate &)> &clearanceOf);
 
-        /** \brief The certificate of an index that insert() returned */
+        /** \brief The certificate of an index that insert() returned
+            \throws ompl::Exception if there is no such certificate */
         Certificate operator[](CertificateIndex index) const;
 
         /** \brief The memory taken by the tree, in bytes */

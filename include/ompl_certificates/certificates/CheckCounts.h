@@ -74,7 +74,7 @@ namespace ompl_certificates
     /** \brief What settled a pose, in order of cost */
     enum class SettledBy
     {
-        /// Certificates made earlier, or a part of the obstacles hit before.
+        /// Earlier certificates, or the part of the obstacles hit last nearby.
         CERTIFICATE,
         /// New clearances.
         CLEARANCES,

@@ -35,7 +35,7 @@ namespace ompl_certificates
     class CertificateMotionValidator : public ompl::base::MotionValidator
     {
     public:
-        /** \brief What it takes for a motion to be valid */
+        /** \brief When a motion is valid */
         enum Mode
         {
             /// All samples at the space's resolution are valid, as for OMPL's own validator.
@@ -55,7 +55,7 @@ namespace ompl_certificates
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 
-        /** \brief What it takes for a motion to be valid */
+        /** \brief When a motion is valid, as given to the constructor */
         Mode getMode() const
         {
             return mode_;
