@@ -15,10 +15,10 @@ namespace ompl_certificates
         const std::string MAGIC = "OMPLCERT";
         constexpr std::uint32_t VERSION = 1;
 
-        /** The magic word, version, dimension, fingerprint of the obstacles, number of certificates */
+        /** Magic word, version, dimension, fingerprint of the obstacles, number of certificates */
         constexpr std::size_t HEAD_BYTES = 8 + 4 + 4 + 8 + 8, CHECKSUM_BYTES = 4;
 
-        /** Enough for all certificates that a tree can hold */
+        /** Enough for the largest tree */
         constexpr std::uintmax_t MOST_BYTES = std::uintmax_t(1) << 36u;
 
         template <typename T>
@@ -64,9 +64,7 @@ namespace ompl_certificates
     {
         const std::uint64_t fingerprint = obstacles.getFingerprint();
         if (fingerprint == 0)
-            throw ompl::Exception(file,
-                                  "obstacles of this kind have no fingerprint by which their certificates "
-                                  "could be told from those of others");
+            throw ompl::Exception(file, "cannot hold certificates of obstacles that have no fingerprint");
         return {obstacles.getDimension(), fingerprint};
     }
 
@@ -118,7 +116,7 @@ namespace ompl_certificates
                    std::to_string(bytes.size()) + " bytes");
         std::size_t end = bytes.size() - CHECKSUM_BYTES;
         if (count * bytesEach != room || take<std::uint32_t>(bytes, end) != checksumOf(bytes, HEAD_BYTES + room))
-            refuse("is damaged: its checksum is another one");
+            refuse("is damaged: its checksum is wrong");
         if (fileDimension != obstacles.dimension || fileFingerprint != obstacles.fingerprint)
             refuse("is of other obstacles");
 
@@ -129,7 +127,7 @@ namespace ompl_certificates
                 certificate.point[axis] = takeNumber(bytes, at);
             certificate.clearance = takeNumber(bytes, at);
             if (!certificate.point.allFinite() || !(certificate.clearance > -std::numeric_limits<double>::infinity()))
-                refuse("is damaged: a certificate is not of numbers");
+                refuse("is damaged: a certificate has a value that is not a number");
         }
         return certificates;
     }

@@ -7,30 +7,31 @@
 
 namespace ompl_certificates
 {
-    /** \brief How many certificates may be kept, by all stores that share this. May be used by many threads at once. */
+    /** \brief Limits how many certificates are kept by all stores that share it. Threads: all methods may run at
+        once. */
     class CertificateLimit
     {
     public:
-        /** \brief The number that may be kept; unlimited at first. Certificates that are there already stay. */
+        /** \brief Sets the limit; unlimited at first. Certificates beyond it that are already kept stay. */
         void setMost(std::size_t most)
         {
             most_.store(most, std::memory_order_relaxed);
         }
 
-        /** \brief The number that may be kept */
+        /** \brief How many certificates may be kept */
         std::size_t getMost() const
         {
             return most_.load(std::memory_order_relaxed);
         }
 
-        /** \brief The number that is kept */
+        /** \brief How many certificates are kept */
         std::size_t getCount() const
         {
             return count_.load(std::memory_order_relaxed);
         }
 
-        /** \brief Ask for room for \e count more. The limit is never exceeded, not for a moment.
-            \return whether there is room, which then is taken */
+        /** \brief Reserves \e count more certificates. The limit is never exceeded, not even for a moment.
+            \return whether there was room for all; if not, none is reserved */
         bool take(std::size_t count = 1)
         {
             std::size_t kept = count_.load(std::memory_order_relaxed);
@@ -41,7 +42,7 @@ namespace ompl_certificates
             return true;
         }
 
-        /** \brief Give back the room of \e count that are no longer kept */
+        /** \brief Gives back \e count certificates that are no longer kept */
         void give(std::size_t count)
         {
             count_.fetch_sub(count, std::memory_order_relaxed);

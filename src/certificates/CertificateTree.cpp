@@ -38,7 +38,8 @@ namespace ompl_certificates
             return static_cast<double>(nearest) < value ? std::nextafter(nearest, FLOAT_INF) : nearest;
         }
 
-        /** A cell is not divided below this fraction of the root's: more certificates there go into the bucket's next one. */
+        /** The smallest cell that is divided, as a fraction of the root's. Further certificates there go into chained
+            buckets. */
         constexpr double SMALLEST_CELL = 1e-9;
     }
 
@@ -67,7 +68,7 @@ namespace ompl_certificates
     void CertificateTree::reset()
     {
         buckets_.clear();
-        forks_.clear();
+        innerNodes_.clear();
         store_.clear();
         roots_.clear();
         root_ = &roots_[roots_.append()];
@@ -90,7 +91,7 @@ namespace ompl_certificates
 
     CertificateTree::InnerNode *CertificateTree::newInnerNode(Bucket *bucket, InnerNode *parent)
     {
-        InnerNode &innerNode = forks_[forks_.append()];
+        InnerNode &innerNode = innerNodes_[innerNodes_.append()];
         innerNode.bucket.store(bucket, std::memory_order_relaxed);
         innerNode.parent.store(parent, std::memory_order_relaxed);
         for (auto &axis : innerNode.bound)
@@ -166,7 +167,7 @@ namespace ompl_certificates
             box.extend(store_[bucket.index[i]].certificate.point);
         if (box.sizes().maxCoeff() == 0.0)
             return;
-        // Wide enough for the walls to differ, however far from the origin they are.
+        // The cell's faces must differ in floating point, however far from the origin they are.
         const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
         const double wanted = std::max(2.0 * box.sizes().maxCoeff(), 1e-12 * farthest);
         const double extent = std::exp2(std::ceil(std::log2(wanted)) + 1.0), grid = extent / 16.0;
@@ -180,7 +181,7 @@ namespace ompl_certificates
 
     double CertificateTree::smallestCell(const Eigen::AlignedBox3d &cell) const
     {
-        // Nor is a cell divided that is too small, that far from the origin, to have a middle.
+        // Far from the origin, a cell also needs enough floating-point resolution to have a middle.
         const double farthest = cell.min().cwiseAbs().cwiseMax(cell.max().cwiseAbs()).maxCoeff();
         return std::max(SMALLEST_CELL * cell.sizes().maxCoeff(),
                         4.0 * std::numeric_limits<double>::epsilon() * farthest);
@@ -205,9 +206,9 @@ namespace ompl_certificates
             Root &root = roots_[roots_.append()];
             root.low = old.low;
             root.high = old.high;
-            // The last two of the three axes that are divided in turns, or the two of the plane.
+            // In space, the two axes that precede the old first axis in turn; in the plane, both axes.
             root.firstAxis = (old.firstAxis + 2 * dimension_ - 2) % dimension_;
-            unsigned int side = 0;  // that the old root comes to
+            unsigned int side = 0;  // of the old root
             for (int i = 0; i < 2; ++i)
             {
                 const int axis = (root.firstAxis + i) % dimension_;
@@ -230,7 +231,7 @@ namespace ompl_certificates
     CertificateIndex CertificateTree::insert(const Certificate &certificate)
     {
         if (!certificate.point.allFinite() || !(certificate.clearance > -INF))
-            throw ompl::Exception("A certificate's point must be finite and its clearance a number, at most infinite");
+            throw ompl::Exception("A certificate's point must be finite, its clearance a number above -infinity");
         if (dimension_ == 2 && certificate.point.z() != 0.0)
             throw ompl::Exception("A certificate of the plane must have z = 0, not " +
                                   std::to_string(certificate.point.z()));
@@ -244,7 +245,7 @@ namespace ompl_certificates
         const std::lock_guard<std::mutex> lock(insertMutex_);
         const CertificateIndex index = store_.append();
         store_[index].certificate = certificate;
-        // Before it is in the tree: who finds it there may ask for it by its index at once.
+        // Published before it is in the tree: a reader that finds it may ask for its index at once.
         stored_.store(index + 1, std::memory_order_release);
         const auto isFull = [](Subtree subtree) { return subtree.bucket()->count == BUCKET_SIZE; };
         if (root_.load()->cell().isEmpty() && isFull(root_.load()->subtree))
@@ -289,7 +290,7 @@ namespace ompl_certificates
                 side = 2 * side + (above ? 1 : 0);
                 (above ? cell.min() : cell.max())[axis] = middle;
             }
-            // What bounds a certificate is there before it can be found.
+            // Bounds first, so that no search skips the certificate once it is there.
             extend(*parent, side, certificate);
             link = &parent->child[side];
         }
@@ -299,16 +300,16 @@ namespace ompl_certificates
 
     void CertificateTree::changeClearances(const std::function<double(const Certificate &)> &clearanceOf)
     {
-        // The bounds of cells can only grow, so the tree is made anew, in the same order.
+        // Cell bounds can only grow, so the tree is built anew, in the same order.
         std::vector<Certificate> all;
         for (CertificateIndex index = 0; index < stored_; ++index)
             all.push_back(store_[index].certificate);
-        // Not by clear() and insert(): the limit may be lower by now.
+        // Not clear() and insert(): the limit may have been lowered since.
         reset();
         for (const Certificate &certificate : all)
             if (!std::isnan(certificate.clearance))
                 store({certificate.point, clearanceOf(certificate)});
-            else  // The place of one that was removed stays empty.
+            else  // A removed certificate keeps its index.
             {
                 store_[store_.append()].certificate = certificate;
                 ++stored_;
@@ -325,7 +326,7 @@ namespace ompl_certificates
     std::size_t CertificateTree::bytes() const
     {
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        return sizeof(*this) + buckets_.bytes() + forks_.bytes() + store_.bytes();
+        return sizeof(*this) + buckets_.bytes() + innerNodes_.bytes() + store_.bytes();
     }
 
     void CertificateTree::list(std::vector<Certificate> &data) const

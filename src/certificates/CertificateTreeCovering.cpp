@@ -1,4 +1,4 @@
-// What covers a ball: the searches of CertificateTree.
+// CertificateTree: searches for a certificate that proves a ball free or colliding
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 
@@ -9,14 +9,14 @@ namespace ompl_certificates
 {
     namespace
     {
-        // What one register of the processor holds, and what comes of comparing two of them
+        // SIMD registers, and the results of comparing two of them
         using Floats = float __attribute__((vector_size(16)));
         using Flags = std::int32_t __attribute__((vector_size(16)));
         using Doubles = double __attribute__((vector_size(16)));
         using LongFlags = std::int64_t __attribute__((vector_size(16)));
         using Words = std::uint64_t __attribute__((vector_size(16)));
 
-        /** A float that is at most \e value, and not much less */
+        /** A float at most \e value, and not much less */
         float roundDown(double value)
         {
             const auto nearest = static_cast<float>(value);
@@ -31,10 +31,11 @@ namespace ompl_certificates
                 Words{bound[0].load(std::memory_order_relaxed), bound[1].load(std::memory_order_relaxed)});
         }
 
-        /** All four children, as bits */
+        /** All four children as bits */
         constexpr unsigned int ALL_CHILDREN = 15U;
 
-        /** The bits of a number, those of three or two numbers in turns: as many as find room */
+        /** Spreads the bits of a number so that two (plane) or three (space) can be interleaved. In space the low 11
+            bits are dropped. */
         template <int DIMENSION>
         std::uint64_t spread(std::uint32_t bits)
         {
@@ -54,7 +55,7 @@ namespace ompl_certificates
             return (x | x << 2) & 0x1249249249249249U;
         }
 
-        /** The sides of the divisions of a cell that a point is on, from the highest bits down, two for each inner node */
+        /** The path from the root to a point: two bits for each inner node, from the highest down */
         template <int DIMENSION>
         std::uint64_t wayTo(const Eigen::Vector3d &point, const Eigen::Vector3d &low, const Eigen::Vector3d &high,
                             int firstAxis)
@@ -94,7 +95,7 @@ namespace ompl_certificates
             }
         }
 
-        /** Below which children there may be a certificate that proves the query, as bits */
+        /** The children that may hold a certificate that proves the query, as bits */
         unsigned int among(const InnerNode &innerNode) const
         {
             Flags free{-1, -1, -1, -1}, colliding{-1, -1, -1, -1};
@@ -110,8 +111,8 @@ namespace ompl_certificates
             return static_cast<unsigned int>(halves | halves >> 32);
         }
 
-        /** Find the certificate of a bucket that proves the query, of several the one that leaves most room: it will
-            serve the longest interval of a motion. */
+        /** Finds a certificate in a bucket that proves the query. Of several it takes the one with the most slack,
+            which serves the longest interval of a motion. */
         bool isIn(const Bucket &bucket)
         {
             const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
@@ -128,7 +129,7 @@ namespace ompl_certificates
                     const Doubles dz = values(bucket.z) - both(query.center.z());
                     squared[pair] += dz * dz;
                 }
-                // In this order: what is not a number, an infinite clearance for a ball that cannot be free, loses.
+                // In this order: an infinite clearance less an infinite radius is not a number, and proves nothing.
                 const Doubles colliding = both(query.collidingRadius) - values(bucket.clearance);
                 const Doubles free = values(bucket.clearance) - both(query.freeRadius);
                 range[pair] = colliding > free ? colliding : free;
@@ -158,7 +159,7 @@ namespace ompl_certificates
         }
 
         const BallQuery &query;
-        /** What a child's bounds must exceed */
+        /** The values that a child's bounds must exceed */
         Floats exceeded[3][4];
         Covering found;
     };
@@ -219,7 +220,7 @@ namespace ompl_certificates
             searchBuckets(subtree.bucket(), search);
             return search.found;
         }
-        // Down to the smallest cell about the query's center, whose certificates are the likeliest, and up from there.
+        // Descend to the smallest cell around the query's center, whose certificates are the likeliest, then climb.
         const std::uint64_t way = wayTo<DIMENSION>(query.center, root.low, root.high, root.firstAxis);
         const auto sideAt = [way](unsigned int depth)
         { return static_cast<unsigned int>(way >> (62 - 2 * depth)) & 3U; };
@@ -232,7 +233,7 @@ namespace ompl_certificates
             subtree = path[depth]->child[sideAt(depth)].load(std::memory_order_acquire);
             ++depth;
         }
-        // What is looked at next, if the smallest cell has nothing, comes from memory meanwhile.
+        // If the smallest cell has nothing, these are searched next: load them meanwhile.
         prefetch<DIMENSION>(*path[depth - 1]);
         if (depth > 1)
             prefetch<DIMENSION>(*path[depth - 2]);
@@ -282,7 +283,7 @@ namespace ompl_certificates
             return true;
         if (!subtree.isInnerNode())
             return false;
-        // Forks on the way down, with those of their children that are yet to be searched
+        // Inner nodes on the way down, with those of their children that are still to be searched
         struct Pending
         {
             const InnerNode *innerNode;
@@ -312,7 +313,7 @@ namespace ompl_certificates
                 continue;
             if (depth < capacity)
                 pending[depth++] = {child.innerNode(), below};
-            // Cells that deep are rare: points that are very far apart in some places and close in others.
+            // Trees this deep are rare: they need points that are partly very far apart and partly very close.
             else if (searchDown(child, ALL_CHILDREN, search))
                 return true;
         }

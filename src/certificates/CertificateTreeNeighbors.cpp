@@ -1,4 +1,4 @@
-// What is near a point: CertificateTree as a NearestNeighbors structure.
+// CertificateTree as an ompl::NearestNeighbors structure
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 
@@ -46,7 +46,8 @@ namespace ompl_certificates
             Stored &stored = store_[index];
             if (!(stored.certificate == data))
                 continue;
-            // What is not a number proves nothing and is near to nothing: the place stays, the certificate is gone.
+            // A NaN clearance proves nothing and is skipped by all searches. The certificate is gone, but its index
+            // stays taken.
             constexpr double gone = std::numeric_limits<double>::quiet_NaN();
             stored.certificate.clearance = gone;
             for (Bucket *at = stored.bucket; at; at = at->next)

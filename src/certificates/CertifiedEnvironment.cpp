@@ -16,10 +16,10 @@ namespace ompl_certificates
 
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** How often a cover is refined by one certificate, and by new clearances */
+        /** How many levels of a sphere tree are refined, by a stored certificate and by new clearances */
         constexpr unsigned int STORED_LEVELS = 2, ASKED_LEVELS = 4;
 
-        /** How many clearances may be asked of one pose before the exact check is the cheaper one */
+        /** How many clearances to ask for one pose before the exact check is cheaper */
         constexpr unsigned int MOST_CLEARANCES = 8;
     }
 
@@ -38,7 +38,8 @@ namespace ompl_certificates
 
     bool CertifiedEnvironment::settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const
     {
-        // A certificate that does not even hold the body's center, as that of a far state, proves nothing of finer balls.
+        // A certificate that does not cover the body's center, such as that of a far state, proves no finer ball
+        // either.
         const double margin = getProofMargin(query);
         const Eigen::Vector3d center = query.pose * query.body.getSphereTree().getRoot().center;
         if (certificates_.coveringBy(hint, {center, margin, -INF}).verdict != Covering::FREE)
@@ -59,12 +60,12 @@ namespace ompl_certificates
             return verdict;
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
-        // A ball is settled by one search either way, which mostly finds something.
+        // One search settles a ball either way, and mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
             return askAndLearn(query, false, policy, counts);
 
-        // From the root: seeded at the hint, which has failed, the search takes about twice as long.
+        // Search from the root: seeded at the hint, which has failed, it takes about twice as long.
         const Ball &ball = query.body.getSphereTree().getRoot();
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.noteLookup(covering.verdict != Covering::UNKNOWN);
@@ -118,7 +119,7 @@ namespace ompl_certificates
         if (clearances)
         {
             const bool settled = settleByClearances(query, learn, verdict, counts);
-            // A proof settles the samples that it reaches as well.
+            // The proof also settles the samples within its valid interval.
             const double more = verdict.free ? std::min(verdict.validInterval, 1.0) * query.samplesAhead : 0.0;
             settling.noteClearances(settled ? 1.0 + more : 0.0);
             if (settled)
@@ -157,10 +158,10 @@ namespace ompl_certificates
             if (clearances == 1)
                 verdict.clearance = certificate.clearance;
             Covering covering = CertificateTree::cover(certificate, NO_CERTIFICATE, ball);
-            // What this proves of other times is to be proved by their own clearances, too.
+            // The clearances at those other times must be able to prove what this proves of them.
             if (query.isProofOnly())
                 covering.slack -= PROOF_CUSHION * margin;
-            // What is nearest to the middle of a body that collides is mostly what it collides with.
+            // A body that collides mostly hits what is nearest to its center.
             if (clearances == 1 && covering.verdict != Covering::FREE && nearest != NO_PART &&
                 obstacles_->certainlyHits(query.body, query.pose, nearest))
             {
@@ -168,13 +169,14 @@ namespace ompl_certificates
                 return covering;
             }
             if (covering.verdict != Covering::FREE && provesCollisions)
-                for (const Ball &core : query.body.getInnerSpheres())
-                    if ((query.pose * core.center - ball.center).norm() + certificate.clearance < core.radius - margin)
+                for (const Ball &inner : query.body.getInnerSpheres())
+                    if ((query.pose * inner.center - ball.center).norm() + certificate.clearance <
+                        inner.radius - margin)
                     {
                         collides = true;
                         break;
                     }
-            // Only what settles this pose when it comes again; or else it would be added each time.
+            // Keep only what will settle this pose next time; otherwise each visit would add it again.
             if (learn && (collides || clearances == 1) &&
                 CertificateTree::cover(certificate, NO_CERTIFICATE, wholeBodyQuery(query)).verdict != Covering::UNKNOWN)
                 covering.certificate = certificates_.insert(certificate);

@@ -15,51 +15,57 @@
 
 namespace ompl_certificates
 {
-    /** \brief Proves from certificates that a body is free for requiredInterval: refines its cover where \e lookup, a function from
-        a BallQuery to a Covering, does not prove that of a coarse ball. Lowers \e verdict.validInterval to how long the proof
-        lasts, and sets its reference; \e verdict is meaningless if the proof fails.
+    /** \brief Tries to prove, from certificates, that a body is free for PoseQuery::requiredInterval.
 
-        \param margin what radii must be enlarged by
-        \param levels how often the cover may be refined
-        \param most how many balls may be looked up */
+        Where \e lookup proves nothing of a coarse ball of the sphere tree, its children are tried. If the proof
+        succeeds, \e verdict gets its valid interval and a reference; otherwise \e verdict is meaningless.
+
+        \param margin what to add to all radii
+        \param levels how many levels of the sphere tree may be refined
+        \param most how many balls may be looked up
+        \param lookup a function from a BallQuery to a Covering
+        \return whether the body is proved free */
     template <typename Lookup>
     bool proveFree(const PoseQuery &query, double margin, unsigned int levels, unsigned int most, const Lookup &lookup,
                    PoseVerdict &verdict);
 
-    /** \brief Obstacles, and what is known of them: settles whether a body touches them, by certificates if possible.
+    /** \brief Obstacles and their certificates: settles whether a body touches the obstacles, by certificates if
+        possible.
 
         The environment may be the workspace, or another robot's body seen from its own frame (the paper's footnote 2).
-        All methods but clear() may be called from many threads at once. */
+        All methods but change() and clear() may be called from many threads at once. */
     class CertifiedEnvironment
     {
     public:
-        /** \brief Nothing is known of \e obstacles yet.
-            \param limit how many certificates may be kept, together with others; none if null */
+        /** \brief An environment without certificates
+            \param limit how many certificates all stores that share it may keep; unlimited if null */
         explicit CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit = nullptr);
 
-        /** \brief Settle \e query: by certificates, else by asking the obstacles, and remember the answer.
-            \param hint a certificate that may well be near, or NO_CERTIFICATE
+        /** \brief Settles \e query by certificates if possible, else by asking the obstacles. Keeps new certificates
+            that may help later.
+            \param hint a certificate that is probably near, or NO_CERTIFICATE
             \param policy what is worth trying before the exact check
-            \param counts where to count clearances and exact calls */
+            \param counts where to count clearances and exact checks */
         PoseVerdict settle(const PoseQuery &query, CertificateIndex hint, SwitchingPolicy &policy,
                            CheckCounts &counts) const;
 
-        /** \brief Settle \e query by asking the obstacles, with no use of certificates */
+        /** \brief Settles \e query by asking the obstacles; neither uses nor keeps certificates */
         PoseVerdict ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const;
 
-        /** \brief Settle \e query by certificate \e hint alone
-            \return whether it proves the body free; then \e verdict tells for how long */
+        /** \brief Tries to settle \e query by certificate \e hint alone
+            \return whether it proves the body free; if so, \e verdict holds the valid interval */
         bool settleByHint(const PoseQuery &query, CertificateIndex hint, PoseVerdict &verdict) const;
 
-        /** \brief What the radii of the balls of \e body are enlarged by to count as free, or shrunk by to collide */
+        /** \brief What is added to the radii of a body's balls to prove it free, and subtracted to prove it
+            colliding */
         double getMargin(const Body &body) const
         {
             return obstacles_->getTolerance() + exactCheckTolerance(body.getBoundingRadius());
         }
 
-        /** \brief What the radii of the balls of a query's body are enlarged by to be proved free by a certificate that was not
-            made for this very query: getMargin(), and what rounding may cost where only a proof counts, so that the
-            clearances of the balls themselves prove all that older certificates prove. */
+        /** \brief What is added to the radii if the certificate was not made for this very query: getMargin(). Where
+            only a proof counts, a cushion for rounding is added. So new clearances prove all that older certificates
+            prove. */
         double getProofMargin(const PoseQuery &query) const
         {
             return getMargin(query.body) * (query.isProofOnly() ? 1.0 + PROOF_CUSHION : 1.0);
@@ -71,52 +77,54 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        /** \brief Add a certificate of these obstacles, if there is room
+        /** \brief Adds a certificate of these obstacles, unless the limit is reached
             \throws ompl::Exception as CertificateTree::insert() */
         void add(const Certificate &certificate)
         {
             certificates_.insert(certificate);
         }
 
-        /** \brief What is known of them */
+        /** \brief The certificates of the obstacles */
         const CertificateTree &getCertificates() const
         {
             return certificates_;
         }
 
-        /** \brief Take other obstacles, and repair what is known: certificates get the clearances that they would have if they
-            were made now, what was hit is forgotten. Not while others use the environment. */
+        /** \brief Replaces the obstacles. Certificates get their new clearances; remembered hits are forgotten. Not
+            while others use the environment. */
         void change(const ObstacleChange &change);
 
-        /** \brief Forget all certificates. Not while others use the environment. */
+        /** \brief Removes all certificates and hits. Not while others use the environment. */
         void clear()
         {
             certificates_.clear();
             hits_.clear();
         }
 
-        /** \brief How many balls a proof may look at. Where only a proof counts, an old certificate may prove no more than
-            new clearances would: as many as settle most poses, and one for each further shape of the body. */
+        /** \brief How many balls a proof may look up. Where only a proof counts, old certificates may prove no more
+            than new clearances would, so the number is limited: enough for most poses, and one for each further shape
+            of the body. */
         static unsigned int mostBalls(const PoseQuery &query)
         {
             return query.isProofOnly() ? 7 + static_cast<unsigned int>(query.body.getParts().size())
                                        : std::numeric_limits<unsigned int>::max();
         }
 
-        /** \brief The part of a margin that pays for the rounding between two proofs of the same */
+        /** \brief The fraction of a margin that pays for rounding between two proofs of the same fact */
         static constexpr double PROOF_CUSHION = 1e-3;
 
     private:
-        /** \brief ask(), remembering the clearances that settled a ball if \e learn is set */
+        /** \brief ask(), which also keeps certificates that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy, CheckCounts &counts) const;
 
-        /** \brief Settle \e query by clearances, if they do; counts them in \e verdict and \e counts */
+        /** \brief Tries to settle \e query by new clearances; updates \e verdict and \e counts
+            \return whether it is settled */
         bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
 
-        /** \brief Whether the body certainly hits the part of the obstacles that was hit last around it */
+        /** \brief Whether the body certainly hits the part of the obstacles that was hit last nearby */
         bool hitsAgain(const PoseQuery &query, CheckCounts &counts) const;
 
-        /** \brief The ball whose certificates are looked up for a body: it settles the whole body either way */
+        /** \brief The ball by which certificates are looked up: a proof about it settles the whole body */
         BallQuery wholeBodyQuery(const PoseQuery &query) const;
 
         ObstaclesPtr obstacles_;
@@ -128,13 +136,13 @@ namespace ompl_certificates
     bool proveFree(const PoseQuery &query, double margin, unsigned int levels, unsigned int most, const Lookup &lookup,
                    PoseVerdict &verdict)
     {
-        /** Siblings that are yet to be proved, and how often the cover was refined for them */
+        /** Siblings that are still to be proved, and their level */
         struct Open
         {
             std::uint32_t next, end;
             unsigned int level;
         };
-        // Depth first: there are open siblings at each level at most.
+        // Depth first, so each level has open siblings of one node at most.
         std::array<Open, SphereTree::MOST_LEVELS> stack;
         std::size_t open = 0;
         stack[open++] = {0, 1, 0};

@@ -10,7 +10,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Settles a pose in the way that a policy chooses, and tells it how long that took if it is the pose's turn */
+    /** \brief The way a policy chooses for one pose. If the pose is timed, reports to the policy how long each step
+        took. */
     class TimedSettling
     {
     public:
@@ -26,14 +27,14 @@ namespace ompl_certificates
             return way_;
         }
 
-        /** \brief Clearances were asked, and have settled that many samples */
+        /** \brief Reports that clearances were asked and settled that many samples */
         void noteClearances(double samples)
         {
             if (timed_)
                 policy_.noteClearances(lap(), samples);
         }
 
-        /** \brief The exact check was made, or the contact test was enough */
+        /** \brief Reports that the exact check, or the contact test before it, settled the pose */
         void noteExact()
         {
             if (timed_)
@@ -55,8 +56,8 @@ namespace ompl_certificates
         std::chrono::steady_clock::time_point start_;
     };
 
-    /** \brief Whether a body collides, by the contact test if \e contact, and by the exact check if that does not tell
-        \param by set to which of them has settled it
+    /** \brief Whether a body collides: by the contact test if \e contact, then by the exact check if needed
+        \param by set to the test that settled it
         \param hit set to a part that the body touches, or to NO_PART */
     inline bool collides(const Obstacles &obstacles, const Body &body, const Pose &pose, bool contact, SettledBy &by,
                          ObstaclePart &hit, CheckCounts &counts)
@@ -75,10 +76,10 @@ namespace ompl_certificates
         return obstacles.collides(body, pose);
     }
 
-    /** \brief Whether a body collides, by a check that remembers nothing: the contact test where it pays, then the exact
-        check. A pose that is not finite collides.
-        \param policy whether the contact test pays; the exact check alone if null
-        \param by set to what has settled it; as it was if the pose is not finite */
+    /** \brief Whether a body collides, without any memory: the contact test where it pays, then the exact check. A pose
+        that is not finite collides.
+        \param policy whether the contact test pays; if null, only the exact check is used
+        \param by set to the test that settled it; unchanged if the pose is not finite */
     inline bool collidesWithoutMemory(const Obstacles &obstacles, const Body &body, const Pose &pose,
                                       SwitchingPolicy *policy, SettledBy &by, CheckCounts &counts)
     {

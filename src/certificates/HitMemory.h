@@ -10,12 +10,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief Which part of the obstacles was hit last around here, so that it can be tried first: most poses that collide
-        do so with the same part as one nearby did.
+    /** \brief Remembers which part of the obstacles was hit last around each point, to try it first. Most poses that
+        collide hit the same part as a pose nearby did.
 
-        A table of fixed size over a coarse and a fine grid of the workspace, with one part a cell. Cells that share a
-        place in the table overwrite each other: an answer is a hint and no more. Never waits; may be used by many
-        threads at once. */
+        A table of fixed size over a coarse and a fine grid of the workspace, with one part for each cell. Cells that
+        share a slot overwrite each other, so an answer is only a hint. Lock-free; may be used by many threads at
+        once. */
     class HitMemory
     {
     public:
@@ -24,22 +24,22 @@ namespace ompl_certificates
             clear();
         }
 
-        /** \brief The part last hit in the grid cell of the center of \e ball, else in the wider cell around it, by
-            bodies about as large; or NO_PART */
+        /** \brief The part last hit in the fine cell of the ball's center, else in its coarse cell, by bodies of about
+            this size. NO_PART if there is none. */
         ObstaclePart find(const Ball &ball) const
         {
-            const ObstaclePart near = parts_[placeOf(ball, FINE)].load(std::memory_order_relaxed);
-            return near != NO_PART ? near : parts_[placeOf(ball, COARSE)].load(std::memory_order_relaxed);
+            const ObstaclePart near = parts_[slotOf(ball, FINE)].load(std::memory_order_relaxed);
+            return near != NO_PART ? near : parts_[slotOf(ball, COARSE)].load(std::memory_order_relaxed);
         }
 
-        /** \brief Remember that a body with enclosing ball \e ball hit \e part */
+        /** \brief Notes that a body with bounding sphere \e ball hit \e part */
         void note(const Ball &ball, ObstaclePart part)
         {
             for (const double cell : {FINE, COARSE})
-                parts_[placeOf(ball, cell)].store(part, std::memory_order_relaxed);
+                parts_[slotOf(ball, cell)].store(part, std::memory_order_relaxed);
         }
 
-        /** \brief Forget all */
+        /** \brief Removes all hits */
         void clear()
         {
             for (auto &part : parts_)
@@ -50,11 +50,11 @@ namespace ompl_certificates
         /** \brief The sides of the grids' cells, as multiples of the ball's radius rounded to a power of two */
         static constexpr double FINE = 0.5, COARSE = 2.0;
 
-        static constexpr std::size_t PLACES = std::size_t(1) << 14;
+        static constexpr std::size_t SLOTS = std::size_t(1) << 14;
 
-        static std::size_t placeOf(const Ball &ball, double cell);
+        static std::size_t slotOf(const Ball &ball, double cell);
 
-        std::array<std::atomic<ObstaclePart>, PLACES> parts_;
+        std::array<std::atomic<ObstaclePart>, SLOTS> parts_;
     };
 }
 

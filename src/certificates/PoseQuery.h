@@ -19,22 +19,22 @@ namespace ompl_certificates
         /** \brief Where its frame is */
         const Pose &pose;
 
-        /** \brief How fast the body moves, to find how long its verdict lasts; null if it does not move */
-        const MotionBound *travel{nullptr};
+        /** \brief How fast the body moves, which determines the valid interval; null if it does not move */
+        const MotionBound *motionBound{nullptr};
 
-        /** \brief If positive, the body counts as free only if a few balls of its sphere tree are proved free for this long, in
-            time of the motion. That verdict depends on the obstacles and the motion alone, not on what is known of them.
-            If 0, a pose that clearances do not settle gets the exact check. */
+        /** \brief If positive, a few balls of the sphere tree must be proved free for this long, in time of the motion.
+            That verdict depends only on the obstacles and the motion, not on the certificates kept. If 0, a pose that
+            clearances do not settle gets the exact check. */
         double requiredInterval{0.0};
 
-        /** \brief How many samples a proof probably spares that lasts for all of the motion, if the pose lies between free ends;
-            else 0. Such a pose is probably free, so collisions are tried last. */
+        /** \brief How many samples a proof for the whole motion would probably spare, if the pose lies between free
+            ends; else 0. Such a pose is probably free, so collisions are tried last. */
         double samplesAhead{0.0};
 
-        /** \brief How fast the center of a ball of the body moves, at most */
+        /** \brief The largest speed of the center of a ball of the body */
         double speedOf(const Ball &ball) const
         {
-            return travel ? travel->at(ball.center.norm()) : 0.0;
+            return motionBound ? motionBound->at(ball.center.norm()) : 0.0;
         }
 
         /** \brief Whether only a proof settles the body as free */
@@ -43,7 +43,7 @@ namespace ompl_certificates
             return requiredInterval > 0.0;
         }
 
-        /** \brief How far the center of a ball of the body moves within requiredInterval, at most */
+        /** \brief The largest distance that the center of a ball of the body moves within requiredInterval */
         double leastSlack(const Ball &ball) const
         {
             return isProofOnly() ? requiredInterval * speedOf(ball) : 0.0;
@@ -56,7 +56,7 @@ namespace ompl_certificates
         /** \brief Whether the body touches no obstacle */
         bool free{false};
 
-        /** \brief The body is free while the motion's time differs by less than this; 0 if no clearance says so */
+        /** \brief The body is free while the motion's time differs by less than this; 0 if no clearance proves that */
         double validInterval{0.0};
 
         /** \brief A certificate that took part in the proof, or NO_CERTIFICATE */
@@ -65,7 +65,7 @@ namespace ompl_certificates
         /** \brief What settled the pose */
         SettledBy by{SettledBy::CERTIFICATE};
 
-        /** \brief The clearance of the center of the body's enclosing ball; not a number if it was not measured */
+        /** \brief The clearance at the center of the body's bounding sphere; NaN if it was not measured */
         double clearance{std::numeric_limits<double>::quiet_NaN()};
     };
 }

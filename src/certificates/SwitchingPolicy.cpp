@@ -7,26 +7,26 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** A way is tried with so many poses at once to get an idea of its cost, and taken only once so many are known. The
-            first one is not counted: it also pays for what is made when it is first needed. */
+        /** How many poses a way is tried with at first, and how many must be known before it is chosen. The first is
+            not counted, since it also pays for what is built on first use. */
         constexpr std::uint32_t FEW_NOTES = 3, ENOUGH_NOTES = 9;
 
-        /** How many poses a mean remembers */
+        /** How many poses a running mean remembers */
         constexpr float MEMORY = 64.0F;
 
-        /** A time counts as at most this multiple of the known mean: the rest is another program's turn. The exact checks of
-            a body vary more than its clearances, so it is their largest mean there. */
+        /** A time counts as at most this multiple of the known mean: more is mostly another program's time slice. Exact
+            checks of a body vary more than its clearances, so for them it is a multiple of their largest mean. */
         constexpr float LARGEST_SURPRISE = 16.0F;
 
-        /** Another way is taken only where it is so much cheaper: not to and fro by chance. */
+        /** How much cheaper another way must be to be chosen: prevents switching to and fro by chance. */
         constexpr float HYSTERESIS = 1.1F;
 
-        /** What a proof is worth in later motions, to which it is handed on: poses settled without clearances count as so
-            much more expensive. */
+        /** The value of a proof to later motions, which inherit it. Poses settled without clearances count as more
+            expensive by this factor. */
         constexpr float WORTH_OF_PROOFS = 1.5F;
 
-        /** Another way that costs the same is tried in one of so many timed poses, at first and later; one that costs more
-            so much more seldom: trying it takes a hundredth of the time, however bad it is. */
+        /** How many timed poses lie between two trials of another way that costs as much, at first and later. A more
+            expensive way is tried more seldom in proportion. So trials take about a hundredth of the time. */
         constexpr float FIRST_TRIAL_INTERVAL = 8.0F, TRIAL_INTERVAL = 16.0F, LONGEST_TRIAL_INTERVAL = 4096.0F;
     }
 

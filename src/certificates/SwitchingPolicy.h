@@ -8,19 +8,20 @@
 
 namespace ompl_certificates
 {
-    /** \brief Which of the ways to settle a pose pay for one body, judged by what they have cost and settled lately.
+    /** \brief Chooses how to settle the poses of one body, by what each way has cost and settled lately.
 
-        Looking certificates up is judged by how often it finds one: where it mostly fails, as for long bodies near
-        obstacles, the obstacles are asked at once. How they are asked is judged by the clock: with or without clearances
-        first (the paper's crossover), with or without the quick contact test before the exact check. Of these four ways
-        the one is taken that takes the least time for every sample of a motion that it settles; each way is measured
-        with the poses that it gets, since what a clearance settles is mostly what is quickly checked too. The others are
-        still tried now and then, to notice when that changes, the more seldom the more they cost. No verdict depends on
-        the policy. May be used by many threads at once, which may then lose a note. */
+        Certificate lookups are judged by their success rate. Where they mostly fail, as for long bodies near obstacles,
+        the obstacles are asked at once. How to ask is judged by the clock. There are four ways: with or without
+        clearances first (the paper's crossover), and with or without the contact test before the exact check. The
+        policy chooses the way with the least time for each sample of a motion that it settles. Each way is measured
+        with the poses it gets: what a clearance settles is mostly quick to check, too. The other ways are still tried
+        now and then, more seldom the more they cost.
+
+        No verdict depends on the policy. May be used by many threads at once; a measurement may then be lost. */
     class alignas(64) SwitchingPolicy
     {
     public:
-        /** \brief What comes before the exact check of a pose */
+        /** \brief The tests that precede the exact check of a pose */
         struct Way
         {
             /** \brief Whether clearances are asked */
@@ -30,13 +31,13 @@ namespace ompl_certificates
             bool contact;
         };
 
-        /** \brief Whether to look certificates up now. Counts as one chance. */
+        /** \brief Whether to look certificates up for this pose. Call it once for each pose. */
         bool looksUp()
         {
             return lookupRate_.load(std::memory_order_relaxed) >= SMALLEST_LOOKUP_RATE || isProbe();
         }
 
-        /** \brief Whether to try what does not pay: one time in PROBE_INTERVAL */
+        /** \brief Whether to try what has not paid lately: once in PROBE_INTERVAL calls */
         bool isProbe()
         {
             const std::uint32_t chances = chances_.load(std::memory_order_relaxed) + 1;
@@ -44,14 +45,14 @@ namespace ompl_certificates
             return chances % PROBE_INTERVAL == 0;
         }
 
-        /** \brief Take into account whether a lookup has found a certificate */
+        /** \brief Notes whether a lookup found a certificate */
         void noteLookup(bool found)
         {
             approach(lookupRate_, found ? 1.0F : 0.0F, LOOKUP_MEMORY);
         }
 
-        /** \brief Whether to time how long this pose takes to settle. Reading the clock costs about as much as a lookup, so
-            one pose in TIMING_INTERVAL is timed. */
+        /** \brief Whether to time this pose. Reading the clock costs about as much as a lookup, so one pose in
+            TIMING_INTERVAL is timed. */
         bool isTimed()
         {
             const std::uint32_t poses = poses_.load(std::memory_order_relaxed) + 1;
@@ -59,7 +60,7 @@ namespace ompl_certificates
             return poses % TIMING_INTERVAL == 0;
         }
 
-        /** \brief Which ways there are to choose from */
+        /** \brief Which ways may be chosen */
         enum Choice
         {
             /// All four.
@@ -68,22 +69,22 @@ namespace ompl_certificates
             WITHOUT_CLEARANCES
         };
 
-        /** \brief How to settle a pose
-            \param timed whether the policy will be told how long it took: only then is tried what does not pay */
+        /** \brief Chooses how to settle a pose
+            \param timed whether the time will be noted; only then are ways tried that do not pay */
         Way choose(Choice choice, bool timed)
         {
             return wayOf(timed ? tryOut(choice) : best_[choice].load(std::memory_order_relaxed));
         }
 
-        /** \brief Take into account how long clearances were asked for a pose, and how many samples of its motion they have
-            settled: none, its own, and others that the proof reaches as well */
+        /** \brief Notes how long asking clearances took for a pose, and how many samples it settled: 0 if not even this
+            one, else 1 plus others within the valid interval */
         void noteClearances(std::chrono::nanoseconds time, double samples);
 
-        /** \brief Take into account how long the exact check of a pose took, with the contact test if \e way has it; if it
-            has clearances, they have not settled the pose */
+        /** \brief Notes how long the exact check of a pose took, with the contact test if \e way has it. If \e way has
+            clearances, they did not settle the pose. */
         void noteExact(Way way, std::chrono::nanoseconds time);
 
-        /** \brief Judge anew, as if all had paid so far */
+        /** \brief Forgets all measurements */
         void reset();
 
     private:
@@ -92,7 +93,7 @@ namespace ompl_certificates
         static constexpr std::uint32_t PROBE_INTERVAL = 16;
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
 
-        /** \brief Ways have numbers: one bit for each of the two that is left out */
+        /** \brief A way's number has one bit for each test that is left out */
         static constexpr std::uint32_t WAYS = 4, FIRST_WITHOUT_CLEARANCES = 2;
 
         static Way wayOf(std::uint32_t number)
@@ -105,52 +106,52 @@ namespace ompl_certificates
             return (way.clearances ? 0 : FIRST_WITHOUT_CLEARANCES) + (way.contact ? 0 : 1);
         }
 
-        /** \brief The numbers of the ways of a choice: from the first to before the second */
+        /** \brief The numbers of the ways of a choice: from the first, up to but without the second */
         static std::array<std::uint32_t, 2> waysOf(Choice choice)
         {
             return {choice == WITHOUT_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : 0, WAYS};
         }
 
-        /** \brief What something has cost lately */
+        /** \brief A running mean of times */
         struct Cost
         {
             /** \brief The mean of the times in nanoseconds */
             std::atomic<float> mean{0.0F};
 
-            /** \brief How many times are known, up to enough to judge by */
+            /** \brief How many times were noted, up to enough to judge by */
             std::atomic<std::uint32_t> notes{0};
         };
 
         static void approach(std::atomic<float> &mean, float value, float memory)
         {
             const float known = mean.load(std::memory_order_relaxed);
-            // What does not change is not written: threads would wait for each other's cache lines.
+            // Unchanged values are not written: that would invalidate the cache lines of other threads.
             if (const float next = known + (value - known) / memory; next != known)
                 mean.store(next, std::memory_order_relaxed);
         }
 
-        /** \brief Take a time into account, but no more than \e most of it
-            \return how many poses its mean now remembers */
+        /** \brief Notes a time, clipped to \e most
+            \return how many poses the mean now remembers */
         static float note(Cost &cost, std::chrono::nanoseconds time, float most);
 
-        /** \brief The number of the way for a timed pose: mostly the best one */
+        /** \brief The way for a timed pose: mostly the best one */
         std::uint32_t tryOut(Choice choice);
 
-        /** \brief What a way costs for each sample of a motion that it settles (nanoseconds) */
+        /** \brief The cost of a way for each sample of a motion that it settles (nanoseconds) */
         float costOf(std::uint32_t way) const;
 
-        /** \brief Find out which ways are the best */
+        /** \brief Determines the best way of each choice */
         void judge();
 
         std::atomic<float> lookupRate_{1.0F};
         std::atomic<std::uint32_t> chances_{0}, poses_{0}, turns_{0};
 
-        /** \brief What asking clearances costs; the share of poses that it leaves unsettled, and how many samples are
-            settled by it or by the exact check that follows */
+        /** \brief The cost of asking clearances; the fraction of poses they leave unsettled; and how many samples are
+            settled by them or by the exact check that follows */
         Cost clearances_;
         std::atomic<float> unsettled_{0.0F}, samples_{1.0F};
 
-        /** \brief What the exact check costs at the end of each way */
+        /** \brief The cost of the exact check at the end of each way */
         std::array<Cost, WAYS> exact_;
 
         /** \brief The number of the best way of each choice */

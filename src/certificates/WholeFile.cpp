@@ -20,7 +20,7 @@ namespace ompl_certificates
             throw ompl::Exception(file.empty() ? "''" : file, complaint);
         }
 
-        /** Why the last operation failed, as the system tells it */
+        /** The system's reason for the last failure */
         std::string reason()
         {
             return errno != 0 ? std::string(": ") + std::strerror(errno) : "";
@@ -36,7 +36,7 @@ namespace ompl_certificates
                 fail(named, "cannot be written" + reason());
         }
 
-        /** Whether \e file is written to directly: it is there, and not a regular file */
+        /** Whether \e file exists and is not a regular file, so that it is written to directly */
         bool isDevice(const std::string &file)
         {
             std::error_code error;
@@ -46,7 +46,7 @@ namespace ompl_certificates
             return fs::exists(status) && !fs::is_regular_file(status);
         }
 
-        /** What is replaced when \e file is written. A link stays a link: what it points to is replaced. */
+        /** The file to replace when \e file is written. A link stays; what it points to is replaced. */
         fs::path targetOf(const std::string &file)
         {
             std::error_code error;
@@ -55,14 +55,14 @@ namespace ompl_certificates
             return linked.empty() ? fs::path(file) : linked;
         }
 
-        /** The file next to \e target that takes its place when it is complete */
+        /** A temporary file next to \e target, to be renamed to it when it is complete */
         std::string temporaryFor(const fs::path &target)
         {
             std::random_device random;
             return target.string() + "." + std::to_string(random()) + ".tmp";
         }
 
-        /** A file that is opened and closed again; what cannot be opened is named as \e named. */
+        /** Opens a file and closes it again. Errors name it as \e named. */
         class Descriptor
         {
         public:
@@ -138,7 +138,7 @@ namespace ompl_certificates
     {
         if (isDevice(file))
         {
-            // Whoever reads from a pipe would take its being opened and closed for the end.
+            // Opening and closing a pipe would signal its reader the end of data.
             if (fs::is_fifo(file))
                 return;
             const Descriptor device(file, O_WRONLY | O_NONBLOCK, file);

@@ -6,19 +6,19 @@
 
 namespace ompl_certificates
 {
-    /** \brief The content of a file, text or not
+    /** \brief The content of a file, text or binary
         \throws ompl::Exception that names the file if it cannot be read or has more than \e mostBytes */
     std::string readWholeFile(const std::string &file, std::uintmax_t mostBytes = std::uintmax_t(64) << 20u);
 
-    /** \brief Write \e text to \e file: all of it or nothing. It is written next to the file first and then takes its
-        place, so that a reader never sees half of it, and a file that was there stays if anything fails. A device or a
-        pipe is written to directly.
+    /** \brief Writes \e text to \e file, completely or not at all. It writes a temporary file next to it and renames
+        that. So no reader sees half of it, and an existing file survives any failure. A device or a pipe is written to
+        directly.
         \throws ompl::Exception that names the file if it cannot be written */
     void writeWholeFile(const std::string &file, const std::string &text);
 
-    /** \brief Check that writeWholeFile() could write \e file now, by trying: a file is made next to it and removed, what
-        is there is opened and left as it is, and nothing is written to a device.
-        \throws ompl::Exception that names the file, and the reason, if it cannot be written */
+    /** \brief Checks by trying that writeWholeFile() could write \e file now. It creates and removes a file next to it,
+        and opens an existing file without changing it. Nothing is written to a device.
+        \throws ompl::Exception that names the file and the reason if it cannot be written */
     void requireWritable(const std::string &file);
 }
 

@@ -10,7 +10,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** How often a body's sphere tree is refined by the body's one certificate */
+        /** How many levels of a sphere tree the body's one certificate may refine */
         constexpr unsigned int LEVELS = 2;
     }
 
@@ -81,8 +81,8 @@ namespace ompl_certificates
         for (std::size_t body = first; whole.free && body < end; ++body)
         {
             const PoseQuery query = queryOf(robot, body - first, context, sample);
-            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
-            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : indifferent, context.counts);
+            SwitchingPolicy untrained;  // A new policy tries everything.
+            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
             whole.free = one.free;
             whole.validInterval = std::min(whole.validInterval, one.validInterval);
             whole.by = std::max(whole.by, one.by);
@@ -119,7 +119,7 @@ namespace ompl_certificates
 
     CertificateIndex BasicMethod::keep(const std::vector<Certificate> &fresh) const
     {
-        // Where clearances do not pay, bodies are settled without.
+        // Where clearances do not pay, some bodies have none.
         if (std::any_of(fresh.begin(), fresh.end(), [](const Certificate &one) { return std::isnan(one.clearance); }))
             return NO_CERTIFICATE;
         if (!limit_->take(fresh.size()))

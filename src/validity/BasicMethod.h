@@ -12,11 +12,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief Method::BASIC: settles a team by one certificate of it all. A robot asked about alone is settled without. */
+    /** \brief Method::BASIC: settles a team by one certificate for all of it. A robot that is asked about alone is
+        settled without certificates. */
     class BasicMethod : public CheckMethod, public TeamMethod
     {
     public:
-        /** \param limit how many certificates may be kept, together with others */
+        /** \param limit how many certificates all stores that share it may keep */
         BasicMethod(const Team &team, const ObstaclesPtr &obstacles, std::shared_ptr<CertificateLimit> limit);
 
         PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
@@ -51,18 +52,19 @@ namespace ompl_certificates
         bool proveTeamFree(CertificateIndex team, const CheckContext &context, const MotionSample &sample,
                            PoseVerdict &verdict) const;
 
-        /** \brief Keep the fresh clearances as a team certificate, if there is one for each body, and room */
+        /** \brief Keeps the fresh clearances as a team certificate, if every body has one and the limit allows
+            \return the index of the team certificate, or NO_CERTIFICATE */
         CertificateIndex keep(const std::vector<Certificate> &fresh) const;
 
         const std::shared_ptr<CertificateLimit> limit_;
         CertifiedEnvironment environment_;
-        /** \brief For each body of the team */
+        /** \brief One for each body of the team */
         mutable std::vector<SwitchingPolicy> policies_;
         bool adaptive_{true};
         mutable std::mutex insertMutex_;
-        /** \brief The certificates of a team certificate stand next to each other, one for each body */
+        /** \brief Team certificates one after the other, each with one certificate for each body */
         mutable ChunkedArray<Certificate> certificates_;
-        /** \brief The number of team certificates that are complete */
+        /** \brief The number of complete team certificates */
         mutable std::atomic<CertificateIndex> teamCertificates_{0};
     };
 }

@@ -6,7 +6,7 @@ namespace ompl_certificates
 {
     double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose)
     {
-        // Best first: the smallest bound is refined until it is a leaf's.
+        // Best first: refine the smallest bound until it belongs to a leaf.
         using Bound = std::pair<double, std::uint32_t>;
         std::priority_queue<Bound, std::vector<Bound>, std::greater<>> open;
         const auto &nodes = body.getSphereTree().getNodes();

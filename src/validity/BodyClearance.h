@@ -5,8 +5,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A lower bound of the distance from \e body at \e pose to the obstacles: that of its finest covering balls.
-        Exact for a disc and a sphere. */
+    /** \brief A lower bound of the distance from \e body at \e pose to the obstacles, to within the leaves of its
+        sphere tree. Exact for a disc and a sphere. */
     double bodyClearance(const Obstacles &obstacles, const Body &body, const Pose &pose);
 }
 

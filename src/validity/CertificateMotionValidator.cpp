@@ -15,20 +15,20 @@ namespace ompl_certificates
 
     namespace
     {
-        /** OMPL counts motions in plain integers, but validators are used by many threads. */
+        /** OMPL's counters are plain integers, but many threads may use a validator. */
         void countMotion(unsigned int &counter)
         {
             __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
         }
 
-        /** Whether all of a motion is proved free, or up to what time it is */
+        /** Whether all of a motion is proved free; if not, \e free is set to the time up to which it is */
         bool isProved(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
                       double &free)
         {
             ContinuousMotionCheck whole(check, context, s1, s2);
             if (whole.isFree(free))
                 return true;
-            // The motion to the last valid state has cells of its own, and is to be proved in those.
+            // The motion to the last valid state has cells of its own, and must be proved in those.
             for (double step = whole.getCell(); free > 0.0; step *= 2.0)
             {
                 check.getTeam().getStateSpace()->interpolate(s1, s2, free, context.last);
@@ -59,7 +59,7 @@ namespace ompl_certificates
         if (isSampled_ && mode == CONTINUOUS)
             throw ompl::Exception(makesCertificates(method)
                                       ? team.getStateSpace()->getName() +
-                                            ": motions cannot be checked continuously, for the space does not move the "
+                                            ": motions cannot be checked continuously: the space does not move the "
                                             "robots as their own spaces do"
                                       : "The method " + nameOf(method) +
                                             " makes no certificates and so cannot check motions continuously");

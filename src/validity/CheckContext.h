@@ -13,16 +13,16 @@
 
 namespace ompl_certificates
 {
-    /** \brief An interval of a motion in which one subject is yet to be proved free: from its first to its last sample, or cell
-        in continuous mode */
+    /** \brief An interval of a motion that is not yet proved free for one subject. In samples, or in cells in
+        continuous mode; both ends included. */
     struct OpenInterval
     {
         unsigned int subject;
         int first, last;
     };
 
-    /** \brief What one check works with: where the bodies are, which certificates may be near, what was counted. Kept from
-        check to check, so that none allocates. */
+    /** \brief The working memory of one check: poses, hints and counts. Contexts are reused, so that checks do not
+        allocate. */
     struct CheckContext
     {
         explicit CheckContext(const Team &theTeam);
@@ -33,41 +33,41 @@ namespace ompl_certificates
 
         const Team &team;
 
-        /** \brief What this check has counted */
+        /** \brief The counts of this check */
         CheckCounts counts;
 
-        /** \brief For each body of the team: where it is, and a certificate that may prove it free. Where states keep no
-            references, the hints are what the last check has left. */
+        /** \brief For each body of the team: its pose, and a certificate that may prove it free. If states keep no
+            references, the hints are those that the last check left. */
         std::vector<Pose> poses;
         std::vector<CertificateIndex> hints;
 
-        /** \brief The clearance measured last for each body, which Basic makes a team certificate of */
+        /** \brief The latest clearance of each body, from which Basic makes a team certificate */
         std::vector<Certificate> fresh;
 
-        /** \brief Each robot's motion: its ends, the time that its poses are of, how fast its bodies move, and a state for its
-            samples */
+        /** \brief The motion of each robot: its ends, the time of its current poses, its bodies' motion bounds, and a
+            state for its samples */
         std::vector<const ompl::base::State *> from, to;
         std::vector<double> sampledAt;
         std::vector<MotionBound> motionBounds;
         std::vector<ompl::base::State *> samples;
 
-        /** \brief The time before which, and after which, each subject is proved free from the ends of the motion */
+        /** \brief How long each subject is proved free after the start, and before the end, of the motion */
         std::vector<double> startInterval, endInterval;
 
-        /** \brief The intervals that are yet to be looked at */
+        /** \brief The intervals that are still to be checked */
         std::vector<OpenInterval> open;
 
-        /** \brief The values of two states */
+        /** \brief Two serialized states */
         std::vector<unsigned char> serialized;
 
-        /** \brief The share of motions lately that were free, of those with free ends */
+        /** \brief The fraction of recent motions between free ends that were free */
         double freeMotions{1.0};
 
-        /** \brief States of the team's space: a sample, and one that might be the last valid one */
+        /** \brief States of the team's space: a sample, and a candidate for the last valid state */
         ompl::base::State *sample, *last;
     };
 
-    /** \brief Contexts for as many threads as there are, taken and given back without a lock and mostly without an allocation */
+    /** \brief Contexts for any number of threads, lent without a lock and mostly without an allocation */
     class CheckContextPool
     {
     public:
@@ -85,7 +85,7 @@ namespace ompl_certificates
         CheckContextPool(const CheckContextPool &) = delete;
         CheckContextPool &operator=(const CheckContextPool &) = delete;
 
-        /** \brief A context for the time of the lease's life */
+        /** \brief Borrows a context for the lifetime of this object */
         class Lease
         {
         public:
@@ -121,8 +121,8 @@ namespace ompl_certificates
     private:
         static constexpr std::size_t SLOTS = 32;
 
-        /** \brief Each thread has a slot of its own, as long as there are no more than these: what a thread used last is in its
-            core's cache. */
+        /** \brief Up to this many threads have a slot of their own, so that a thread's context stays in its core's
+            cache. */
         struct alignas(64) Slot
         {
             std::atomic<CheckContext *> context{nullptr};

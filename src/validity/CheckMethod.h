@@ -12,33 +12,33 @@
 
 namespace ompl_certificates
 {
-    /** \brief What poses are to be settled for: a state, or a sample of a motion */
+    /** \brief Why poses are settled: for a single state, or for a sample of a motion */
     struct MotionSample
     {
-        /** \brief Whether the bodies move, as fast as CheckContext::motionBounds says */
+        /** \brief Whether the bodies move; CheckContext::motionBounds says how fast */
         bool moves{false};
 
-        /** \brief For how long robots must be proved free to count as free, or 0; see PoseQuery::requiredInterval */
+        /** \brief How long a robot must be proved free to count as free, or 0; see PoseQuery::requiredInterval */
         double requiredInterval{0.0};
 
-        /** \brief How many samples a proof for all of the motion probably spares, if this one lies between free ends; else 0 */
+        /** \brief See PoseQuery::samplesAhead */
         double samplesAhead{0.0};
     };
 
-    /** \brief Settles all robots of a team together */
+    /** \brief Settles all robots of a team at once */
     class TeamMethod
     {
     public:
         virtual ~TeamMethod() = default;
 
-        /** \brief Settle all robots; see CheckMethod::settleRobot() */
+        /** \brief Settles all robots; see CheckMethod::settleRobot() */
         virtual PoseVerdict settleTeam(CheckContext &context, const MotionSample &sample) const = 0;
 
-        /** \brief For how long the hints prove all robots free; 0 if they do not */
+        /** \brief How long the hints prove all robots free; 0 if they do not */
         virtual double provenTeamInterval(const CheckContext &context) const = 0;
     };
 
-    /** \brief How robots are settled against the obstacles, and what is remembered of these: the strategy behind a Method */
+    /** \brief The strategy behind a Method: settles robots against the obstacles, and keeps certificates of these */
     class CheckMethod
     {
     public:
@@ -48,26 +48,27 @@ namespace ompl_certificates
         CheckMethod(const CheckMethod &) = delete;
         CheckMethod &operator=(const CheckMethod &) = delete;
 
-        /** \brief Settle a robot whose poses are in \e context, by its hints first; leaves better hints and counts there */
+        /** \brief Settles a robot whose poses are in \e context, first by its hints. Updates hints and counts in \e
+            context. */
         virtual PoseVerdict settleRobot(unsigned int robot, CheckContext &context,
                                         const MotionSample &sample) const = 0;
 
-        /** \brief For how long its hints prove a robot free; 0 if they do not. Looks no further. */
+        /** \brief How long its hints prove a robot free; 0 if they do not. Looks no further. */
         virtual double provenInterval(unsigned int /*robot*/, const CheckContext & /*context*/) const
         {
             return 0.0;
         }
 
-        /** \brief The same for a team as a whole, or null if the robots are to be settled one by one */
+        /** \brief The method for the team as a whole; null if robots are settled one by one */
         virtual const TeamMethod *getTeamMethod() const
         {
             return nullptr;
         }
 
-        /** \brief Forget all. Not while others use the method. */
+        /** \brief Removes all certificates and measurements. Not while others use the method. */
         virtual void clear() = 0;
 
-        /** \brief Take other obstacles, and repair what is known. Not while others use the method. */
+        /** \brief Replaces the obstacles and updates the certificates. Not while others use the method. */
         virtual void change(const ObstacleChange &change) = 0;
 
         /** \brief See TeamValidityChecker::setAdaptive() */
@@ -87,7 +88,7 @@ namespace ompl_certificates
             return {};
         }
 
-        /** \brief Add certificates that are true of the obstacles
+        /** \brief Adds certificates that are true of the obstacles
             \return false if the method keeps no single certificates */
         virtual bool addCertificates(const std::vector<Certificate> & /*certificates*/)
         {
@@ -95,7 +96,7 @@ namespace ompl_certificates
         }
 
     protected:
-        /** \brief What a body is asked of its environment; \e body counts within the robot */
+        /** \brief The query about a body of a robot; \e body is its index within the robot */
         static PoseQuery queryOf(unsigned int robot, std::size_t body, const CheckContext &context,
                                  const MotionSample &sample)
         {

@@ -9,7 +9,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** The finest that proofs are looked for, in cells for each segment of a discrete check */
+        /** How many cells there are for each segment of a discrete check */
         constexpr int CELLS = 16;
     }
 
@@ -55,7 +55,7 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleEnd()
     {
         context_.open.clear();
-        // The second state's own references are the best hints; a state that has none yet is near the first one.
+        // The second state's own references are the best hints. If it has none yet, it is near the first state.
         takeReferences(s2_, s1_);
         int around;
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
@@ -86,7 +86,7 @@ namespace ompl_certificates
 
     bool ContinuousMotionCheck::settleRest()
     {
-        // Breadth first: what is far from everything known is looked at first.
+        // Breadth first: times far from all known ones come first.
         auto &queue = context_.open;
         for (std::size_t next = 0; next < queue.size(); ++next)
         {

@@ -5,15 +5,15 @@
 
 namespace ompl_certificates
 {
-    /** \brief The check of a motion all of which is to be proved free.
+    /** \brief Checks whether all of a motion is proved free.
 
-        The motion's time is divided into cells of equal length, 16 for each segment of a discrete check. The motion is free
-        if each subject is in each cell: if at the middle of the cell the clearances of its spheres prove that it stays
-        free to both ends of the cell. So the verdict depends on the obstacles, the motion and the resolution alone.
+        The motion's time is divided into cells of equal length, 16 for each segment of a discrete check. The motion is
+        free if each subject is free in each cell. For this, clearances at the middle of the cell must prove the subject
+        free up to both ends of the cell. So the verdict depends only on the obstacles, the motion and the resolution.
 
-        Proofs by certificates, and by the clearances of another cell, only spare cells: they leave a little more room than
-        the cell's own proof needs. The two directions of a motion are one where the space interpolates symmetrically: it
-        is looked at from the state that comes first in the order of the states' serialized values. */
+        Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
+        also prove, by a small margin. Where the space interpolates symmetrically, both directions of a motion are one.
+        Time then runs from the state whose serialized values come first. */
     class ContinuousMotionCheck : public MotionCheck
     {
     public:
@@ -23,7 +23,8 @@ namespace ompl_certificates
         /** \brief Whether all of the motion is proved free */
         bool isFree();
 
-        /** \brief The same; if not, \e free is set to the fraction of the motion, from its first state, up to which it is */
+        /** \brief The same; if not, \e free is set to the fraction of the motion, from its first state, that is proved
+            free */
         bool isFree(double &free);
 
         /** \brief The length of a cell, as a fraction of the motion */
@@ -33,15 +34,16 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Look at the motion from the state that comes first */
+        /** \brief Chooses the state from which time runs */
         void orient();
 
-        /** \brief Settle a subject in a cell; cells are counted from \e s1
-            \param around set to how many cells to either side the proof covers
+        /** \brief Settles a subject in a cell; cells are counted from \e s1, wherever time runs from
+            \param around set to the number of neighboring cells on either side that are proved free, too
             \return whether the cell is proved free */
         bool settleCell(unsigned int subject, int cell, int &around);
 
-        /** \brief Settle the last cell, then the first one, then what they leave open; false if a cell is not proved free */
+        /** \brief Settle the last cell, then the first one, then the rest. They return false if a cell is not proved
+            free. */
         bool settleEnd();
         bool settleStart();
         bool settleRest();

@@ -7,7 +7,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Over how many motions it is judged how likely one is free, and the least that this is taken for */
+        /** How many motions the estimate of a free motion's probability remembers, and its lower bound */
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
     }
 
@@ -25,11 +25,11 @@ namespace ompl_certificates
 
     bool DiscreteMotionCheck::settleEnd()
     {
-        // The second state's own references are the best hints; a state that has none yet is near the first one.
+        // The second state's own references are the best hints. If it has none yet, it is near the first state.
         takeReferences(s2_, s1_);
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
-            // Of a motion that collides few samples are looked at before that is found.
+            // samplesAhead is 0: a motion that collides is mostly refused after few samples.
             const PoseVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
             countEnds();
             if (!verdict.free)
@@ -44,7 +44,7 @@ namespace ompl_certificates
     {
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
             pose(subject, 0.0);
-        // What was found at the end serves a body that the first state has no reference for.
+        // A body for which the first state has no reference keeps the hint found at the end.
         if (const auto *first = s1_ ? check_.getTeam().getReferences(s1_) : nullptr)
             for (std::size_t body = 0; body < context_.hints.size(); ++body)
                 if (const CertificateIndex own = first->getReference(body); own != NO_CERTIFICATE)
@@ -96,7 +96,7 @@ namespace ompl_certificates
             if (first <= last)
                 queue.push_back({subject, first, last});
         }
-        // Breadth first, as in ompl::base::DiscreteMotionValidator: what is far from everything known is looked at first.
+        // Breadth first, as in ompl::base::DiscreteMotionValidator: samples far from all known ones come first.
         for (std::size_t next = 0; next < queue.size(); ++next)
         {
             const auto [subject, first, last] = queue[next];
@@ -116,7 +116,7 @@ namespace ompl_certificates
 
     bool DiscreteMotionCheck::isFree(double &free)
     {
-        // The first sample known to be invalid; the end of the motion is sample number segments_.
+        // The first sample known to be invalid. The end of the motion has number segments_, but at least 1.
         segments_ = static_cast<int>(countSegments());
         const int end = std::max(segments_, 1);
         int invalid = settleEnd() ? end + 1 : end;

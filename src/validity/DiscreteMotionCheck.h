@@ -5,16 +5,16 @@
 
 namespace ompl_certificates
 {
-    /** \brief The check of a motion whose samples, at the resolution of the space, are to be valid: the verdict of
-        ompl::base::DiscreteMotionValidator. Samples that a proof reaches are skipped. */
+    /** \brief Checks whether all samples of a motion are valid, at the resolution of the space: the verdict of
+        ompl::base::DiscreteMotionValidator. Skips samples within valid intervals. */
     class DiscreteMotionCheck : public MotionCheck
     {
     public:
-        /** \brief The check of the team's motion from \e s1 to \e s2 */
+        /** \brief Checks the team's motion from \e s1 to \e s2 */
         DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                             const ompl::base::State *s2);
 
-        /** \brief The check of one subject alone; see MotionCheck */
+        /** \brief Checks one subject alone; see MotionCheck */
         DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
                             States to);
 
@@ -25,13 +25,13 @@ namespace ompl_certificates
         bool isFree(double &free);
 
     private:
-        /** \brief Settle all subjects at the end of the motion; fills endInterval. False if one is not free. */
+        /** \brief Settles all subjects at the end of the motion and sets endInterval. False if one is not free. */
         bool settleEnd();
 
-        /** \brief Fill startInterval with how long the references of the first state prove the subjects free */
+        /** \brief Sets startInterval: how long the references of the first state prove the subjects free */
         void proveFromStart();
 
-        /** \brief Settle a subject at an inner sample */
+        /** \brief Settles a subject at an inner sample */
         PoseVerdict settleSample(unsigned int subject, int sample);
 
         /** \brief The first and the last sample that neither end of the motion proves free */
@@ -40,10 +40,10 @@ namespace ompl_certificates
         /** \brief Whether the samples that openSamples() leaves are free */
         bool areInnerSamplesFree();
 
-        /** \brief How many samples to either side of one are closer in time than \e interval */
+        /** \brief How many samples on either side of one lie within \e interval */
         int samplesWithin(double interval) const;
 
-        /** \brief Not known where the end of the motion is invalid */
+        /** \brief Stays 0 if settleEnd() fails in isFree() */
         int segments_{0};
     };
 }

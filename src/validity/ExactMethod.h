@@ -7,11 +7,11 @@
 
 namespace ompl_certificates
 {
-    /** \brief Method::FCL and Method::STANDARD: remember nothing */
+    /** \brief Method::FCL and Method::STANDARD: keep no certificates */
     class ExactMethod : public CheckMethod
     {
     public:
-        /** \param contactTest whether the contact test may come before FCL */
+        /** \param contactTest whether the contact test may precede FCL */
         ExactMethod(const Team &team, ObstaclesPtr obstacles, bool contactTest);
 
         PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
@@ -26,7 +26,7 @@ namespace ompl_certificates
     private:
         ObstaclesPtr obstacles_;
         const bool contactTest_;
-        /** \brief Whether the contact test pays, for each body of the team */
+        /** \brief Whether the contact test pays; one for each body of the team */
         mutable std::vector<SwitchingPolicy> policies_;
     };
 }

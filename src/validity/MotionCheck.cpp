@@ -81,7 +81,7 @@ namespace ompl_certificates
             return;
         const Team &team = check_.getTeam();
         const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
-        // Only now is it of interest how fast the robot moves.
+        // Motion bounds are computed only when first needed.
         if (context_.sampledAt[robot] < 0.0)
             team.getRobot(robot).computeMotionBounds(from, to, context_.motionBounds.data() + team.getFirstBody(robot));
         context_.sampledAt[robot] = t;

@@ -7,20 +7,20 @@
 
 namespace ompl_certificates
 {
-    /** \brief The check of one motion. Its subjects are proved free one by one: at some time a subject is settled, and the
-        verdict's valid interval proves it free for a while around.
+    /** \brief The check of one motion. Its subjects are settled one by one at single times. The verdict's valid
+        interval proves a subject free around such a time.
 
-        Derived classes say what it takes for a motion to be free. */
+        Derived classes define when a motion is free. */
     class MotionCheck
     {
     protected:
         using States = std::initializer_list<const ompl::base::State *>;
 
-        /** \brief The check of the team's motion from \e s1 to \e s2 */
+        /** \brief Checks the team's motion from \e s1 to \e s2 */
         MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                     const ompl::base::State *s2);
 
-        /** \brief The check of one subject alone, whose robots move \e from \e to states of their own spaces */
+        /** \brief Checks one subject alone, whose robots move \e from \e to states of their own spaces */
         MotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from, States to);
 
         ~MotionCheck();
@@ -28,22 +28,23 @@ namespace ompl_certificates
         MotionCheck(const MotionCheck &) = delete;
         MotionCheck &operator=(const MotionCheck &) = delete;
 
-        /** \brief Settle a subject at time \e t
+        /** \brief Settles a subject at time \e t
             \param requiredInterval see PoseQuery::requiredInterval
             \param samplesAhead see PoseQuery::samplesAhead */
         PoseVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
-        /** \brief Have the poses of a subject's robots at time \e t in the context; at first, how fast they move, too */
+        /** \brief Puts the poses of a subject's robots at time \e t into the context; the first time, also their motion
+            bounds */
         void pose(unsigned int subject, double t);
 
-        /** \brief Take the hints of \e state; those of \e other for a body that has none */
+        /** \brief Takes the hints of \e state; those of \e other for a body that has none */
         void takeReferences(const ompl::base::State *state, const ompl::base::State *other)
         {
             if (state)
                 check_.takeReferences(state, other, context_);
         }
 
-        /** \brief Let \e state refer to the certificates found last */
+        /** \brief Lets \e state refer to the certificates found last */
         void giveReferences(const ompl::base::State *state) const
         {
             if (state)
@@ -53,16 +54,16 @@ namespace ompl_certificates
         /** \brief The number of segments between samples at the resolution of the space */
         unsigned int countSegments() const;
 
-        /** \brief Note that samples of a subject need not be looked at */
+        /** \brief Counts samples of a subject as skipped */
         void skip(unsigned int subject, int samples);
 
-        /** \brief Count what was settled so far as ends of the motion */
+        /** \brief Counts the poses settled so far as ends of the motion */
         void countEnds();
 
         const TeamCheck &check_;
         CheckContext &context_;
 
-        /** \brief The ends of the team's motion; null if it is one subject's alone */
+        /** \brief The ends of the team's motion; null for a single subject */
         const ompl::base::State *const s1_{nullptr}, *const s2_{nullptr};
 
         const Subject *subjects_;
@@ -75,7 +76,7 @@ namespace ompl_certificates
         void begin();
         void poseRobot(unsigned int robot, double t);
 
-        /** \brief The counts when the motion began */
+        /** \brief The counts before this motion */
         CheckCounts before_;
         const Subject only_{};
     };

@@ -10,7 +10,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** What rounding may do to a clearance, relative to the coordinates */
+        /** The rounding error of a clearance, relative to the coordinates */
         constexpr double ROUNDING = 1e-9;
 
         std::string verdictOf(bool collides)
@@ -27,7 +27,7 @@ namespace ompl_certificates
                 require(dimension_ == 2 || dimension_ == 3,
                         "getDimension() must be 2 or 3, not " + std::to_string(dimension_));
                 require(bounds.low.size() == dimension_ && bounds.high.size() == dimension_,
-                        "they have " + std::to_string(dimension_) + " dimensions, the bounds " +
+                        "they have " + std::to_string(dimension_) + " dimensions, but the bounds have " +
                             std::to_string(bounds.low.size()));
                 for (unsigned int i = 0; i < dimension_; ++i)
                 {
@@ -44,7 +44,7 @@ namespace ompl_certificates
             {
                 for (unsigned int i = 0; i < samples; ++i)
                     tryLipschitz(anyPoint());
-                // A disc reaches through all heights.
+                // A disc's z-interval is unbounded.
                 if (dimension_ == 3 || obstacles_.getZInterval().contain({}))
                     for (unsigned int i = 0; i < samples; ++i)
                         tryBalls(anyPoint());
@@ -53,10 +53,10 @@ namespace ompl_certificates
             void tryBody(const Body &body, std::size_t index, unsigned int samples)
             {
                 require(body.getDimension() == dimension_, "they have " + std::to_string(dimension_) +
-                                                               " dimensions, body " + std::to_string(index) + " " +
-                                                               std::to_string(body.getDimension()));
+                                                               " dimensions, but body " + std::to_string(index) +
+                                                               " has " + std::to_string(body.getDimension()));
                 require(dimension_ == 3 || obstacles_.getZInterval().contain(body.getZInterval()),
-                        "body " + std::to_string(index) + " reaches beyond the heights that they were made for");
+                        "their z-interval does not contain that of body " + std::to_string(index));
                 for (unsigned int i = 0; i < samples; ++i)
                     tryPose(body, anyPose(body), "body " + std::to_string(index));
             }
@@ -88,7 +88,7 @@ namespace ompl_certificates
                 }
             }
 
-            /** A pose of \e body, mostly where it may well touch something */
+            /** A random pose of \e body, mostly near an obstacle */
             Pose anyPose(const Body &body)
             {
                 Pose pose = Pose::Identity();
@@ -133,7 +133,8 @@ namespace ompl_certificates
                             textOf(std::abs(there - clearance)) + " in a distance of " + textOf(distance));
             }
 
-            /** Balls about a point that just do not, and that just do, reach the nearest obstacle */
+            /** Tries balls around a point that are just small enough, or just large enough, to touch the nearest
+                obstacle */
             void tryBalls(const Eigen::Vector3d &point)
             {
                 const double clearance = clearanceOf(point);
@@ -172,7 +173,7 @@ namespace ompl_certificates
                                        ", but " + what);
                 };
                 if (collides && isFreeByClearances(body, pose, margin))
-                    blame("clearance() is larger than the radius at the center of each ball that it lies in");
+                    blame("clearance() is larger than the radius for all balls of a set that contains it");
                 if (collides || !obstacles_.provesCollisions())
                     return;
                 for (const Ball &ball : body.getInnerSpheres())
@@ -195,7 +196,7 @@ namespace ompl_certificates
                 return true;
             }
 
-            /** touches() and certainlyHits() against what collides() said */
+            /** Compares touches() and certainlyHits() with collides() */
             void tryQuickTests(const Body &body, const Pose &pose, bool collides, const std::string &name) const
             {
                 ObstaclePart hit = NO_PART, nearest = NO_PART;

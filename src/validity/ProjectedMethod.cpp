@@ -24,8 +24,8 @@ namespace ompl_certificates
         whole.validInterval = std::numeric_limits<double>::infinity();
         for (std::size_t body = first; whole.free && body < end; ++body)
         {
-            SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
-            SwitchingPolicy &policy = adaptive_ ? policies_[body] : indifferent;
+            SwitchingPolicy untrained;  // A new policy tries everything.
+            SwitchingPolicy &policy = adaptive_ ? policies_[body] : untrained;
             CertificateIndex &hint = context.hints[body];
             const PoseVerdict one =
                 environment.settle(queryOf(robot, body - first, context, sample), hint, policy, context.counts);

@@ -9,13 +9,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief Method::PARTIAL and Method::SHARED_PROJECTION: settle each robot for itself, in its projection of the team's space
-        to the workspace. They differ in which robots share a tree of certificates. */
+    /** \brief Method::PARTIAL and Method::SHARED_PROJECTION: settle each robot on its own, projected from the team's
+        space to the workspace. They differ in which robots share a tree of certificates. */
     class ProjectedMethod : public CheckMethod
     {
     public:
         /** \param share whether all robots share one tree of certificates, or each has its own
-            \param limit how many certificates may be kept, together with others */
+            \param limit how many certificates all stores that share it may keep */
         ProjectedMethod(const Team &team, const ObstaclesPtr &obstacles, bool share,
                         const std::shared_ptr<CertificateLimit> &limit);
 
@@ -36,7 +36,7 @@ namespace ompl_certificates
 
         std::vector<Certificate> getCertificates() const override;
 
-        /** \brief Adds them to each tree */
+        /** \brief Adds the certificates to each tree */
         bool addCertificates(const std::vector<Certificate> &certificates) override;
 
     private:
@@ -46,7 +46,7 @@ namespace ompl_certificates
         }
 
         std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
-        /** \brief For each body of the team */
+        /** \brief One for each body of the team */
         mutable std::vector<SwitchingPolicy> policies_;
         bool adaptive_{true};
     };

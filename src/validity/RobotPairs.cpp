@@ -15,8 +15,8 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** For how long two balls stay apart that are more than a margin apart. The cushion lets the gap at another time
-            prove that there, too. */
+        /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that
+            interval prove this, too. */
         double intervalOf(double gap, double margin, double speed)
         {
             return speed > 0.0 ? std::max(gap - margin * (1.0 + CertifiedEnvironment::PROOF_CUSHION), 0.0) / speed
@@ -33,7 +33,7 @@ namespace ompl_certificates
         SwitchingPolicy policy;
     };
 
-    // The arithmetic of FCL's own test of two spheres
+    // The same arithmetic as in FCL's test of two spheres
     double RobotPairs::BodyPair::gap(const CheckContext &context) const
     {
         const Ball &a = first->getSphereTree().getRoot(), &b = second->getSphereTree().getRoot();
@@ -52,7 +52,7 @@ namespace ompl_certificates
                 for (std::size_t a = 0; a < first.size(); ++a)
                     for (std::size_t b = 0; b < second.size(); ++b)
                     {
-                        // The body with the coarser sphere tree is looked up in the frame of the other.
+                        // The body with fewer spheres is looked up in the frame of the other.
                         const bool swapped =
                             second[b].getSphereTree().getNodes().size() < first[a].getSphereTree().getNodes().size();
                         const bool balls = first[a].isBall() && second[b].isBall();
@@ -85,8 +85,7 @@ namespace ompl_certificates
         for (unsigned int pair = 0; pair < getPairCount(); ++pair)
             if (getFirst(pair) == std::min(first, second) && getSecond(pair) == std::max(first, second))
                 return pair;
-        throw ompl::Exception("There is no pair of the robots " + std::to_string(first) + " and " +
-                              std::to_string(second));
+        throw ompl::Exception("There is no pair of robots " + std::to_string(first) + " and " + std::to_string(second));
     }
 
     PoseVerdict RobotPairs::settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const
@@ -110,7 +109,7 @@ namespace ompl_certificates
             if (!bodies.frame)
             {
                 verdict.validInterval = 0.0;
-                if (!(gap > 0.0) || sample.requiredInterval > 0.0)  // Also what is not finite
+                if (!(gap > 0.0) || sample.requiredInterval > 0.0)  // Also true for NaN
                     return verdict;
                 continue;
             }
@@ -131,11 +130,11 @@ namespace ompl_certificates
         const Pose relative = bodies.relativePose(context);
         CheckCounts asked;
         PoseVerdict verdict;
-        SwitchingPolicy indifferent;  // It has seen nothing yet, so it tries all.
-        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : indifferent;
+        SwitchingPolicy untrained;  // A new policy tries everything.
+        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : untrained;
         if (frame.certified)
         {
-            // Seen from the environment's frame, the other body moves as fast as both do together.
+            // In the environment's frame, the motion bounds of both bodies add up.
             MotionBound bound;
             if (sample.moves)
             {

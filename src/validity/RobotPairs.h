@@ -14,14 +14,14 @@ namespace ompl_certificates
 {
     /** \brief Checks the robots of a team against each other.
 
-        Two discs or spheres are settled by arithmetic. Of two other bodies, one is the environment of the other, seen from
-        its own frame, as in the paper's footnote 2; all bodies of equal shape share that environment and what is known of
-        it. Bodies of the same robot are not checked against each other. */
+        Two discs or spheres are settled by arithmetic. Otherwise one body is the environment of the other, seen from
+        its own frame, as in the paper's footnote 2. Bodies of equal shape share that environment and its certificates.
+        Bodies of the same robot are not checked against each other. */
     class RobotPairs
     {
     public:
-        /** \brief The pairs of the robots of \e team, which must outlive this
-            \param limit how many certificates may be kept, together with others */
+        /** \brief All pairs of robots of \e team, which must outlive this object
+            \param limit how many certificates all stores that share it may keep */
         RobotPairs(const Team &team, Method method, std::shared_ptr<CertificateLimit> limit);
         ~RobotPairs();
 
@@ -31,33 +31,34 @@ namespace ompl_certificates
             return static_cast<unsigned int>(pairs_.size());
         }
 
-        /** \brief The first robot of a pair, which has the smaller index */
+        /** \brief The robot of a pair with the smaller index */
         unsigned int getFirst(unsigned int pair) const
         {
             return pairs_[pair].first;
         }
 
-        /** \brief The second robot of a pair */
+        /** \brief The other robot of a pair */
         unsigned int getSecond(unsigned int pair) const
         {
             return pairs_[pair].second;
         }
 
-        /** \brief The pair of two robots
-            \throws ompl::Exception if it is one robot, or there is no such robot */
+        /** \brief The index of the pair of two robots
+            \throws ompl::Exception if both are the same robot, or there is no such robot */
         unsigned int find(unsigned int first, unsigned int second) const;
 
-        /** \brief Settle whether the robots of a pair stay apart; their poses are in \e context, where it is counted */
+        /** \brief Settles whether the robots of a pair stay apart. Reads their poses from \e context and counts
+            there. */
         PoseVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
 
-        /** \brief For how long the robots of a pair stay apart, judged by their bounding spheres alone; 0 if those touch */
+        /** \brief How long the robots of a pair stay apart, by their bounding spheres alone; 0 if these touch */
         double provenInterval(unsigned int pair, const CheckContext &context) const;
 
         /** \brief Whether the robots of a pair touch each other, by FCL */
         bool collide(unsigned int pair, const CheckContext &context) const;
 
-        /** \brief A lower bound of the distance between the robots of a pair, to within the leaves of their sphere trees;
-            negative if they may touch */
+        /** \brief A lower bound of the distance between the robots of a pair, to within the leaves of their sphere
+            trees. Negative if they may touch. */
         double distance(unsigned int pair, const CheckContext &context) const;
 
         /** \brief See TeamValidityChecker::setAdaptive() */
@@ -66,25 +67,24 @@ namespace ompl_certificates
             adaptive_ = adaptive;
         }
 
-        /** \brief Forget all certificates. Not while others use the pairs. */
+        /** \brief Removes all certificates. Not while others use the pairs. */
         void clear();
 
     private:
         /** \brief A body as the environment of others, seen from its own frame */
         struct BodyFrame;
 
-        /** \brief A body of one robot and a body of the other, counted through the whole team */
+        /** \brief A body of one robot and a body of the other. Indices count the bodies of the whole team. */
         struct BodyPair
         {
             std::size_t firstIndex, secondIndex;
             const Body *first, *second;
 
-            /** \brief One body is the environment of the other: the second, or the first if \e swapped is set. Null for two
-                balls. */
+            /** \brief The environment: the second body, or the first if \e swapped. Null for two balls. */
             BodyFrame *frame;
             bool swapped;
 
-            /** \brief What rounding and FCL may be wrong by when the bounding spheres are compared */
+            /** \brief The possible error of rounding and of FCL when bounding spheres are compared */
             double margin;
 
             /** \brief The body that is looked up in the frame of the other */
@@ -93,14 +93,14 @@ namespace ompl_certificates
                 return swapped ? *second : *first;
             }
 
-            /** \brief Where that body is in the frame */
+            /** \brief The pose of that body in the frame */
             Pose relativePose(const CheckContext &context) const
             {
                 const Pose &a = context.poses[firstIndex], &b = context.poses[secondIndex];
                 return swapped ? a.inverse() * b : b.inverse() * a;
             }
 
-            /** \brief The distance of the bounding spheres, negative if they overlap */
+            /** \brief The distance between the bounding spheres; negative if they overlap */
             double gap(const CheckContext &context) const;
         };
 
@@ -110,7 +110,7 @@ namespace ompl_certificates
             std::vector<BodyPair> bodies;
         };
 
-        /** \brief Settle two bodies whose bounding spheres are too close, by what the frame knows */
+        /** \brief Settles two bodies whose bounding spheres are too close to decide, in the environment's frame */
         PoseVerdict settleBodies(const BodyPair &bodies, CheckContext &context, const MotionSample &sample) const;
 
         BodyFrame *frameOf(const Body &body, const ZInterval &zInterval);

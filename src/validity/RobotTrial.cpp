@@ -16,13 +16,13 @@ namespace ompl_certificates
     {
         constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 
-        /** What rounding may do to coordinates and rotations, relative to their size */
+        /** The rounding error of coordinates and rotations, relative to their size */
         constexpr double ROUNDING = 1e-9;
 
-        /** The shortest interval of a motion that is looked at: below, rounding hides the travel. */
+        /** The shortest interval of a motion that is tried: below it, rounding hides the movement */
         constexpr double SHORTEST = 1e-3;
 
-        constexpr unsigned int STRETCHES = 8;
+        constexpr unsigned int INTERVALS = 8;
 
         class RobotTrial
         {
@@ -57,7 +57,7 @@ namespace ompl_certificates
 
             std::string motionText(const ob::State *from, const ob::State *to) const
             {
-                return "on the way from the state " + textOf(*space_, from) + " to " + textOf(*space_, to);
+                return "on the motion from the state " + textOf(*space_, from) + " to " + textOf(*space_, to);
             }
 
             std::vector<Pose> posesOf(const ob::State *state) const
@@ -74,7 +74,7 @@ namespace ompl_certificates
                     if (!poses[i].matrix().allFinite())
                         fail("the pose" + where + " is not finite, or was not written");
                     if (!turn.isUnitary(1e-6) || turn.determinant() < 0.0)
-                        fail("the pose" + where + " is no rotation and translation");
+                        fail("the pose" + where + " is not a rotation and a translation");
                     if (robot_.getWorkspaceDimension() != 2)
                         continue;
                     const double tilt = (turn.col(2) - Eigen::Vector3d::UnitZ()).norm();
@@ -94,7 +94,7 @@ namespace ompl_certificates
                 robot_.computeMotionBounds(from, to, bounds.data());
                 for (std::size_t i = 0; i < bodies_; ++i)
                     if (!(bounds[i].linear >= 0.0 && bounds[i].angular >= 0.0))
-                        fail("the travel bound of body " + std::to_string(i) + " " + motionText(from, to) +
+                        fail("the motion bound of body " + std::to_string(i) + " " + motionText(from, to) +
                              " must not be negative, and must be written: it is " + textOf(bounds[i].linear) + " and " +
                              textOf(bounds[i].angular));
                 if (!std::isnan(bounds[bodies_].linear))
@@ -103,7 +103,7 @@ namespace ompl_certificates
                 return bounds;
             }
 
-            /** The poses at time \e t, from the state that a checker takes */
+            /** The poses at time \e t, from the state that a checker would use */
             std::vector<Pose> posesAt(const ob::State *from, const ob::State *to, double t) const
             {
                 if (t == 0.0 || t == 1.0)
@@ -117,7 +117,7 @@ namespace ompl_certificates
             {
                 const std::vector<MotionBound> bounds = boundsOf(from, to);
                 std::vector<double> times{0.0, 1.0};
-                for (unsigned int i = 0; i < STRETCHES; ++i)
+                for (unsigned int i = 0; i < INTERVALS; ++i)
                 {
                     times.push_back(random_.uniform01());
                     times.push_back(std::min(1.0, times.back() + std::pow(10.0, random_.uniformReal(-3.0, 0.0))));
@@ -141,7 +141,8 @@ namespace ompl_certificates
                 const Eigen::Vector3d moved = after.translation() - before.translation();
                 const Eigen::Matrix3d turned = after.linear() - before.linear();
                 const double slack = ROUNDING * (1.0 + radius + before.translation().norm());
-                // The origin, points along the axes, and the one that the turn moves as the translation does.
+                // The origin, points along the axes, and the point that the rotation moves in the direction of the
+                // translation.
                 const Eigen::Vector3d along = turned.transpose() * moved;
                 std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
                                                     Eigen::Vector3d::UnitY()};
@@ -152,13 +153,13 @@ namespace ompl_certificates
                 for (const Eigen::Vector3d &direction : points)
                 {
                     const Eigen::Vector3d point = radius * direction;
-                    const double travel = (moved + turned * point).norm(),
+                    const double distance = (moved + turned * point).norm(),
                                  most = bound.at(point.norm()) * (last - first);
-                    if (!(travel <= most * (1.0 + ROUNDING) + slack))
+                    if (!(distance <= most * (1.0 + ROUNDING) + slack))
                         fail(motionText(from, to) + ", between times " + textOf(first) + " and " + textOf(last) +
-                             ", the point " + textOf(point) + " of body " + std::to_string(body) + " travels " +
-                             textOf(travel) + ", but its travel bound (linear " + textOf(bound.linear) + ", angular " +
-                             textOf(bound.angular) + ") allows " + textOf(most));
+                             ", the point " + textOf(point) + " of body " + std::to_string(body) + " moves " +
+                             textOf(distance) + ", but its motion bound (linear " + textOf(bound.linear) +
+                             ", angular " + textOf(bound.angular) + ") allows " + textOf(most));
                 }
             }
 

@@ -5,9 +5,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief The check of a motion sample by sample, as the team's space interpolates: the verdict, and the order of samples,
-        of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions have no
-        motion bounds. */
+    /** \brief Checks a motion sample by sample, as the team's space interpolates it. Verdict and order of samples are
+        those of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions
+        have no motion bounds. */
     class SampledMotionCheck
     {
     public:

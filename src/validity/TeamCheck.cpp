@@ -30,8 +30,8 @@ namespace ompl_certificates
                                       std::to_string(team.getWorkspaceDimension()));
             if (team.getWorkspaceDimension() == 2 && !obstacles->getZInterval().contain(team.getZInterval()))
                 throw ompl::Exception(
-                    "The robots reach beyond the z-interval that the obstacles were made for; give them "
-                    "the team's, TeamStateSpace::getZInterval()");
+                    "The obstacles' z-interval does not contain the robots'; give them "
+                    "the team's: TeamStateSpace::getZInterval()");
         }
 
         std::unique_ptr<CheckMethod> makeMethod(Method method, const Team &team, const ObstaclesPtr &obstacles,
@@ -53,8 +53,8 @@ namespace ompl_certificates
             throw ompl::Exception("Unknown method");
         }
 
-        /** Makes the trees of the robots' meshes now, and not in the midst of the first check: among 10^5 triangles this takes
-            a twentieth of a second. */
+        /** Builds the trees of the robots' meshes now, not within the first check: 10^5 triangles take a twentieth of a
+            second. */
         void makeMeshTrees(const Team &team)
         {
             for (const auto &robot : team.getRobots())

@@ -15,7 +15,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief What is proved free by itself: all robots together (Basic), one robot, or a pair of robots */
+    /** \brief A unit that is proved free on its own: all robots together (Basic), one robot, or a pair of robots */
     struct Subject
     {
         enum Kind
@@ -26,21 +26,21 @@ namespace ompl_certificates
         };
 
         Kind kind;
-        /** \brief The robots: of a team from the first to the last, of a pair both */
+        /** \brief The robots: the first and the last of a team, or the two of a pair */
         unsigned int first, last;
         /** \brief The number of the pair */
         unsigned int pair;
     };
 
-    /** \brief The check of a team among obstacles, by one method: what a validity checker and its motion validator share */
+    /** \brief Checks a team among obstacles by one method. A validity checker and its motion validator share it. */
     class TeamCheck
     {
     public:
-        /** \throws ompl::Exception if \e obstacles is null, or of another workspace or z-interval than the team */
+        /** \throws ompl::Exception if \e obstacles is null, or its workspace or z-interval does not fit the team */
         TeamCheck(Team team, ObstaclesPtr obstacles, Method method);
 
-        /** \brief The same with a method of one's own against the obstacles; robots are checked against each other with
-            certificates */
+        /** \brief The same with another method against the obstacles. Robots are checked against each other with
+            certificates. */
         TeamCheck(Team team, ObstaclesPtr obstacles, std::unique_ptr<CheckMethod> checkMethod);
 
         const Team &getTeam() const
@@ -58,7 +58,7 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        /** \brief What settles robots against the obstacles */
+        /** \brief The strategy that settles robots against the obstacles */
         CheckMethod &getCheckMethod() const
         {
             return *checkMethod_;
@@ -74,7 +74,7 @@ namespace ompl_certificates
             return lock_;
         }
 
-        /** \brief Contexts, for what is not to be counted; else take a Scope */
+        /** \brief Contexts for checks that are not counted; for others, create a Scope */
         CheckContextPool &getContexts() const
         {
             return contexts_;
@@ -95,10 +95,10 @@ namespace ompl_certificates
             \throws ompl::Exception as RobotPairs::find() */
         Subject getPair(unsigned int first, unsigned int second) const;
 
-        /** \brief Settle a subject, whose robots' poses are in \e context */
+        /** \brief Settles a subject whose robots' poses are in \e context */
         PoseVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
 
-        /** \brief For how long the hints, or the bounding spheres of a pair, prove a subject free; 0 if they do not */
+        /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free; 0 if they do not */
         double provenInterval(const Subject &subject, const CheckContext &context) const;
 
         /** \brief Whether a state of the team is free */
@@ -113,7 +113,7 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::changeObstacles() */
         void change(const ObstacleChange &change);
 
-        /** \brief Forget all certificates. Not while others check. */
+        /** \brief Removes all certificates. Not while others check. */
         void clear()
         {
             checkMethod_->clear();
@@ -133,21 +133,21 @@ namespace ompl_certificates
             return adaptive_;
         }
 
-        /** \brief Put where a robot's bodies are in one of its states into \e context */
+        /** \brief Computes the poses of a robot's bodies in one of its states, into \e context */
         void place(unsigned int robot, const ompl::base::State *robotState, CheckContext &context) const
         {
             team_.getRobot(robot).placeBodies(robotState, context.poses.data() + team_.getFirstBody(robot));
         }
 
-        /** \brief Take the certificates that \e state refers to as hints; those of \e other for a body that has none */
+        /** \brief Takes the references of \e state as hints; those of \e other for a body that has none */
         void takeReferences(const ompl::base::State *state, const ompl::base::State *other,
                             CheckContext &context) const;
 
-        /** \brief Let \e state refer to the certificates found last */
+        /** \brief Lets \e state refer to the certificates found last */
         void giveReferences(const ompl::base::State *state, const CheckContext &context) const;
 
-        /** \brief One check, of a state or a motion, for as long as it lives: blocks changes of the obstacles, lends a context, and
-            adds what was counted, and the time, to the statistics */
+        /** \brief One check of a state or a motion. While it lives, it blocks changes of the obstacles and lends a
+            context. At the end it adds counts and time to the statistics. */
         class Scope
         {
         public:
@@ -184,10 +184,10 @@ namespace ompl_certificates
         const Team team_;
         ObstaclesPtr obstacles_;
         const Method method_;
-        /** \brief For certificates of obstacles and of pairs together */
+        /** \brief Shared by the certificates of obstacles and of pairs */
         const std::shared_ptr<CertificateLimit> limit_;
         const std::unique_ptr<CheckMethod> checkMethod_;
-        /** \brief Of the method, if it settles all robots together */
+        /** \brief Null if the method settles robots one by one */
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
         bool adaptive_{true};

@@ -6,7 +6,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief The number of this thread, in the order in which threads first asked for theirs */
+    /** \brief A number for this thread, in the order of first calls */
     inline std::size_t threadNumber()
     {
         static std::atomic<std::size_t> threads{0};

@@ -9,7 +9,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief A number with as many digits as repeat a case */
+    /** \brief A number, with enough digits to repeat a case */
     std::string textOf(double number);
 
     /** \brief (x, y, z) */
@@ -18,7 +18,7 @@ namespace ompl_certificates
     /** \brief The position of a pose, and its rotation as a quaternion (x, y, z, w) */
     std::string textOf(const Pose &pose);
 
-    /** \brief The coordinates of a state, as OMPL's copyToReals() tells them */
+    /** \brief The coordinates of a state, from OMPL's copyToReals() */
     std::string textOf(const ompl::base::StateSpace &space, const ompl::base::State *state);
 }
 

@@ -24,7 +24,8 @@ namespace ompl_certificates
     {
         if (find(outer_, lock_) == nullptr)
         {
-            // First in, then a look whether a change has begun; a change first says so, then looks who is in.
+            // A check enters, then looks for a change. A change announces itself, then waits for checks to leave. So
+            // one of them sees the other.
             checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
             for (checks_->fetch_add(1); lock_.changing_.load(); checks_->fetch_add(1))
             {

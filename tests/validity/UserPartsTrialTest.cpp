@@ -222,10 +222,10 @@ TEST(CheckRobot, FindsNoFaultInTheLibrarysOwn)
 TEST(CheckRobot, FindsBoundsThatAreTooSmallAndSaysWhere)
 {
     expectWords(complaintOf(Fault::SLOW_LINEAR),
-                {"Robot 'two boxes'", "from the state (", "between times", "of body 1 travels", "linear", "allows"});
-    expectWords(complaintOf(Fault::SLOW_ANGULAR), {"between times", "of body 1 travels", "angular", "allows"});
-    expectWords(complaintOf(Fault::NEGATIVE), {"travel bound of body 1", "must not be negative"});
-    expectWords(complaintOf(Fault::UNWRITTEN_BOUND), {"travel bound of body 1", "must be written"});
+                {"Robot 'two boxes'", "from the state (", "between times", "of body 1 moves", "linear", "allows"});
+    expectWords(complaintOf(Fault::SLOW_ANGULAR), {"between times", "of body 1 moves", "angular", "allows"});
+    expectWords(complaintOf(Fault::NEGATIVE), {"motion bound of body 1", "must not be negative"});
+    expectWords(complaintOf(Fault::UNWRITTEN_BOUND), {"motion bound of body 1", "must be written"});
 }
 
 TEST(CheckRobot, FindsPosesThatAreNone)
@@ -233,7 +233,7 @@ TEST(CheckRobot, FindsPosesThatAreNone)
     expectWords(complaintOf(Fault::UNWRITTEN_POSE), {"pose of body 1", "in the state (", "was not written"});
     expectWords(complaintOf(Fault::NOT_FINITE), {"pose of body 1", "in the state (", "not finite"});
     expectWords(complaintOf(Fault::OUT_OF_PLANE), {"pose of body 1", "leaves the plane: z = "});
-    expectWords(complaintOf(Fault::MIRRORED), {"pose of body 1", "no rotation and translation"});
+    expectWords(complaintOf(Fault::MIRRORED), {"pose of body 1", "not a rotation and a translation"});
     expectWords(complaintOf(Fault::SURPLUS_POSE), {"computePoses() writes more than the poses of its 2 bodies"});
 }
 

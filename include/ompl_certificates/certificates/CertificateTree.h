@@ -17,17 +17,17 @@ namespace ompl_certificates
 {
     class CertificateLimit;
 
-    /** \brief A ball of a body, as a certificate must prove it */
+    /** \brief A ball of a body for which a proof is sought */
     struct BallQuery
     {
         /** \brief The center of the ball in the workspace */
         Eigen::Vector3d center;
 
-        /** \brief The ball counts as free only with this radius: its own and the tolerances */
+        /** \brief Radius for a proof that the ball is free: its own plus the tolerances */
         double freeRadius;
 
-        /** \brief The ball counts as colliding only with this radius: its own less the tolerances, or minus infinity if it is
-            not inside its body */
+        /** \brief Radius for a proof that the ball collides: its own less the tolerances. Minus infinity if the ball is
+            not inside its body. */
         double collidingRadius;
     };
 
@@ -48,26 +48,26 @@ namespace ompl_certificates
         /** \brief What the certificates say of the ball */
         Verdict verdict{UNKNOWN};
 
-        /** \brief The certificate that proves it */
+        /** \brief The certificate that proves the verdict */
         CertificateIndex certificate{NO_CERTIFICATE};
 
-        /** \brief How far the ball can move so that this certificate still proves it */
+        /** \brief How far the ball can move before this certificate no longer proves the verdict */
         double slack{0.0};
     };
 
-    /** \brief A kd-tree of certificates that answers "what covers this ball".
+    /** \brief A kd-tree of certificates. It finds a certificate that proves a ball free or colliding.
 
-        It is a NearestNeighbors structure over the certificates' points too, with Euclidean distance. Beside the search
-        from the root there is the seeded search of the paper: from the leaf of a given certificate upwards, which ends
-        early where that certificate is near the query.
+        It is also an ompl::NearestNeighbors structure over the certificates' points, with Euclidean distance. A search
+        starts at the root, or, as in the paper, at the leaf of a given certificate. The seeded search ends early if
+        that certificate is near the query.
 
-        The tree divides space at the middle of its cells, so its depth is bounded by the ratio of the distances of the
-        points, in any order of insertion, and nothing is ever rebuilt or moved: the first few certificates in a cell stay
-        there, later ones go to the four cells that it is divided into. Only certificates are kept, not what they cover;
-        subtrees know how far their balls reach, and are passed over where that is not far enough.
+        Cells are divided in the middle. So the ratio of the points' distances bounds the depth, in any order of
+        insertion. Insertion never rebuilds or moves anything. A cell keeps its first few certificates; later ones go
+        into the four cells it is divided into. The tree stores only certificates, not the states they prove. Each
+        subtree keeps bounds of its certificates' balls, by which a search skips it.
 
-        Threads: any number may search while one adds; add() takes a lock, searches take none. remove() and clear() need
-        the tree for themselves.
+        Threads: any number may search while others add. add() takes a lock; searches take none. remove() and clear()
+        need exclusive use of the tree.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
@@ -76,42 +76,46 @@ namespace ompl_certificates
     {
     public:
         /** \brief An empty tree for a workspace of \e dimension 2 or 3
-            \param limit how many certificates it may keep, together with others; none if null
+            \param limit how many certificates all stores that share it may keep; unlimited if null
             \throws ompl::Exception for any other dimension */
         explicit CertificateTree(unsigned int dimension, std::shared_ptr<CertificateLimit> limit = nullptr);
 
         ~CertificateTree() override;
 
-        /** \brief What a single certificate proves of \e query */
+        /** \brief What \e certificate alone proves of \e query */
         static Covering cover(const Certificate &certificate, CertificateIndex index, const BallQuery &query);
 
-        /** \brief Any certificate that proves \e query, searched from the root. Cost: some 50 to 500 ns. */
+        /** \brief Searches from the root for any certificate that proves \e query. Cost: some 50 to 500 ns. */
         Covering covering(const BallQuery &query) const;
 
-        /** \brief Like covering(), but searched from the leaf of certificate \e seed upwards. A seed that is not in the tree
-            is ignored. The answer may be another certificate; whether there is one does not depend on the seed. The
-            checkers do without: they ask the seed itself by coveringBy(), and once it has failed, the root is as near. */
+        /** \brief Like covering(), but searches upwards from the leaf of certificate \e seed. A seed that is not in the
+            tree is ignored. The seed may change which certificate is found, but not whether one is found. The checkers
+            do not use this. They try the seed by coveringBy() first; if that fails, a search from the root is as
+            fast. */
         Covering covering(const BallQuery &query, CertificateIndex seed) const;
 
-        /** \brief What certificate \e index alone proves of \e query; nothing if there is none of that index. Cost: 5 ns. */
+        /** \brief What certificate \e index alone proves of \e query; nothing if there is no such certificate. Cost: 5
+            ns. */
         Covering coveringBy(CertificateIndex index, const BallQuery &query) const;
 
-        /** \brief Add a certificate and return its index, or NO_CERTIFICATE if the limit leaves no room. Cost: logarithmic.
-            \throws ompl::Exception if its point is not finite, or its clearance not a number or minus infinity */
+        /** \brief Adds a certificate. Cost: logarithmic.
+            \return its index, or NO_CERTIFICATE if the limit is reached
+            \throws ompl::Exception if its point is not finite, or its clearance is not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
 
-        /** \brief Give every certificate another clearance, and keep its index. Not while others use the tree. Cost: that of
-            making the tree anew.
+        /** \brief Gives every certificate a new clearance; indices stay. Needs exclusive use of the tree. Cost: that of
+            building the tree anew.
             \param clearanceOf the new clearance of a certificate */
         void changeClearances(const std::function<double(const Certificate &)> &clearanceOf);
 
-        /** \brief The certificate of an index that insert() returned */
+        /** \brief The certificate of an index that insert() returned
+            \throws ompl::Exception if there is no such certificate */
         Certificate operator[](CertificateIndex index) const;
 
         /** \brief The memory taken by the tree, in bytes */
         std::size_t bytes() const;
 
-        /** \brief Distances are Euclidean between points; another function is refused.
+        /** \brief Not supported: distances are Euclidean.
             \throws ompl::Exception always */
         void setDistanceFunction(const DistanceFunction &distFun) override;
 
@@ -159,8 +163,8 @@ namespace ompl_certificates
         struct Bucket;
         struct InnerNode;
 
-        /** \brief What a cell of the tree leads to: nothing, the bucket of an undivided cell, or an inner node. One word: pointers,
-            for a search is mostly the wait for the next node on the way down. */
+        /** \brief The content of a cell: nothing, a bucket if the cell is undivided, or an inner node. A tagged
+            pointer: one word, since a search mostly waits for memory. */
         class Subtree
         {
         public:
@@ -184,7 +188,7 @@ namespace ompl_certificates
                 return word_ != 0 && (word_ & UNDIVIDED) == 0;
             }
 
-            /** \brief The inner node, if it is one */
+            /** \brief The inner node; only if isInnerNode() */
             InnerNode *innerNode() const
             {
                 return reinterpret_cast<InnerNode *>(word_);
@@ -202,52 +206,55 @@ namespace ompl_certificates
             std::uintptr_t word_{0};
         };
 
-        /** \brief The first certificates of a cell; later ones are in the cells that it is divided into. Certificates never
-            move. Coordinates and clearances lie side by side for the search. */
+        /** \brief The first certificates of a cell; later ones go into its child cells. Certificates never move.
+            Coordinates and clearances lie side by side for the search. */
         struct alignas(64) Bucket
         {
             double x[BUCKET_SIZE], y[BUCKET_SIZE];
             double clearance[BUCKET_SIZE];
             CertificateIndex index[BUCKET_SIZE];
             std::atomic<std::uint32_t> count{0};
-            /** More certificates of a cell that is too small to be divided */
+            /** The next bucket of a cell that is too small to be divided */
             std::atomic<Bucket *> next{nullptr};
             double z[BUCKET_SIZE];
-            /** The cell's inner node, or the one above it while it is undivided */
+            /** The cell's inner node, or its parent while the cell is undivided */
             std::atomic<InnerNode *> innerNode{nullptr};
         };
 
-        /** \brief A float for each of four children. Two share an atomic, so that readers may load it while it grows. */
+        /** \brief One float for each of four children. Two share an atomic, so that readers may load them while they
+            grow. */
         using Bound = std::atomic<std::uint64_t>[2];
 
-        /** \brief A cell that is divided into four, along two axes. The way down needs the first 64 bytes only. */
+        /** \brief A cell that is divided into four, along two axes. A descent reads only the first 64 bytes. */
         struct alignas(64) InnerNode
         {
-            /** The four cells, by the high bit for the side of the first axis and the low bit for the other's */
+            /** The four cells: the high bit is the side along the first axis, the low bit that along the second */
             std::atomic<Subtree> child[4]{};
             std::atomic<Bucket *> bucket{nullptr};
             std::atomic<InnerNode *> parent{nullptr};
 
-            /** Bounds of the certificates below each of the children: by axis, the largest c + d, d - c, c - d and -c - d of
-                the points c and the clearances d, rounded up. The first two bound the balls that are free, the others
-                those that collide. */
+            /** Bounds of the certificates below each child. For each axis they are the largest c + d, d - c, c - d and
+                -c - d. Here c is a point and d its clearance; all are rounded up. The first two bound balls that are
+                free, the other two balls that collide. */
             alignas(64) Bound bound[3][4];
         };
 
         struct Stored
         {
             Certificate certificate;
-            /** The bucket, or the first of the chain of buckets, that it is in */
+            /** The bucket that holds it, or the first bucket of that chain */
             std::atomic<Bucket *> bucket{nullptr};
         };
 
-        /** \brief The whole tree. A new one when it has to grow beyond its cell, so that readers find place and cell in one. */
+        /** \brief The whole tree. A new root replaces it when its cell must grow, so that readers load subtree and cell
+            together. */
         struct Root
         {
             std::atomic<Subtree> subtree{};
-            /** Its extents are powers of two, so that halving them is exact. Empty until the first bucket is full. */
+            /** The extents are powers of two, so that halving them is exact. The cell is empty until the first bucket
+                is full. */
             Eigen::Vector3d low{1.0, 1.0, 1.0}, high{0.0, 0.0, 0.0};
-            /** Where in the turns of the axes the first division of the cell is */
+            /** The axis along which the cell is divided first */
             int firstAxis{0};
 
             Eigen::AlignedBox3d cell() const
@@ -260,10 +267,10 @@ namespace ompl_certificates
         struct CoverSearch;
         struct NearSearch;
 
-        /** \brief Forget all, but for the places that the limit gave */
+        /** \brief Removes all certificates, but does not give their share back to the limit */
         void reset();
 
-        /** \brief insert() with a place that the limit gave */
+        /** \brief insert(), once the limit has granted the certificate */
         CertificateIndex store(const Certificate &certificate);
 
         Bucket *newBucket(InnerNode *innerNode);
@@ -293,11 +300,11 @@ namespace ompl_certificates
         const std::shared_ptr<CertificateLimit> limit_;
         mutable std::mutex insertMutex_;
         ChunkedArray<Bucket> buckets_;
-        ChunkedArray<InnerNode> forks_;
+        ChunkedArray<InnerNode> innerNodes_;
         ChunkedArray<Stored> store_;
         ChunkedArray<Root> roots_;
         std::atomic<Root *> root_{nullptr};
-        /** Certificates that were added, and those of them that were not removed */
+        /** How many certificates were added, and how many of them were not removed */
         std::atomic<CertificateIndex> stored_{0}, live_{0};
     };
 }

@@ -5,24 +5,23 @@
 
 namespace ompl_certificates
 {
-    /** \brief How collision checks were settled. All numbers but those of pairs count one robot at one state. */
+    /** \brief What settled the collision checks. Unless stated otherwise, a count is of robots at states. */
     struct CheckCounts
     {
-        /** \brief Robots at states that were looked at: certifiedFree + certifiedColliding + asked */
+        /** \brief Robots at states that were checked: certifiedFree + certifiedColliding + asked */
         std::uint64_t robotPoses{0};
 
-        /** \brief … of which certificates made earlier proved that they are free */
+        /** \brief … of which earlier certificates proved free */
         std::uint64_t certifiedFree{0};
 
-        /** \brief … of which certificates made earlier, or the part of the obstacles that was hit last around there, proved
-            that they collide */
+        /** \brief … of which earlier certificates, or the part of the obstacles hit last nearby, proved colliding */
         std::uint64_t certifiedColliding{0};
 
-        /** \brief … of which the obstacles had to be asked: byClearances + byContact + exact. The paper's proportion of points
-            that require a collision check is asked / robotPoses. */
+        /** \brief … for which the obstacles were asked: byClearances + byContact + exact. The paper's proportion of
+            points that require a collision check is asked / robotPoses. */
         std::uint64_t asked{0};
 
-        /** \brief Those of \e asked that new clearances settled: for all bodies of the robot, as below */
+        /** \brief Those of \e asked that new clearances settled, for all bodies of the robot */
         std::uint64_t byClearances{0};
 
         /** \brief Those of \e asked that the contact test settled, Obstacles::touches() */
@@ -34,7 +33,7 @@ namespace ompl_certificates
         /** \brief Those of \e asked that were found to collide */
         std::uint64_t askedColliding{0};
 
-        /** \brief Clearances of points that were asked of the obstacles */
+        /** \brief Clearances that the obstacles computed */
         std::uint64_t clearanceQueries{0};
 
         /** \brief Calls of the contact test of the obstacles */
@@ -43,13 +42,13 @@ namespace ompl_certificates
         /** \brief Calls of the exact check of the obstacles (FCL), one for each body */
         std::uint64_t exactCalls{0};
 
-        /** \brief Bodies that were found to hit the same part of the obstacles as was hit last around there */
+        /** \brief Bodies found to hit the part of the obstacles that was hit last nearby */
         std::uint64_t hitAgain{0};
 
-        /** \brief Bodies that were asked about without clearances, since those do not pay; see SwitchingPolicy */
+        /** \brief Bodies checked without clearances, because these have not paid lately; see SwitchingPolicy */
         std::uint64_t steppedAside{0};
 
-        /** \brief Pairs of robots at states that were looked at */
+        /** \brief Pairs of robots at states that were checked */
         std::uint64_t pairPoses{0};
 
         /** \brief Calls of the exact check (FCL) for pairs of robots, one for each pair of bodies */
@@ -58,24 +57,24 @@ namespace ompl_certificates
         /** \brief Motions that were checked */
         std::uint64_t motions{0};
 
-        /** \brief Robots at samples of motions, their ends included: looked at or skipped */
+        /** \brief Robots at samples of motions, ends included, whether checked or skipped */
         std::uint64_t motionSamples{0};
 
-        /** \brief … of which were skipped, for they lie in a interval of the motion that is certified free */
+        /** \brief … of which were skipped, because they lie in an interval of the motion that is certified free */
         std::uint64_t motionSamplesSkipped{0};
 
-        /** \brief Those of \e robotPoses that are at the ends of motions: in RRT and its kin, at the new samples. Not
-            counted by the standard method, which asks for every pose. */
+        /** \brief Those of \e robotPoses at the ends of motions; in RRT and similar planners these are the new samples.
+            The standard method does not count them, since it asks for every pose. */
         std::uint64_t endPoses{0};
 
-        /** \brief … of which the obstacles had to be asked */
+        /** \brief … for which the obstacles were asked */
         std::uint64_t endAsked{0};
     };
 
-    /** \brief What settled a pose, the most expensive last */
+    /** \brief What settled a pose, in order of cost */
     enum class SettledBy
     {
-        /// Certificates made earlier, or a part of the obstacles hit before.
+        /// Earlier certificates, or the part of the obstacles hit last nearby.
         CERTIFICATE,
         /// New clearances.
         CLEARANCES,
@@ -85,7 +84,7 @@ namespace ompl_certificates
         EXACT_CHECK
     };
 
-    /** \brief Count a robot at a state by what settled the most expensive of its bodies */
+    /** \brief Counts a robot at a state by the most expensive check of its bodies */
     inline void countRobotPose(CheckCounts &counts, SettledBy by, bool free)
     {
         ++counts.robotPoses;

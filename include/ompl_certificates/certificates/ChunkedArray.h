@@ -11,8 +11,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief An array that grows without moving its elements: chunks that double in size. One thread may append while
-        others read the elements that they know of; readers take no lock. */
+    /** \brief An array that grows without moving its elements: chunks double in size. One thread may append while
+        others read elements whose index they know. Readers take no lock. */
     template <typename T>
     class ChunkedArray
     {
@@ -29,16 +29,16 @@ namespace ompl_certificates
         ChunkedArray(const ChunkedArray &) = delete;
         ChunkedArray &operator=(const ChunkedArray &) = delete;
 
-        /** \brief Append a default element and return its index. Not for two threads at once. */
+        /** \brief Appends a default element and returns its index. Only one thread may append at a time. */
         std::uint32_t append()
         {
             const std::uint32_t index = size_;
             const auto [chunk, offset] = locate(index);
             if (chunk >= CHUNKS)
-                throw ompl::Exception("A store of certificates is full");
+                throw ompl::Exception("A certificate store is full");
             if (offset == 0)
             {
-                // Raw memory: making all elements of a large chunk at once would be a pause of many milliseconds.
+                // Raw memory: constructing all elements of a large chunk at once would pause for many milliseconds.
                 void *memory = ::operator new((FIRST_CHUNK << chunk) * sizeof(T), std::align_val_t(alignof(T)));
                 chunks_[chunk].store(static_cast<T *>(memory), std::memory_order_release);
                 allocated_ += FIRST_CHUNK << chunk;
@@ -48,26 +48,26 @@ namespace ompl_certificates
             return index;
         }
 
-        /** \brief The element with this index, which must have been appended */
+        /** \brief The element of an index that append() returned */
         T &operator[](std::uint32_t index) const
         {
             const auto [chunk, offset] = locate(index);
             return chunks_[chunk].load(std::memory_order_acquire)[offset];
         }
 
-        /** \brief The number of elements; for the appending thread */
+        /** \brief The number of elements. Only for the appending thread. */
         std::uint32_t size() const
         {
             return size_;
         }
 
-        /** \brief The memory taken, in bytes; for the appending thread */
+        /** \brief The allocated memory in bytes. Only for the appending thread. */
         std::size_t bytes() const
         {
             return allocated_ * sizeof(T);
         }
 
-        /** \brief Remove all elements. Not while others read. */
+        /** \brief Removes all elements. Not while others read. */
         void clear()
         {
             for (auto &chunk : chunks_)

@@ -5,12 +5,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief The Basic Certificate method: the one team certificate of a near state certifies all robots at once, or nothing.
+    /** \brief The Basic Certificate method: the team certificate of a near state certifies all robots at once, or
+        nothing.
 
-        A team certificate is made where a whole state had to be checked and was found free: a clearance for each body.
-        It is handed on by reference from state to state, so the near state is the one that the planner extends or
-        checks from. This is the method for single robots applied to a team as it is, kept for comparison; it degrades
-        with the number of robots.
+        A team certificate holds one clearance for each body. It is made when a whole state was checked and found free.
+        States hand it on by reference, so the near state is the one that a planner extends or checks from. This is the
+        method for single robots, applied to a team unchanged. It is kept for comparison; it degrades with the number of
+        robots.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,

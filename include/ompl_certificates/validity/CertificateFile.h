@@ -7,18 +7,19 @@
 
 namespace ompl_certificates
 {
-    /** \brief Write what \e checker knows of its obstacles to \e file, for loadCertificates(): all of it or nothing.
+    /** \brief Writes the certificates that \e checker keeps of its obstacles to \e file, completely or not at all.
 
-        Certificates are clearances of points, so they serve any team of any robots among the same obstacles. The format
-        is described in docs/certificate-file.md: 32 bytes for each certificate in space, 24 in the plane.
-        \throws ompl::Exception that names the file if it cannot be written, or if obstacles of this kind cannot be
-        recognized again */
+        Certificates are clearances of points. So loadCertificates() can give them to any team among the same obstacles.
+        docs/certificate-file.md describes the format: 32 bytes for each certificate in space, 24 in the plane.
+        \throws ompl::Exception that names the file if it cannot be written, or if obstacles of this kind have no
+        fingerprint */
     void saveCertificates(const TeamValidityChecker &checker, const std::string &file);
 
-    /** \brief Give \e checker the certificates of a file, the first ones where setMaxCertificates() does not allow for all
-        \return how many there were
-        \throws ompl::Exception that names the file, and gives the reason, if it cannot be read, is damaged, is of another
-        version, is of other obstacles, or if the checker's method keeps none; then the checker is as it was */
+    /** \brief Adds the certificates of \e file to \e checker, as many as setMaxCertificates() allows
+        \return how many there were in the file
+        \throws ompl::Exception that names the file and the reason if it cannot be read, is damaged, or is of another
+        version or of other obstacles. Also if the checker's method keeps no certificates. The checker is then
+        unchanged. */
     std::size_t loadCertificates(TeamValidityChecker &checker, const std::string &file);
 }
 

@@ -13,25 +13,25 @@ namespace ompl_certificates
         section II, for the last three. */
     enum class Method
     {
-        /// FCL alone: what people have without this library.
+        /// FCL alone, as without this library.
         FCL,
-        /// The contact test where it pays, then FCL: the fastest check that remembers nothing.
+        /// The contact test where it pays, then FCL: the fastest check without memory.
         STANDARD,
-        /// The one team certificate of a near state certifies all robots at once, or nothing; see Basic.
+        /// The team certificate of a near state certifies all robots at once, or nothing; see Basic.
         BASIC,
-        /// A robot is certified by certificates that the same robot made; see Partial.
+        /// Certificates made by a robot certify that robot; see Partial.
         PARTIAL,
-        /// A robot is certified by certificates that any robot made; see SharedProjection.
+        /// Certificates made by any robot certify any robot; see SharedProjection.
         SHARED_PROJECTION
     };
 
-    /** \brief All methods: those without certificates first, FCL alone foremost */
+    /** \brief All methods in the order above */
     const std::vector<Method> &allMethods();
 
     /** \brief The name of a method: fcl, standard, basic, partial or shared */
     std::string nameOf(Method method);
 
-    /** \brief The method of that name
+    /** \brief The method with a name that nameOf() returns
         \throws ompl::Exception that lists the names if there is none */
     Method methodOf(const std::string &name);
 

@@ -5,8 +5,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The Partial Certificate method: a robot may be certified by any certificate that the same robot made. Each robot
-        has a tree of its own.
+    /** \brief The Partial Certificate method: certificates made by a robot certify that robot. Each robot has a tree of
+        its own.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,

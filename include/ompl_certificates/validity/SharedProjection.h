@@ -5,8 +5,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief The Shared Projection method: a robot may be certified by any certificate that any robot made, whatever their
-        shapes, since certificates live in the workspace. All robots share one tree. The method to choose.
+    /** \brief The Shared Projection method: certificates made by any robot certify any robot, whatever their shapes.
+        This works because certificates live in the workspace. All robots share one tree. Choose this method unless you
+        compare methods.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,

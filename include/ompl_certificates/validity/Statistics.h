@@ -9,27 +9,26 @@
 
 namespace ompl_certificates
 {
-    /** \brief What a checker has done: its counts and the time that it took. Threads add to it without waiting for each
-        other. */
+    /** \brief The counts and the checking time of a checker. Threads add to it without waiting for each other. */
     class Statistics
     {
     public:
         /** \brief The sum of all counts so far */
         CheckCounts getCounts() const;
 
-        /** \brief One of the counts, such as &CheckCounts::exact; takes some 10 ns */
+        /** \brief One of the counts, such as &CheckCounts::exact. Cost: some 10 ns. */
         std::uint64_t getCount(std::uint64_t CheckCounts::*count) const;
 
         /** \brief The time spent in isValid() and checkMotion() so far, in seconds, summed over threads */
         double getCheckingSeconds() const;
 
-        /** \brief Add \e counts */
+        /** \brief Adds \e counts */
         void add(const CheckCounts &counts);
 
-        /** \brief Set all counts and the time to zero */
+        /** \brief Sets all counts and the time to zero */
         void reset();
 
-        /** \brief Adds the time of its life to a Statistics */
+        /** \brief Adds its own lifetime to the checking time */
         class Timer
         {
         public:
@@ -49,7 +48,7 @@ namespace ompl_certificates
         static constexpr std::size_t FIELDS = sizeof(CheckCounts) / sizeof(std::uint64_t);
         static constexpr std::size_t SLOTS = 16;
 
-        /** \brief One of several places to count in, so that threads seldom share a cache line */
+        /** \brief The counts of some of the threads. Several slots, so that threads seldom share a cache line. */
         struct alignas(64) Slot
         {
             std::array<std::atomic<std::uint64_t>, FIELDS> counts{};

@@ -7,10 +7,10 @@
 
 namespace ompl_certificates
 {
-    /** \brief Lets any number of threads check at once, or one change the world.
+    /** \brief Lets any number of threads check at once, or one thread change the world.
 
-        Checks enter and leave at places of their own, so that they do not wait for each other and seldom share a cache
-        line: some 10 ns. A change waits until all that have begun are done, and those that come wait for it. */
+        Threads enter checks at slots of their own, so they do not wait for each other and seldom share a cache line.
+        Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. */
     class WorldLock
     {
     public:
@@ -18,8 +18,8 @@ namespace ompl_certificates
         WorldLock(const WorldLock &) = delete;
         WorldLock &operator=(const WorldLock &) = delete;
 
-        /** \brief A check, for as long as this lives: it must end in the thread in which it began. A thread may be in checks
-            of several locks, several times, and leave them in any order. */
+        /** \brief A check for the lifetime of this object. It must end in the thread in which it began. A thread may
+            hold checks of several locks, several of each, and end them in any order. */
         class Check
         {
         public:
@@ -31,22 +31,22 @@ namespace ompl_certificates
             Check &operator=(const Check &) = delete;
 
         private:
-            /** \brief The one of \e lock among \e last and what was entered before it, or null */
+            /** \brief The check of \e lock among \e last and those entered before it, or null */
             static Check *find(Check *last, const WorldLock &lock);
 
             friend class WorldLock;
 
             WorldLock &lock_;
-            /** \brief Where this thread keeps what it entered last */
+            /** \brief The variable in which this thread keeps its last check */
             Check *&last_;
-            /** \brief What this thread entered before, and has not left */
+            /** \brief The check that this thread entered before and still holds */
             Check *outer_;
-            /** \brief Where this counts for all checks of this thread and lock, if it is the one that does */
+            /** \brief The counter for all checks of this thread and lock; null if another check counts for them */
             std::atomic<int> *checks_;
         };
 
-        /** \brief A change, for as long as this lives
-            \throws ompl::Exception within a check of the same thread, which it would wait for in vain */
+        /** \brief A change for the lifetime of this object
+            \throws ompl::Exception within a check of the same thread, for which it would wait forever */
         class Change
         {
         public:
@@ -70,7 +70,7 @@ namespace ompl_certificates
             std::atomic<int> checks{0};
         };
 
-        /** \brief The check that this thread entered last, and has not left */
+        /** \brief The check that this thread entered last and still holds */
         static Check *&lastOfThisThread();
 
         std::array<Slot, SLOTS> slots_;
