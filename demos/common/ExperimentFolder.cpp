@@ -1,6 +1,6 @@
 #include "common/ExperimentFolder.h"
 
-#include "certificates/WholeFile.h"
+#include "common/Files.h"
 
 #include "ompl_certificates/pictures/ScenePicture.h"
 
@@ -63,7 +63,7 @@ namespace demos
         const std::string mark = "experiment.json", file = (fs::path(folder_) / mark).string();
         if (fs::exists(file))
         {
-            const Json json = Json::parse(readWholeFile(file), nullptr, false);
+            const Json json = Json::parse(readFile(file), nullptr, false);
             if (!json.is_object() || !json.contains("grid"))
                 throw ompl::Exception(file, "is damaged: remove it to go on with the results that are there");
             if (json["grid"] != grid_.hash)
@@ -85,7 +85,7 @@ namespace demos
         for (const ExperimentTrial &trial : getTrials(0, 1))
             json["trials"].push_back(trial.getName());
         json["text"] = grid_.text;
-        writeWholeFile(file, dump(json));
+        writeFile(file, dump(json));
     }
 
     std::vector<ExperimentTrial> ExperimentFolder::getTrials(unsigned int index, unsigned int count) const
@@ -122,7 +122,7 @@ namespace demos
         const std::string file = fileOf(trial);
         if (!fs::exists(file))
             return nullptr;
-        const Json json = Json::parse(readWholeFile(file), nullptr, false);
+        const Json json = Json::parse(readFile(file), nullptr, false);
         if (json.is_object() && json.value("grid", "") == grid_.hash && json.value("trial", "") == trial.getName() &&
             json.contains("records"))
             return json;
@@ -132,7 +132,7 @@ namespace demos
 
     void ExperimentFolder::write(const ExperimentTrial &trial, const Json &result) const
     {
-        writeWholeFile(fileOf(trial), dump(result));
+        writeFile(fileOf(trial), dump(result));
     }
 
     void ExperimentFolder::removeRemains(const ExperimentTrial &trial) const

@@ -1,9 +1,9 @@
 #include "common/ExperimentGrid.h"
 
+#include "common/Files.h"
+#include "common/GridNode.h"
 #include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
-#include "certificates/WholeFile.h"
-#include "scene/YamlNode.h"
 
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/RandomPolygonScene.h"
@@ -33,48 +33,8 @@ namespace demos
         /** Changes when the same grid would give other results, or write them in another way */
         constexpr const char *FORMAT = "1";
 
-        YAML::Node parse(const std::string &text, const std::string &file)
-        {
-            try
-            {
-                return YAML::Load(text);
-            }
-            catch (const YAML::Exception &exception)
-            {
-                const std::string line = exception.mark.is_null() ? "" : ":" + std::to_string(exception.mark.line + 1);
-                throw ompl::Exception(file + line, "not valid YAML: " + exception.msg);
-            }
-        }
-
-        std::uint64_t count(const YamlNode &node, std::uint64_t least, std::uint64_t most)
-        {
-            const double value = node.number();
-            if (value != std::floor(value) || value < static_cast<double>(least) || value > static_cast<double>(most))
-                node.fail("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
-                          ", not " + node.describe());
-            return static_cast<std::uint64_t>(value);
-        }
-
-        bool flag(const YamlNode &node)
-        {
-            const std::string word = node.text();
-            if (word != "true" && word != "false")
-                node.fail("must be true or false, not " + node.describe());
-            return word == "true";
-        }
-
-        /** A name that can be part of a file's name */
-        std::string plainName(const YamlNode &node)
-        {
-            const std::string name = node.text();
-            const auto isPlain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-            if (!std::all_of(name.begin(), name.end(), isPlain))
-                node.fail("must be of letters, digits and _ alone, not " + node.describe());
-            return name;
-        }
-
         template <typename Items>
-        void requireNew(const YamlNode &node, const Items &items, const std::string &name)
+        void requireNew(const GridNode &node, const Items &items, const std::string &name)
         {
             for (const auto &item : items)
                 if (item.name == name)
@@ -83,7 +43,7 @@ namespace demos
 
         /** Do \e work, and have what it throws name the place in the file. */
         template <typename Work>
-        auto at(const YamlNode &node, const Work &work)
+        auto at(const GridNode &node, const Work &work)
         {
             try
             {
@@ -95,13 +55,13 @@ namespace demos
             }
         }
 
-        Scene readPolygons(const YamlNode &node, unsigned int robots)
+        Scene readPolygons(const GridNode &node, unsigned int robots)
         {
             node.allow({"obstacles", "size", "radius", "smallest", "largest", "seed"});
             RandomPolygonScene::Settings settings;
             settings.robots = robots;
             if (node.has("obstacles"))
-                settings.obstacles = static_cast<unsigned int>(count(node.at("obstacles"), 0, 10000));
+                settings.obstacles = static_cast<unsigned int>(node.at("obstacles").count(0, 10000));
             const std::vector<std::pair<const char *, double *>> sizes{{"size", &settings.size},
                                                                        {"radius", &settings.radius},
                                                                        {"smallest", &settings.smallest},
@@ -110,31 +70,31 @@ namespace demos
                 if (node.has(key))
                     *value = node.at(key).positive();
             if (node.has("seed"))
-                settings.seed = count(node.at("seed"), 0, 1000000000);
+                settings.seed = node.at("seed").count(0, 1000000000);
             return at(node, [&]() -> Scene { return RandomPolygonScene(settings).make(); });
         }
 
-        ExperimentGrid::Workspace readWorkspace(const YamlNode &node, const fs::path &folder, std::string &hashed)
+        ExperimentGrid::Workspace readWorkspace(const GridNode &node, const fs::path &folder, std::string &hashed)
         {
             node.allow({"name", "file", "random_polygons", "robots"});
             ExperimentGrid::Workspace workspace;
             if (node.has("file") == node.has("random_polygons"))
                 node.fail("needs one of file and random_polygons");
             if (node.has("robots"))
-                for (const YamlNode &item : node.at("robots").items(1, MOST_ITEMS))
+                for (const GridNode &item : node.at("robots").items(MOST_ITEMS))
                 {
-                    workspace.robots.push_back(static_cast<unsigned int>(count(item, 1, MOST_ITEMS)));
+                    workspace.robots.push_back(static_cast<unsigned int>(item.count(1, MOST_ITEMS)));
                     if (std::count(workspace.robots.begin(), workspace.robots.end(), workspace.robots.back()) > 1)
-                        item.fail("given twice: " + item.describe());
+                        item.fail("given twice: " + item.text());
                 }
             unsigned int most = 1;
             for (const unsigned int robots : workspace.robots)
                 most = std::max(most, robots);
             if (node.has("file"))
             {
-                const YamlNode file = node.at("file");
+                const GridNode file = node.at("file");
                 const std::string path = (folder / file.text()).lexically_normal().string();
-                hashed += at(file, [&] { return readWholeFile(path); }) + '\0';
+                hashed += at(file, [&] { return readFile(path); }) + '\0';
                 workspace.scene = at(file, [&] { return std::make_shared<YamlScene>(path); });
                 workspace.name = workspace.scene->getName();
                 for (char &c : workspace.name)
@@ -149,7 +109,7 @@ namespace demos
                 workspace.name = "polygons";
             }
             if (node.has("name"))
-                workspace.name = plainName(node.at("name"));
+                workspace.name = node.at("name").plainName();
             const auto members = static_cast<unsigned int>(workspace.scene->getMembers().size());
             if (workspace.robots.empty())
                 workspace.robots.push_back(members);
@@ -159,12 +119,12 @@ namespace demos
             return workspace;
         }
 
-        ExperimentGrid::Planner readPlanner(const YamlNode &node)
+        ExperimentGrid::Planner readPlanner(const GridNode &node)
         {
             node.allow({"name", "planner", "parameters"});
             ExperimentGrid::Planner planner;
             planner.plannerClass = node.at("planner").text();
-            planner.name = node.has("name") ? plainName(node.at("name")) : planner.plannerClass;
+            planner.name = node.has("name") ? node.at("name").plainName() : planner.plannerClass;
             if (node.has("parameters"))
                 for (const std::string &entry : node.at("parameters").keys())
                     planner.parameters.emplace_back(entry, node.at("parameters").at(entry).text());
@@ -196,14 +156,14 @@ namespace demos
         return part;
     }
 
-    ExperimentGrid::ExperimentGrid(const std::string &file) : text(readWholeFile(file))
+    ExperimentGrid::ExperimentGrid(const std::string &file) : text(readFile(file))
     {
-        const YamlNode root(parse(text, file), "", file);
+        const GridNode root(text, file);
         root.allow({"name", "scenes", "planners", "methods", "trials", "seed", "iterations", "seconds", "goal",
                     "resolution", "nearest", "adaptive", "record"});
         std::string hashed = std::string(FORMAT) + OMPL_CERTIFICATES_VERSION + '\0' + text + '\0';
         name = root.has("name") ? root.at("name").text() : fs::path(file).stem().string();
-        for (const YamlNode &node : root.at("scenes").items(1, MOST_ITEMS))
+        for (const GridNode &node : root.at("scenes").items(MOST_ITEMS))
         {
             Workspace workspace = readWorkspace(node, fs::path(file).parent_path(), hashed);
             requireNew(node, workspaces, workspace.name);
@@ -214,45 +174,45 @@ namespace demos
         if (root.has("methods"))
         {
             methods.clear();
-            for (const YamlNode &node : root.at("methods").items(1, allMethods().size()))
+            for (const GridNode &node : root.at("methods").items(allMethods().size()))
             {
                 methods.push_back(at(node, [&] { return methodOf(node.text()); }));
                 if (std::count(methods.begin(), methods.end(), methods.back()) > 1)
-                    node.fail("given twice: " + node.describe());
+                    node.fail("given twice: " + node.text());
             }
             std::sort(methods.begin(), methods.end());
         }
-        trials = static_cast<unsigned int>(count(root.at("trials"), 1, 100000));
+        trials = static_cast<unsigned int>(root.at("trials").count(1, 100000));
         if (root.has("seed"))
-            seed = static_cast<std::uint32_t>(count(root.at("seed"), 1, 4000000000u));
+            seed = static_cast<std::uint32_t>(root.at("seed").count(1, 4000000000u));
         if (root.has("iterations") == root.has("seconds"))
             root.fail("needs one of iterations and seconds");
         if (root.has("iterations"))
-            iterations = count(root.at("iterations"), 1, static_cast<std::uint64_t>(YamlNode::MAX_NUMBER));
+            iterations = root.at("iterations").count(1, 1000000000);
         else
             seconds = root.at("seconds").positive();
         if (root.has("goal"))
-            goal = flag(root.at("goal"));
+            goal = root.at("goal").flag();
         if (root.has("adaptive"))
-            adaptive = flag(root.at("adaptive"));
+            adaptive = root.at("adaptive").flag();
         if (root.has("resolution"))
         {
             resolution = root.at("resolution").positive();
             if (resolution > 1.0)
-                root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
+                root.at("resolution").failAsNo("at most 1");
         }
         if (root.has("nearest"))
             nearest = at(root.at("nearest"), [&] { return nearestStructureOf(root.at("nearest").text()); });
         if (root.has("record"))
         {
-            const YamlNode record = root.at("record");
+            const GridNode record = root.at("record");
             record.allow({"per_decade", "nearest_time"});
             if (record.has("per_decade"))
-                recordsPerDecade = static_cast<unsigned int>(count(record.at("per_decade"), 1, 100));
+                recordsPerDecade = static_cast<unsigned int>(record.at("per_decade").count(1, 100));
             if (record.has("nearest_time"))
-                timeNearest = flag(record.at("nearest_time"));
+                timeNearest = record.at("nearest_time").flag();
         }
-        for (const YamlNode &node : root.at("planners").items(1, MOST_ITEMS))
+        for (const GridNode &node : root.at("planners").items(MOST_ITEMS))
         {
             const Planner planner = readPlanner(node);
             requireNew(node, planners, planner.name);

@@ -1,6 +1,6 @@
 #include "common/Outputs.h"
 
-#include "certificates/WholeFile.h"
+#include "common/Files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -70,7 +70,7 @@ namespace demos
                     throw ompl::Exception(option, file + " is named by " + other->first + ", too");
             try
             {
-                file == STANDARD_OUTPUT ? requireStandardOutput() : ompl_certificates::requireWritable(file);
+                file == STANDARD_OUTPUT ? requireStandardOutput() : requireWritable(file);
             }
             catch (const std::exception &exception)
             {
@@ -85,7 +85,7 @@ namespace demos
     void writeOutput(const std::string &file, const std::string &text)
     {
         if (file != STANDARD_OUTPUT)
-            return ompl_certificates::writeWholeFile(file, text);
+            return writeFile(file, text);
         for (std::size_t done = 0; done < text.size();)
         {
             const ssize_t written = write(standardOutput, text.data() + done, text.size() - done);

@@ -15,7 +15,7 @@ namespace demos
     void prepareOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,
                         const std::vector<std::string> &inputs);
 
-    /** \brief Write \e text to \e file with ompl_certificates::writeWholeFile(), or to standard output if it is -
+    /** \brief Write \e text to \e file with writeFile(), or to standard output if it is -
         \throws ompl::Exception that names the file if it cannot be written */
     void writeOutput(const std::string &file, const std::string &text);
 }

@@ -13,7 +13,10 @@ namespace ompl_certificates
     /** \brief The question whether a body touches the obstacles */
     struct PoseQuery
     {
+        /** \brief The body */
         const Body &body;
+
+        /** \brief Where its frame is */
         const Pose &pose;
 
         /** \brief How fast the body moves, to find how long its verdict lasts; null if it does not move */
@@ -50,6 +53,7 @@ namespace ompl_certificates
     /** \brief The answer to a PoseQuery */
     struct PoseVerdict
     {
+        /** \brief Whether the body touches no obstacle */
         bool free{false};
 
         /** \brief The body is free while the motion's time differs by less than this; 0 if no clearance says so */

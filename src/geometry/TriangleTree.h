@@ -19,14 +19,19 @@ namespace ompl_certificates
     class TriangleTree
     {
     public:
+        /** \brief The corners of a triangle */
         using Corners = std::array<Eigen::Vector3d, 3>;
 
         /** \brief A triangle and its unit normal, which is zero if it has no area */
         struct Facet
         {
+            /** \brief Its corners */
             Corners corners;
+
+            /** \brief Its unit normal, or zero */
             Eigen::Vector3d normal;
 
+            /** \brief The facet of these corners */
             explicit Facet(const Corners &c) : corners(c), normal((c[1] - c[0]).cross(c[2] - c[0]).stableNormalized())
             {
             }

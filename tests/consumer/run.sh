@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs a build folder, by default build/, builds and runs a user's program against what was installed, and runs the
-# installed programs.
+# Installs a build folder, by default build/, builds and runs a user's program against what was installed, also by the
+# lines of CMake that README.md gives, and runs the installed programs.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -20,6 +20,18 @@ fi
 cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/moved"
 cmake --build "$work/build"
 "$work/build/consumer"
+
+mkdir "$work/readme"
+echo '#include <ompl_certificates/planning/TeamSetup.h>
+int main() { return ompl_certificates::allMethods().empty(); }' >"$work/readme/main.cpp"
+{
+  printf 'cmake_minimum_required(VERSION 3.22)\nproject(readme LANGUAGES CXX)\nadd_executable(your_program main.cpp)\n'
+  sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$root/README.md"
+} >"$work/readme/CMakeLists.txt"
+grep -q '^target_link_libraries(your_program' "$work/readme/CMakeLists.txt"
+cmake -S "$work/readme" -B "$work/readme/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved"
+cmake --build "$work/readme/build"
+"$work/readme/build/your_program"
 
 if [[ -x "$work/moved/bin/plan_team" ]]; then
   for program in plan_team benchmark_team generate_scene certificate_experiment; do

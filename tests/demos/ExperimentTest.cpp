@@ -209,6 +209,27 @@ TEST(Experiment, losesNothingWhenNoMoreCanBeWritten)
     EXPECT_EQ(repeatable(trialsOf(out).at(before.begin()->first)), repeatable(before.begin()->second));
 }
 
+TEST(Experiment, runsTheGridOfItsDocument)
+{
+    const auto firstBlock = [](const std::string &page)
+    {
+        const std::string text = contentOf(OMPL_CERTIFICATES_SOURCE_DIR "/docs/" + page), fence = "```yaml\n";
+        const std::size_t begin = text.find(fence) + fence.size();
+        return text.substr(begin, text.find("\n```", begin) + 1 - begin);
+    };
+    const Folder folder;
+    std::string grid = firstBlock("experiments.md");
+    const std::string iterations = "iterations: 100000";
+    ASSERT_NE(grid.find(iterations), std::string::npos);
+    grid.replace(grid.find(iterations), iterations.size(), "iterations: 50");
+    writeFile(folder / "grid.yaml", grid);
+    writeFile(folder / "yard.yaml", firstBlock("scene-format.md"));
+    Program program("certificate_experiment", {folder / "grid.yaml", "--out", folder / "out", "--only", "t0001"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    // Three team sizes among polygons and one in the yard, with four methods
+    EXPECT_EQ(trialsOf(folder / "out").size(), 16u);
+}
+
 TEST(Experiment, refusesBadGrids)
 {
     const Folder folder;

@@ -154,7 +154,7 @@ namespace ompl_certificates
             EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
             EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
         }
-        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 8u);
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 9u);
     }
 
     TEST(YamlScene, ReadsTheExamplesOfItsDocumentation)

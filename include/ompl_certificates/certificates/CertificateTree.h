@@ -45,6 +45,7 @@ namespace ompl_certificates
             COLLIDING
         };
 
+        /** \brief What the certificates say of the ball */
         Verdict verdict{UNKNOWN};
 
         /** \brief The certificate that proves it */
@@ -114,34 +115,42 @@ namespace ompl_certificates
             \throws ompl::Exception always */
         void setDistanceFunction(const DistanceFunction &distFun) override;
 
+        /** \brief True: nearestK() and nearestR() give the nearest first */
         bool reportsSortedResults() const override
         {
             return true;
         }
 
+        /** \brief Remove all certificates */
         void clear() override;
 
         using ompl::NearestNeighbors<Certificate>::add;
 
+        /** \brief Same as insert() */
         void add(const Certificate &data) override
         {
             insert(data);
         }
 
+        /** \brief Remove the certificate that equals \e data; false if there is none */
         bool remove(const Certificate &data) override;
 
         /** \throws ompl::Exception if the tree is empty */
         Certificate nearest(const Certificate &data) const override;
 
+        /** \brief Set \e nbh to the \e k certificates whose points are nearest to that of \e data */
         void nearestK(const Certificate &data, std::size_t k, std::vector<Certificate> &nbh) const override;
 
+        /** \brief Set \e nbh to the certificates whose points are within \e radius of that of \e data */
         void nearestR(const Certificate &data, double radius, std::vector<Certificate> &nbh) const override;
 
+        /** \brief The number of certificates */
         std::size_t size() const override
         {
             return live_.load(std::memory_order_relaxed);
         }
 
+        /** \brief Set \e data to all certificates */
         void list(std::vector<Certificate> &data) const override;
 
     private:

@@ -23,7 +23,10 @@ namespace ompl_certificates
         /** \brief A shape and where it is in the body's frame */
         struct Part
         {
+            /** \brief The shape */
             Shape shape;
+
+            /** \brief Its pose in the body's frame */
             Pose pose;
         };
 
@@ -172,7 +175,10 @@ namespace ompl_certificates
     /** \brief A body at a fixed pose, such as an obstacle */
     struct PlacedBody
     {
+        /** \brief The body */
         Body body;
+
+        /** \brief Its pose in the workspace */
         Pose pose{Pose::Identity()};
     };
 }

@@ -7,7 +7,10 @@ namespace ompl_certificates
         origin of the body's frame moves at most (linear + angular * d) * dt in any interval of length dt. */
     struct MotionBound
     {
+        /** \brief How far the origin of the body's frame travels, at most */
         double linear{0.0};
+
+        /** \brief How far the body turns, at most, in radians */
         double angular{0.0};
 
         /** \brief The bound for the center of a ball at distance \e distance from the origin of the body's frame */

@@ -20,8 +20,13 @@ namespace ompl_certificates
         /** \brief A ball and its children, which stand next to each other */
         struct Node
         {
+            /** \brief The ball */
             Ball ball;
+
+            /** \brief The index of its first child */
             std::uint32_t firstChild{0};
+
+            /** \brief The number of its children; 0 for a leaf */
             std::uint32_t childCount{0};
         };
 

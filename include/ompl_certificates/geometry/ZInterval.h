@@ -9,7 +9,10 @@ namespace ompl_certificates
     /** \brief A range of z, in the scene's length unit; unbounded by default */
     struct ZInterval
     {
+        /** \brief The lowest z */
         double low{-std::numeric_limits<double>::infinity()};
+
+        /** \brief The highest z */
         double high{std::numeric_limits<double>::infinity()};
 
         /** \brief The smallest range that contains both */

@@ -22,6 +22,7 @@ namespace ompl_certificates
         template <typename Type>
         using IfState = std::enable_if_t<std::is_convertible_v<Type, const ompl::base::State *>>;
 
+        /// \cond Doxygen takes the recursion for endless.
         /** \brief Orders the overloads of stateOf() below, for elements that fit several */
         template <int Rank>
         struct Prefer : Prefer<Rank - 1>
@@ -32,6 +33,7 @@ namespace ompl_certificates
         struct Prefer<0>
         {
         };
+        /// \endcond
 
         /** \brief Neither a state nor an element that shows one */
         template <typename Data>
@@ -138,11 +140,13 @@ namespace ompl_certificates
             return tree_ != nullptr;
         }
 
+        /** \brief True: nearestK() and nearestR() give the nearest first */
         bool reportsSortedResults() const override
         {
             return true;
         }
 
+        /** \brief Remove all elements */
         void clear() override
         {
             tree_.reset();
@@ -152,6 +156,7 @@ namespace ompl_certificates
             elements_.clear();
         }
 
+        /** \brief Add an element */
         void add(const T &data) override
         {
             if (!tree_ && !other_)
@@ -166,6 +171,7 @@ namespace ompl_certificates
                 elements_.push_back(data);
         }
 
+        /** \brief Remove an element; false if it is not there */
         bool remove(const T &data) override
         {
             if (other_)
@@ -193,6 +199,7 @@ namespace ompl_certificates
             return elements_[found.empty() ? 0 : found.front().second];
         }
 
+        /** \brief Set \e nbh to the \e k elements nearest to \e data */
         void nearestK(const T &data, std::size_t k, std::vector<T> &nbh) const override
         {
             if (other_)
@@ -200,6 +207,7 @@ namespace ompl_certificates
             collect(search(data, k, std::numeric_limits<double>::infinity()), nbh);
         }
 
+        /** \brief Set \e nbh to the elements within \e radius of \e data */
         void nearestR(const T &data, double radius, std::vector<T> &nbh) const override
         {
             if (other_)
@@ -207,11 +215,13 @@ namespace ompl_certificates
             collect(search(data, elements_.size(), radius), nbh);
         }
 
+        /** \brief The number of elements */
         std::size_t size() const override
         {
             return other_ ? other_->size() : elements_.size();
         }
 
+        /** \brief Set \e data to all elements */
         void list(std::vector<T> &data) const override
         {
             if (other_)

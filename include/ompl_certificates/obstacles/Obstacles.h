@@ -54,8 +54,8 @@ namespace ompl_certificates
             return clearance(point);
         }
 
-        /** \brief A quick answer to collides(), if there is one: NO and YES always agree with collides().
-            \param hit if not null and the answer is YES: set to a part that the body touches, or to NO_PART */
+        /** \brief A quick answer to collides(), if there is one: NO and YES always agree with collides(). If the answer is
+            YES, the last argument is set to a part that the body touches, or to NO_PART; it may be null. */
         virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
         {
             return Touching::UNKNOWN;

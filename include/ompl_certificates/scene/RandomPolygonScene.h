@@ -34,8 +34,11 @@ namespace ompl_certificates
             /** \brief The radius of the discs */
             double radius{1.0};
 
-            /** \brief The radii of the circles that the polygons' corners lie on, as fractions of the square's side */
-            double smallest{0.02}, largest{0.06};
+            /** \brief The least radius of the circles that the polygons' corners lie on, as a fraction of the square's side */
+            double smallest{0.02};
+
+            /** \brief The largest radius of those circles */
+            double largest{0.06};
 
             /** \brief The seed; another seed makes another scene */
             std::uint64_t seed{1};

@@ -117,23 +117,30 @@ namespace ompl_certificates
 
         Composition getComposition() const override;
 
+        /** \brief The largest distance() of two states within the bounds */
         double getMaximumExtent() const override;
 
+        /** \brief The distance in the team's metric; see Metric */
         double distance(const ompl::base::State *state1, const ompl::base::State *state2) const override;
 
+        /** \brief Copy a state, with its references */
         void copyState(ompl::base::State *destination, const ompl::base::State *source) const override;
 
+        /** \brief The state at \e t of the way, robot by robot, with the references of \e from */
         void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t,
                          ompl::base::State *state) const override;
 
+        /** \brief Read a state from what serialize() wrote; it refers to no certificates */
         void deserialize(ompl::base::State *state, const void *serialization) const override;
 
         /** \brief A state in one piece of memory, but for the components that are not R^n. Planners look at many
             states' coordinates, and mostly wait for memory. */
         ompl::base::State *allocState() const override;
 
+        /** \brief Free what allocState() allocated */
         void freeState(ompl::base::State *state) const override;
 
+        /** \brief A sampler of all robots' spaces, whose states refer to no certificates */
         ompl::base::StateSamplerPtr allocDefaultStateSampler() const override;
 
         /** \brief Registers a default projection for planners that need one. It maps the positions of all robots' first

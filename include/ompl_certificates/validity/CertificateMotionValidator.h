@@ -44,8 +44,10 @@ namespace ompl_certificates
             certificates, or in a space that does not move the robots as their own spaces do */
         explicit CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker, Mode mode = DISCRETE);
 
+        /** \brief Whether the motion from \e s1 to \e s2 is valid, if \e s1 is */
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
 
+        /** \brief The same; if it is not, \e lastValid is set to the last valid state found, and its time */
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 

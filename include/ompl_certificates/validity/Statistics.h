@@ -33,6 +33,7 @@ namespace ompl_certificates
         class Timer
         {
         public:
+            /** \brief Start the time */
             explicit Timer(Statistics &statistics);
             ~Timer();
 

@@ -23,6 +23,7 @@ namespace ompl_certificates
         class Check
         {
         public:
+            /** \brief Begin a check */
             explicit Check(WorldLock &lock);
             ~Check();
 
@@ -49,6 +50,7 @@ namespace ompl_certificates
         class Change
         {
         public:
+            /** \brief Begin a change, once all checks have ended */
             explicit Change(WorldLock &lock);
             ~Change();
 
