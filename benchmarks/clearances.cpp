@@ -6,7 +6,7 @@
 // in the mesh's box. A rival with wrong distances reports an error instead of a time.
 
 #include "geometry/TriangleDistance.h"
-#include "ompl_certificates/geometry/TriangleTree.h"
+#include "geometry/TriangleTree.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <benchmark/benchmark.h>

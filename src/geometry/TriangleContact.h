@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_CONTACT_
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_CONTACT_
 
-#include "ompl_certificates/geometry/TriangleTree.h"
+#include "TriangleTree.h"
 
 namespace ompl_certificates
 {

@@ -1,5 +1,7 @@
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
+#include "TriangleTree.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -61,6 +63,8 @@ namespace ompl_certificates
                                   " triangles of a mesh has an area");
     }
 
+    TriangleMesh::~TriangleMesh() = default;
+
     bool TriangleMesh::isDegenerate(std::size_t triangle) const
     {
         const auto [a, b, c] = getCorners(triangle);
@@ -74,12 +78,13 @@ namespace ompl_certificates
         std::call_once(once_,
                        [this]
                        {
+                           tree_ = std::make_unique<TriangleTree>();
                            for (std::uint32_t i = 0; i < triangles_.size(); ++i)
                                if (!isDegenerate(i))
-                                   tree_.add(getCorners(i), i);
-                           tree_.build();
+                                   tree_->add(getCorners(i), i);
+                           tree_->build();
                        });
-        return tree_;
+        return *tree_;
     }
 
     bool TriangleMesh::isClosed() const

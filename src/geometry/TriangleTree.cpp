@@ -1,4 +1,4 @@
-#include "ompl_certificates/geometry/TriangleTree.h"
+#include "TriangleTree.h"
 
 #include "TriangleDistance.h"
 

@@ -4,7 +4,7 @@
 #include "PlacedShape.h"
 
 #include "ompl_certificates/geometry/ZInterval.h"
-#include "ompl_certificates/geometry/TriangleTree.h"
+#include "geometry/TriangleTree.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 
 namespace ompl_certificates

@@ -1,6 +1,6 @@
 #include "support/RandomMeshes.h"
 
-#include "ompl_certificates/geometry/TriangleTree.h"
+#include "geometry/TriangleTree.h"
 
 #include <gtest/gtest.h>
 #include <limits>

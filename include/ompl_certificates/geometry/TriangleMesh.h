@@ -1,10 +1,9 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_MESH_
 
-#include "ompl_certificates/geometry/TriangleTree.h"
-
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -12,6 +11,8 @@
 
 namespace ompl_certificates
 {
+    class TriangleTree;
+
     /** \brief A triangle soup in its own frame, in the scene's length unit. It never changes and is shared by pointer.
 
         Open, duplicated and degenerate triangles are normal input. Degenerate ones have practically no area (see
@@ -27,6 +28,7 @@ namespace ompl_certificates
             \throws ompl::Exception if there is no triangle, if all are degenerate, if an index is out of range, or if a
             coordinate is not finite or larger than 10^15 */
         TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles);
+        ~TriangleMesh();
 
         /** \brief The vertices, in the given order */
         const std::vector<Eigen::Vector3d> &getVertices() const
@@ -61,7 +63,8 @@ namespace ompl_certificates
             and dropping triangles with two equal corners. Cost: n log n for n triangles, at every call. */
         bool isClosed() const;
 
-        /** \brief A tree over the triangles that are not degenerate, in the mesh's frame; made when first asked for */
+        /** \brief A tree over the triangles that are not degenerate, in the mesh's frame, for the library's own checks; made
+            when first asked for */
         const TriangleTree &getTree() const;
 
     private:
@@ -70,7 +73,7 @@ namespace ompl_certificates
         Eigen::AlignedBox3d bounds_;
         double leastHeight_{0.0};
         mutable std::once_flag once_;
-        mutable TriangleTree tree_;
+        mutable std::unique_ptr<TriangleTree> tree_;
     };
 
     /** \brief A shared pointer to a mesh */

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_OBSTACLES_OBSTACLES_
 
 #include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/geometry/Touching.h"
 #include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/geometry/Pose.h"
 

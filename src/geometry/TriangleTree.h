@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 
 #include "ompl_certificates/geometry/Pose.h"
+#include "ompl_certificates/geometry/Touching.h"
 
 #include <array>
 #include <cstdint>
@@ -10,17 +11,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief What a quick test can say of two surfaces */
-    enum class Touching
-    {
-        /// They are farther apart than the margin.
-        NO,
-        /// They nearly or just touch: an exact check must tell.
-        UNKNOWN,
-        /// They cross, and still do if one of them moves by the margin.
-        YES
-    };
-
     /** \brief A tree of boxes over triangles. It finds the triangle nearest to a point, and whether triangles cross
         others.
 
