@@ -2,6 +2,7 @@
 
 #include "ompl_certificates/geometry/ConvexHull.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -174,6 +175,18 @@ TEST(ConvexHull, IsClosedForNearlyCoplanarPoints)
             ASSERT_NEAR(hull.signedDistance(query), exact, 4.0 * noise + 1e-9) << query.transpose();
         }
     }
+}
+
+/** Fingerprints of obstacles, by which certificate files know theirs, are made of the vertices in their order. */
+TEST(ConvexHull, KeepsTheOrderOfItsVertices)
+{
+    // On a face with two corners equally far along its first axis rounding decides where it begins.
+    const Points points{{2, 1, 3}, {2, 0, 0}, {2, 3, 0}, {0, 3, 3}, {0, 2, 2}, {0, 0, 0}, {2, 1, 1}, {0, 3, 1}};
+    const ConvexHull hull = convexHull(points, 3);
+    std::vector<std::size_t> order;
+    for (const auto &vertex : hull.vertices)
+        order.push_back(static_cast<std::size_t>(std::find(points.begin(), points.end(), vertex) - points.begin()));
+    EXPECT_EQ(order, (std::vector<std::size_t>{1, 2, 0, 5, 3, 4, 7}));
 }
 
 TEST(ConvexHull, GoesAroundAPolygonCounterClockwise)

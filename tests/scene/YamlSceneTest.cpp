@@ -138,6 +138,25 @@ namespace ompl_certificates
         EXPECT_NEAR(scene.getMembers()[0].robot->getBodies()[0].signedDistance({1.0, 1.0, 0.0}), 0.5, 1e-12);
     }
 
+    TEST(YamlScene, TakesPolytopesOfManyCorners)
+    {
+        std::string corners;
+        for (std::size_t i = 0; i < MAX_HULL_POINTS; ++i)
+        {
+            const double z = 2.0 * (static_cast<double>(i) + 0.5) / MAX_HULL_POINTS - 1.0,
+                         angle = 2.4 * static_cast<double>(i);
+            const double radius = std::sqrt(1.0 - z * z);
+            corners += (i == 0 ? "[" : ", [") + std::to_string(radius * std::cos(angle)) + ", " +
+                       std::to_string(radius * std::sin(angle)) + ", " + std::to_string(z) + "]";
+        }
+        const YamlScene scene = YamlScene::fromText(
+            "environment: {min: [0, 0, 0], max: [9, 9, 9]}\nrobots: [{type: rigid, space: R3, start: [1, 1, 1], goal: "
+            "[8, 8, 8], shape: {type: polytope, vertices: [" +
+                corners + "]}}]",
+            "ball");
+        EXPECT_NO_THROW(scene.validate());
+    }
+
     TEST(YamlScene, MakesSetupsThatPlan)
     {
         for (const auto &file : yamlFiles(SOURCE / "demos" / "scenes"))
