@@ -180,7 +180,7 @@ TEST(ConvexHull, IsClosedForNearlyCoplanarPoints)
 /** Fingerprints of obstacles, by which certificate files know theirs, are made of the vertices in their order. */
 TEST(ConvexHull, KeepsTheOrderOfItsVertices)
 {
-    // On a face with two corners equally far along its first axis rounding decides where it begins.
+    // The fifth is on an edge: it is the rounding of a normal that makes a corner of it.
     const Points points{{2, 1, 3}, {2, 0, 0}, {2, 3, 0}, {0, 3, 3}, {0, 2, 2}, {0, 0, 0}, {2, 1, 1}, {0, 3, 1}};
     const ConvexHull hull = convexHull(points, 3);
     std::vector<std::size_t> order;
