@@ -7,8 +7,8 @@
 
 namespace generators
 {
-    /** \brief What scenes of meshes to make. The same settings give the same text on every machine. That a team can stand
-        at its start and at its goal is made sure of; that there is a way between them is not, though in most there is. */
+    /** \brief What scenes of meshes to make. The same settings give the same text on every machine. A team can stand at
+        its start and at its goal; that there is a way between them is not made sure of, though in most there is. */
     struct MeshSettings
     {
         /** \brief The number of robots, from 1 to 12 */

@@ -8,8 +8,8 @@
 
 namespace generators
 {
-    /** \brief What scenes like those of the paper to make: discs among random convex polygons in a square. Lengths are in
-        the scene's unit. */
+    /** \brief What scenes like those of the paper to make: discs among random convex polygons in a square. Lengths are
+        in the scene's unit. */
     struct PolygonSettings
     {
         /** \brief The number of discs, from 1 to 100 */
@@ -31,8 +31,8 @@ namespace generators
         std::uint64_t seed{1};
     };
 
-    /** \brief The text of a YAML file, the same one for the same settings on every machine. That the team can stand at its
-        start and at its goal is made sure of, that there is a way between them is not.
+    /** \brief The text of a YAML file, the same one for the same settings on every machine. The team can stand at its
+        start and at its goal; that there is a way between them is not made sure of.
         \throws ompl::Exception if a setting makes no sense, or no place was found for a robot
 
         @par External documentation

@@ -121,8 +121,8 @@ namespace ompl_certificates
             return triangles;
         }
 
-        /** Makes faces of Qhull's triangles. However Qhull cuts a face into triangles, it comes out the same to the last bit:
-            its normal is told by the first three of its points that can. */
+        /** Makes faces of Qhull's triangles. However Qhull cuts a face into triangles, the face comes out the same to
+            the last bit: the first three of its points that can tell its normal. */
         class FaceSearch
         {
         public:
