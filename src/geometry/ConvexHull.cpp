@@ -100,10 +100,15 @@ namespace ompl_certificates
         /** The triangles of the hull by the numbers of their corners, in order */
         std::vector<Triple> hullTriangles(const std::vector<Eigen::Vector3d> &points)
         {
+            // Its precision is that of the largest coordinate.
+            std::vector<Eigen::Vector3d> moved;
+            for (const Eigen::Vector3d &point : points)
+                moved.push_back(point - points.front());
             std::vector<Triple> triangles;
             try
             {
-                const orgQhull::Qhull qhull("", 3, static_cast<int>(points.size()), points.front().data(), "Qt");
+                // Cut into triangles, without warnings
+                const orgQhull::Qhull qhull("", 3, static_cast<int>(moved.size()), moved.front().data(), "Qt Pp");
                 for (const orgQhull::QhullFacet &facet : qhull.facetList())
                 {
                     std::vector<std::size_t> corners;
@@ -179,10 +184,10 @@ namespace ompl_certificates
                 Plane plane{outward, outward.dot(from), {}};
                 for (std::size_t v = 0; v < points_.size(); ++v)
                 {
-                    const double height = outward.dot(points_[v]);
-                    if (height > plane.offset + tolerance_)
+                    const double height = outward.dot(points_[v] - from);
+                    if (height > tolerance_)
                         return {};
-                    if (height >= plane.offset - tolerance_)
+                    if (height >= -tolerance_)
                         plane.points.push_back(v);
                 }
                 return plane;
@@ -236,7 +241,14 @@ namespace ompl_certificates
                     }
                     vertex = newIndex[vertex];
                 }
-            if (hull.faces.size() < 4)
+            // Of points so near to one plane the tolerance could take the wrong ones for those in it.
+            const auto isThin = [&](const ConvexHull::Face &face)
+            {
+                return std::all_of(points.begin(), points.end(),
+                                   [&](const Eigen::Vector3d &point)
+                                   { return face.normal.dot(point) - face.offset > -10.0 * tolerance; });
+            };
+            if (hull.faces.size() < 4 || std::any_of(hull.faces.begin(), hull.faces.end(), isThin))
                 throw ompl::Exception(NO_VOLUME);
             return hull;
         }

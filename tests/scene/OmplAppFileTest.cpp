@@ -86,6 +86,9 @@ namespace ompl_certificates
         EXPECT_TRUE(scene.getNotes().empty());
         scene.validate();
         EXPECT_EQ(loadScene(folder_ / "scene.cfg").getName(), "test");
+        // A section may have the beginning of its keys in its name.
+        const std::string nested = replaced(PLANAR, "start.x", "") + "[problem.start]\nx = 7 # there\n";
+        EXPECT_EQ(read(nested).scene.getMembers()[0].start[0], 7.0);
     }
 
     TEST_F(OmplApp, ReadsASpatialProblem)
