@@ -75,9 +75,9 @@ namespace
         std::puts("|---|---|---|---|---|---|---|");
         for (const std::string &file : scenes)
         {
-            const auto scene = loadScene(file);
-            const auto discrete = scene->makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
-            const auto continuous = scene->makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
+            const Scene scene = loadScene(file);
+            const auto discrete = scene.makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
+            const auto continuous = scene.makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
             discrete->getSpaceInformation()->setup();
             continuous->getSpaceInformation()->setup();
             const Motions motions = makeMotions(*discrete, count, longest);
@@ -85,7 +85,7 @@ namespace
             const Result samples = check(*discrete, motions), whole = check(*continuous, motions);
             const CheckCounts counts = continuous->getStatistics().getCounts();
             const auto each = [count](std::uint64_t number) { return static_cast<double>(number) / count; };
-            std::printf("| %s | %.1f %% | %.1f %% | %.2f | %.2f | %.2f | %.3f |\n", scene->getName().c_str(),
+            std::printf("| %s | %.1f %% | %.1f %% | %.2f | %.2f | %.2f | %.3f |\n", scene.getName().c_str(),
                         100.0 * samples.accepted, 100.0 * whole.accepted / samples.accepted, samples.microseconds,
                         whole.microseconds, each(counts.clearanceQueries), each(counts.exactCalls + counts.pairExact));
             std::fflush(stdout);

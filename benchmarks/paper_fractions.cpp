@@ -4,7 +4,7 @@
 //     paper_fractions --robots 1,2,3 --iterations 100000
 
 #include "common/Options.h"
-#include "ompl_certificates/scene/RandomPolygonScene.h"
+#include "generators/RandomPolygons.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,7 +22,7 @@ namespace
         double step{5.0};
         double resolution{0.0};
         std::uint32_t seed{1};
-        RandomPolygonScene::Settings scene;
+        generators::PolygonSettings scene;
 
         Options()
         {
@@ -62,9 +62,9 @@ namespace
     /** Plan for \e robots robots with all methods, and return how many grew a tree other than the standard one's. */
     unsigned int compare(const Options &options, unsigned int robots)
     {
-        RandomPolygonScene::Settings settings = options.scene;
+        generators::PolygonSettings settings = options.scene;
         settings.robots = robots;
-        const YamlScene scene = RandomPolygonScene(settings).make();
+        const Scene scene = generators::randomPolygons(settings);
         benchmarks::PlanTask task{scene, "RRT", Method::STANDARD};
         task.iterations = options.iterations;
         task.range = options.step;

@@ -70,19 +70,6 @@ namespace
             "Returns 1 if a tree differs from that of FCL alone, 2 for bad input.");
     }
 
-    /** The scene with only its first \e robots robots */
-    Scene withFirst(const Scene &scene, std::size_t robots)
-    {
-        Scene first(scene.getName(), scene.getSource(), scene.getBounds());
-        for (const PlacedBody &obstacle : scene.getObstacles())
-            first.addObstacle(obstacle);
-        for (std::size_t i = 0; i < robots; ++i)
-            first.addMember(scene.getMembers()[i]);
-        if (scene.getResolution() > 0.0)
-            first.setResolution(scene.getResolution());
-        return first;
-    }
-
     /** The plans of one row with one method, summed over all seeds */
     struct Sum
     {
@@ -208,21 +195,21 @@ namespace
     int run(const Options &options)
     {
         const std::vector<std::string> files = options.scenes.empty() ? allScenes() : options.scenes;
-        std::vector<std::unique_ptr<Scene>> scenes;
+        std::vector<Scene> scenes;
         for (const std::string &file : files)
         {
             scenes.push_back(loadScene(file));
-            scenes.back()->validate();
+            scenes.back().validate();
         }
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
         Table table;
-        for (const auto &scene : scenes)
+        for (const Scene &scene : scenes)
             for (const std::size_t robots : options.robots)
-                if (robots <= scene->getMembers().size())
+                if (robots <= scene.getMembers().size())
                     for (const std::string &planner : options.planners)
                         if (!interrupted)
-                            compare(options, withFirst(*scene, robots), planner, table);
+                            compare(options, scene.withFirstRobots(robots), planner, table);
         return table.finish() ? 0 : 1;
     }
 }

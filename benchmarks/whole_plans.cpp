@@ -4,7 +4,7 @@
 //     whole_plans ../demos/scenes/paper_five_discs.yaml --stock --robots 1,2,3,4,5 --planners RRT --iterations 100000
 
 #include "common/Options.h"
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -113,19 +113,6 @@ namespace
         return row;
     }
 
-    /** The scene with only the first of its robots */
-    Scene firstRobots(const Scene &scene, std::size_t count)
-    {
-        Scene part(scene.getName(), scene.getSource(), scene.getBounds());
-        for (const PlacedBody &obstacle : scene.getObstacles())
-            part.addObstacle(obstacle);
-        for (std::size_t i = 0; i < std::min(count, scene.getMembers().size()); ++i)
-            part.addMember(scene.getMembers()[i]);
-        if (scene.getResolution() > 0.0)
-            part.setResolution(scene.getResolution());
-        return part;
-    }
-
     int run(const Options &options)
     {
         std::puts(
@@ -136,12 +123,12 @@ namespace
         unsigned int different = 0;
         for (const std::string &file : options.scenes)
         {
-            const YamlScene scene(file);
+            const Scene scene = loadScene(file);
             scene.validate();
             const std::vector<std::size_t> all{scene.getMembers().size()};
             for (const std::size_t robots : options.robots.empty() ? all : options.robots)
             {
-                const Scene team = firstRobots(scene, robots);
+                const Scene team = scene.withFirstRobots(robots);
                 for (const std::string &planner : options.planners)
                     for (const std::string &method : options.methods)
                     {

@@ -89,26 +89,21 @@ namespace
     /** A scene and what of its benchmark the options left open */
     struct Task
     {
-        std::unique_ptr<Scene> scene;
+        Scene scene;
         std::vector<demos::PlannerChoice> planners;
         ompl::tools::Benchmark::Request request;
     };
 
     Task readTask(const Options &options, const std::string &file)
     {
-        Task task{loadScene(file), {}, {}};
-        task.scene->validate();
-        task.planners =
-            demos::choosePlanners(*task.scene, options.planners.empty() ? std::vector<std::string>()
-                                                                        : listOf("--planners", options.planners));
+        const SceneFile content = readSceneFile(file);
+        content.scene.validate();
+        Task task{content.scene, {}, {}};
+        task.planners = demos::choosePlanners(
+            content, options.planners.empty() ? std::vector<std::string>() : listOf("--planners", options.planners));
         ompl::tools::Benchmark::Request &request = task.request;
-        request = ompl::tools::Benchmark::Request(5.0, 4096.0, 10);
-        if (const auto *cfg = dynamic_cast<const OmplAppScene *>(task.scene.get()))
-        {
-            request.maxTime = cfg->getTimeLimit().value_or(request.maxTime);
-            request.maxMem = cfg->getMemoryLimit().value_or(request.maxMem);
-            request.runCount = cfg->getRunCount().value_or(request.runCount);
-        }
+        request = ompl::tools::Benchmark::Request(content.timeLimit.value_or(5.0), content.memoryLimit.value_or(4096.0),
+                                                  content.runCount.value_or(10));
         if (options.seconds > 0.0)
             request.maxTime = options.seconds;
         if (options.runs > 0)
@@ -213,19 +208,19 @@ namespace
         {
             tasks.push_back(readTask(options, file));
             // What cannot be planned for shows here, before hours have passed.
-            demos::TeamBenchmark(*tasks.back().scene, tasks.back().planners, methods, nearest, options.seed);
+            demos::TeamBenchmark(tasks.back().scene, tasks.back().planners, methods, nearest, options.seed);
         }
 
         demos::catchInterrupts();
         for (std::size_t i = 0; i < tasks.size() && !demos::interrupted(); ++i)
         {
             const Task &task = tasks[i];
-            for (const std::string &note : task.scene->getNotes())
-                std::printf("note: %s: %s\n", task.scene->getName().c_str(), note.c_str());
-            demos::TeamBenchmark benchmark(*task.scene, task.planners, methods, nearest, options.seed);
+            for (const std::string &note : task.scene.getNotes())
+                std::printf("note: %s: %s\n", task.scene.getName().c_str(), note.c_str());
+            demos::TeamBenchmark benchmark(task.scene, task.planners, methods, nearest, options.seed);
             if (!benchmark.runAll(task.request))
                 std::puts("interrupted: these are the runs that were complete");
-            printTable(task.scene->getName(), benchmark.getRuns(), task.planners, methods);
+            printTable(task.scene.getName(), benchmark.getRuns(), task.planners, methods);
             std::fflush(stdout);
             if (!logs[i].second.empty())
             {

@@ -6,16 +6,12 @@
 
 #include "common/CommandLine.h"
 #include "common/Outputs.h"
-
-#include "ompl_certificates/scene/MeshScene.h"
-#include "ompl_certificates/scene/RandomPolygonScene.h"
-
-using ompl_certificates::MeshScene;
-using ompl_certificates::RandomPolygonScene;
+#include "generators/MeshScenes.h"
+#include "generators/RandomPolygons.h"
 
 int main(int argc, char **argv)
 {
-    RandomPolygonScene::Settings settings;
+    generators::PolygonSettings settings;
     std::string kind = "polygons", output = "-";
 
     CLI::App app("Make a scene", "generate_scene");
@@ -34,7 +30,7 @@ int main(int argc, char **argv)
     {
         if (kind == "polygons")
         {
-            demos::writeOutput(output, RandomPolygonScene(settings).toYaml());
+            demos::writeOutput(output, generators::randomPolygonsYaml(settings));
             return 0;
         }
         for (const CLI::Option *option : ofPolygons)
@@ -42,11 +38,13 @@ int main(int argc, char **argv)
                 throw CLI::ValidationError(option->get_name(), "is for --kind polygons");
         if (output == "-")
             throw CLI::ValidationError("--output", "must name a file: the meshes are written next to it");
-        MeshScene::Settings ofMeshes;
+        generators::MeshSettings ofMeshes;
         ofMeshes.robots = robots->count() > 0 ? settings.robots : ofMeshes.robots;
         ofMeshes.seed = settings.seed;
-        const auto make = kind == "maze" ? MeshScene::maze : kind == "canyon" ? MeshScene::canyon : MeshScene::knots;
-        make(ofMeshes).write(output);
+        const auto make = kind == "maze"     ? generators::mazeOfMeshes
+                          : kind == "canyon" ? generators::canyonOfMeshes
+                                             : generators::knotsOfMeshes;
+        generators::writeScene(make(ofMeshes), output);
         return 0;
     };
     return demos::runProgram(app, argc, argv, generate);

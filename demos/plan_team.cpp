@@ -14,8 +14,8 @@
 
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/PathFile.h"
-#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/validity/CertificateFile.h"
 
@@ -277,19 +277,19 @@ namespace
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const std::unique_ptr<Scene> scene = loadScene(options.scene);
-        scene->validate();
+        const SceneFile file = readSceneFile(options.scene);
+        const Scene &scene = file.scene;
+        scene.validate();
         std::vector<std::string> named;
         if (!options.planner.empty())
             named.push_back(options.planner);
-        const demos::PlannerChoice choice = demos::choosePlanners(*scene, named).front();
-        const auto *cfg = dynamic_cast<const OmplAppScene *>(scene.get());
+        const demos::PlannerChoice choice = demos::choosePlanners(file, named).front();
         if (options.seconds == 0.0)
-            options.seconds = cfg ? cfg->getTimeLimit().value_or(10.0) : 10.0;
+            options.seconds = file.timeLimit.value_or(10.0);
         const Method method = methodOf(options.method);
         const TeamSetupPtr setup =
-            scene->makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
-                                                                    : CertificateMotionValidator::DISCRETE);
+            scene.makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
+                                                                   : CertificateMotionValidator::DISCRETE);
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
@@ -306,11 +306,11 @@ namespace
             loadCertificates(*setup->getTeamChecker(), options.loadedCertificates);
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
-            for (const std::string &note : scene->getNotes())
+            for (const std::string &note : scene.getNotes())
                 std::cout << "note: " << note << std::endl;
 
         PlanReport report;
-        report.scene = scene->getName();
+        report.scene = scene.getName();
         report.planner = choice.planner;
         report.method = options.method;
         report.motion = options.motion;
@@ -335,7 +335,7 @@ namespace
         if (!options.quiet && !options.path.empty() && !report.solved)
             std::printf("no path was written to %s\n", options.path.c_str());
         std::fflush(stdout);
-        write(options, *scene, *setup, report, tree);
+        write(options, scene, *setup, report, tree);
         return report.solved ? demos::SOLVED : demos::NOT_SOLVED;
     }
 }

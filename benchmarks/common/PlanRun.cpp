@@ -1,7 +1,7 @@
 #include "common/PlanRun.h"
 
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 #include "common/ExperimentFolder.h"
 
 #include "common/Files.h"
+#include "generators/SeededRandom.h"
 
 #include "ompl_certificates/pictures/ScenePicture.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <ompl/util/Exception.h>
-#include <random>
 
 using namespace ompl_certificates;
 using Json = nlohmann::ordered_json;
@@ -22,9 +22,9 @@ namespace demos
         template <typename Item>
         void shuffle(std::vector<Item> &items, std::uint64_t seed)
         {
-            std::mt19937_64 engine(seed);
+            generators::SeededRandom random(seed);
             for (std::size_t i = items.size(); i > 1; --i)
-                std::swap(items[i - 1], items[engine() % i]);
+                std::swap(items[i - 1], items[random.integer(0, static_cast<unsigned int>(i - 1))]);
         }
 
         void makeFolder(const fs::path &folder)

@@ -4,9 +4,10 @@
 #include "common/GridNode.h"
 #include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
+#include "generators/RandomPolygons.h"
 
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/RandomPolygonScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -58,7 +59,7 @@ namespace demos
         Scene readPolygons(const GridNode &node, unsigned int robots)
         {
             node.allow({"obstacles", "size", "radius", "smallest", "largest", "seed"});
-            RandomPolygonScene::Settings settings;
+            generators::PolygonSettings settings;
             settings.robots = robots;
             if (node.has("obstacles"))
                 settings.obstacles = static_cast<unsigned int>(node.at("obstacles").count(0, 10000));
@@ -71,7 +72,7 @@ namespace demos
                     *value = node.at(key).positive();
             if (node.has("seed"))
                 settings.seed = node.at("seed").count(0, 1000000000);
-            return at(node, [&]() -> Scene { return RandomPolygonScene(settings).make(); });
+            return at(node, [&] { return generators::randomPolygons(settings); });
         }
 
         ExperimentGrid::Workspace readWorkspace(const GridNode &node, const fs::path &folder, std::string &hashed)
@@ -95,7 +96,7 @@ namespace demos
                 const GridNode file = node.at("file");
                 const std::string path = (folder / file.text()).lexically_normal().string();
                 hashed += at(file, [&] { return readFile(path); }) + '\0';
-                workspace.scene = at(file, [&] { return std::make_shared<YamlScene>(path); });
+                workspace.scene = at(file, [&] { return std::make_shared<Scene>(loadScene(path)); });
                 workspace.name = workspace.scene->getName();
                 for (char &c : workspace.name)
                     if (std::isalnum(static_cast<unsigned char>(c)) == 0)
@@ -140,20 +141,6 @@ namespace demos
             std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(value));
             return digits;
         }
-    }
-
-    Scene ExperimentGrid::Workspace::withRobots(unsigned int count) const
-    {
-        if (count == scene->getMembers().size())
-            return *scene;
-        Scene part(scene->getName(), scene->getSource(), scene->getBounds());
-        for (const PlacedBody &obstacle : scene->getObstacles())
-            part.addObstacle(obstacle);
-        for (unsigned int robot = 0; robot < count; ++robot)
-            part.addMember(scene->getMembers()[robot]);
-        if (scene->getResolution() > 0.0)
-            part.setResolution(scene->getResolution());
-        return part;
     }
 
     ExperimentGrid::ExperimentGrid(const std::string &file) : text(readFile(file))

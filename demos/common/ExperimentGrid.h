@@ -25,9 +25,6 @@ namespace demos
             std::shared_ptr<const ompl_certificates::Scene> scene;
 
             std::vector<unsigned int> robots;
-
-            /** \brief The scene with its first \e count robots alone */
-            ompl_certificates::Scene withRobots(unsigned int count) const;
         };
 
         /** \brief One of OMPL's planners with parameters */

@@ -3,7 +3,7 @@
 #include "common/SampleCounter.h"
 #include "common/TimedObstacles.h"
 
-#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 
 #include <chrono>
 #include <cmath>
@@ -291,7 +291,7 @@ namespace demos
         const auto start = std::chrono::steady_clock::now();
         ompl::RNG::setSeed(getSeed());
         const std::string date = dateNow();
-        const Scene scene = workspace->withRobots(robots);
+        const Scene scene = workspace->scene->withFirstRobots(robots);
         const TeamStateSpacePtr team = scene.makeTeam();
         if (grid->resolution > 0.0)
             team->setLongestValidSegmentFraction(grid->resolution);

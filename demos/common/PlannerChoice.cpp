@@ -41,19 +41,18 @@ namespace demos
         }
     }
 
-    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::Scene &scene,
+    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::SceneFile &file,
                                               const std::vector<std::string> &names)
     {
         std::vector<PlannerChoice> known, chosen;
-        if (const auto *cfg = dynamic_cast<const ompl_certificates::OmplAppScene *>(&scene))
-            for (const auto &planner : cfg->getPlanners())
-            {
-                const std::string source = scene.getSource() + ": [planner] " + planner.type;
-                const std::string name = classOf(planner.type);
-                if (name.empty())
-                    throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve");
-                known.push_back({name, planner.title.empty() ? name : planner.title, planner.parameters, source});
-            }
+        for (const auto &planner : file.planners)
+        {
+            const std::string source = file.scene.getSource() + ": [planner] " + planner.type;
+            const std::string name = classOf(planner.type);
+            if (name.empty())
+                throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve");
+            known.push_back({name, planner.title.empty() ? name : planner.title, planner.parameters, source});
+        }
         for (const std::string &name : names)
         {
             const std::size_t before = chosen.size();

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_PLANNER_CHOICE_
 
-#include "ompl_certificates/scene/OmplAppScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <functional>
 #include <ompl/base/Planner.h>
@@ -27,10 +27,10 @@ namespace demos
         std::string source;
     };
 
-    /** \brief The planners of these names, with the parameters that \e scene has for them if it is a .cfg file, which may
-        give one several times. Without names those of the .cfg file, else RRTConnect. Titles that are taken get a number.
+    /** \brief The planners of these names, with the parameters that \e file has for them, which may give one several
+        times. Without names those of the file, else RRTConnect. Titles that are taken get a number.
         \throws ompl::Exception that names the file, the section and the key if the file has a planner that is unknown */
-    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::Scene &scene,
+    std::vector<PlannerChoice> choosePlanners(const ompl_certificates::SceneFile &file,
                                               const std::vector<std::string> &names);
 
     /** \brief The planner of that choice, with its parameters. Its solve() ends when the program is interrupted.

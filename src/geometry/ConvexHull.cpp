@@ -6,14 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <libqhullcpp/Qhull.h>
+#include <libqhullcpp/QhullError.h>
+#include <libqhullcpp/QhullFacetList.h>
+#include <libqhullcpp/QhullVertexSet.h>
 #include <limits>
-#include <numeric>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     namespace
     {
+        constexpr const char *NO_VOLUME = "The points of a polytope span no volume";
+
         double distanceToFace(const ConvexHull &hull, const ConvexHull::Face &face, const Eigen::Vector3d &point)
         {
             const auto &corners = face.vertices;
@@ -90,79 +95,133 @@ namespace ompl_certificates
             return kept;
         }
 
-        /** Finds the faces of a polytope: every plane through three points that has no point beyond it is one. */
+        using Triple = std::array<std::size_t, 3>;
+
+        /** The triangles of the hull by the numbers of their corners, in order */
+        std::vector<Triple> hullTriangles(const std::vector<Eigen::Vector3d> &points)
+        {
+            // Its precision is that of the largest coordinate.
+            std::vector<Eigen::Vector3d> moved;
+            for (const Eigen::Vector3d &point : points)
+                moved.push_back(point - points.front());
+            std::vector<Triple> triangles;
+            try
+            {
+                // Cut into triangles, without warnings
+                const orgQhull::Qhull qhull("", 3, static_cast<int>(moved.size()), moved.front().data(), "Qt Pp");
+                for (const orgQhull::QhullFacet &facet : qhull.facetList())
+                {
+                    std::vector<std::size_t> corners;
+                    for (const orgQhull::QhullVertex &vertex : facet.vertices())
+                        corners.push_back(static_cast<std::size_t>(vertex.point().id()));
+                    std::sort(corners.begin(), corners.end());
+                    triangles.push_back({corners.at(0), corners.at(1), corners.at(2)});
+                }
+            }
+            catch (const orgQhull::QhullError &)
+            {
+                throw ompl::Exception(NO_VOLUME);
+            }
+            std::sort(triangles.begin(), triangles.end());
+            return triangles;
+        }
+
+        /** Makes faces of Qhull's triangles. However Qhull cuts a face into triangles, the face comes out the same to
+            the last bit: the first three of its points that can tell its normal. */
         class FaceSearch
         {
         public:
             FaceSearch(const std::vector<Eigen::Vector3d> &points, double tolerance)
               : points_(points), tolerance_(tolerance)
             {
+                for (const Eigen::Vector3d &point : points)
+                    inside_ += point / static_cast<double>(points.size());
             }
 
             std::vector<ConvexHull::Face> run()
             {
-                for (std::size_t i = 0; i < points_.size(); ++i)
-                    for (std::size_t j = i + 1; j < points_.size(); ++j)
-                        for (std::size_t k = j + 1; k < points_.size(); ++k)
-                            lookAt({i, j, k});
-                return std::move(faces_);
+                std::vector<Plane> planes;
+                for (const Triple &triangle : hullTriangles(points_))
+                {
+                    // Triangles that are nearly in one plane are one face.
+                    const auto isHeld = [&](const Plane &plane) { return holds(plane, triangle); };
+                    const Plane plane = planeThrough(triangle);
+                    if (!plane.points.empty() && std::none_of(planes.begin(), planes.end(), isHeld))
+                        planes.push_back(byFirstPoints(plane.points, triangle));
+                }
+                std::sort(planes.begin(), planes.end(),
+                          [](const Plane &a, const Plane &b) { return a.points < b.points; });
+                std::vector<ConvexHull::Face> faces;
+                for (const Plane &plane : planes)
+                    if (auto corners = cornersOf(plane); corners.size() >= 3)
+                        faces.push_back({plane.normal, plane.offset, std::move(corners)});
+                return faces;
             }
 
         private:
-            void lookAt(const std::array<std::size_t, 3> &three)
+            /** A plane with none of the points beyond it, and the numbers of those in it, in order */
+            struct Plane
+            {
+                Eigen::Vector3d normal;
+                double offset;
+                std::vector<std::size_t> points;
+            };
+
+            static bool holds(const Plane &plane, const Triple &three)
+            {
+                return std::includes(plane.points.begin(), plane.points.end(), three.begin(), three.end());
+            }
+
+            /** \return a plane without points if the three are on a line, or points are on both of its sides */
+            Plane planeThrough(const Triple &three) const
             {
                 const Eigen::Vector3d &from = points_[three[0]], a = points_[three[1]] - from,
                                       b = points_[three[2]] - from;
                 const Eigen::Vector3d normal = a.cross(b);
                 if (normal.norm() <= tolerance_ * (a.norm() + b.norm()))
-                    return;
-                // Three points that are not on a line lie in one plane only. Two faces may share more points than two:
-                // all those of their common edge.
-                const auto holdsAllThree = [&](const std::vector<std::size_t> &plane)
-                {
-                    return std::all_of(three.begin(), three.end(),
-                                       [&](std::size_t v)
-                                       { return std::binary_search(plane.begin(), plane.end(), v); });
-                };
-                if (std::any_of(planes_.begin(), planes_.end(), holdsAllThree))
-                    return;
-                for (const double sign : {1.0, -1.0})
-                    addFace(sign * normal.normalized(), from);
-            }
-
-            /** Add the face in the plane through \e from, if no point is beyond it. */
-            void addFace(const Eigen::Vector3d &outward, const Eigen::Vector3d &from)
-            {
-                const double offset = outward.dot(from);
-                std::vector<std::size_t> plane;
+                    return {};
+                const Eigen::Vector3d outward = (normal.dot(inside_ - from) > 0.0 ? -1.0 : 1.0) * normal.normalized();
+                Plane plane{outward, outward.dot(from), {}};
                 for (std::size_t v = 0; v < points_.size(); ++v)
                 {
-                    const double height = outward.dot(points_[v]);
-                    if (height > offset + tolerance_)
-                        return;
-                    if (height >= offset - tolerance_)
-                        plane.push_back(v);
+                    const double height = outward.dot(points_[v] - from);
+                    if (height > tolerance_)
+                        return {};
+                    if (height >= -tolerance_)
+                        plane.points.push_back(v);
                 }
-                // Convert to the plane's own coordinates and let the planar hull order the points.
-                const Eigen::Vector3d x = outward.unitOrthogonal(), y = outward.cross(x);
+                return plane;
+            }
+
+            /** The plane through the first three of \e points that holds \e triangle, which is of them */
+            Plane byFirstPoints(const std::vector<std::size_t> &points, const Triple &triangle) const
+            {
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    for (std::size_t j = i + 1; j < points.size(); ++j)
+                        for (std::size_t k = j + 1; k < points.size(); ++k)
+                            if (Plane plane = planeThrough({points[i], points[j], points[k]}); holds(plane, triangle))
+                                return plane;
+                return planeThrough(triangle);
+            }
+
+            /** Converts to the plane's own coordinates and lets the planar hull order the points. */
+            std::vector<std::size_t> cornersOf(const Plane &plane) const
+            {
+                const Eigen::Vector3d &from = points_[plane.points.front()], x = plane.normal.unitOrthogonal(),
+                                      y = plane.normal.cross(x);
                 std::vector<Eigen::Vector3d> flat;
-                flat.reserve(plane.size());
-                for (const std::size_t v : plane)
+                for (const std::size_t v : plane.points)
                     flat.emplace_back(x.dot(points_[v] - from), y.dot(points_[v] - from), 0.0);
-                ConvexHull::Face face{outward, offset, {}};
+                std::vector<std::size_t> corners;
                 for (const Eigen::Vector3d &corner : outlineOf(flat, tolerance_ * tolerance_))
-                    face.vertices.push_back(
-                        plane[static_cast<std::size_t>(std::find(flat.begin(), flat.end(), corner) - flat.begin())]);
-                if (face.vertices.size() >= 3)
-                    faces_.push_back(std::move(face));
-                planes_.push_back(std::move(plane));
+                    corners.push_back(plane.points[static_cast<std::size_t>(
+                        std::find(flat.begin(), flat.end(), corner) - flat.begin())]);
+                return corners;
             }
 
             const std::vector<Eigen::Vector3d> &points_;
             double tolerance_;
-            /** The points in the plane of each face, in order */
-            std::vector<std::vector<std::size_t>> planes_;
-            std::vector<ConvexHull::Face> faces_;
+            Eigen::Vector3d inside_{Eigen::Vector3d::Zero()};
         };
 
         ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double tolerance)
@@ -182,8 +241,15 @@ namespace ompl_certificates
                     }
                     vertex = newIndex[vertex];
                 }
-            if (hull.faces.size() < 4)
-                throw ompl::Exception("The points of a polytope span no volume");
+            // Of points so near to one plane the tolerance could take the wrong ones for those in it.
+            const auto isThin = [&](const ConvexHull::Face &face)
+            {
+                return std::all_of(points.begin(), points.end(),
+                                   [&](const Eigen::Vector3d &point)
+                                   { return face.normal.dot(point) - face.offset > -10.0 * tolerance; });
+            };
+            if (hull.faces.size() < 4 || std::any_of(hull.faces.begin(), hull.faces.end(), isThin))
+                throw ompl::Exception(NO_VOLUME);
             return hull;
         }
     }

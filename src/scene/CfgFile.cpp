@@ -1,61 +1,41 @@
 #include "CfgFile.h"
 
+#include "LineReader.h"
 #include "certificates/WholeFile.h"
 
 #include <algorithm>
-#include <boost/program_options/options_description.hpp>
-#include <boost/program_options/parsers.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <ompl/util/Exception.h>
 #include <set>
-#include <sstream>
 
 namespace ompl_certificates
 {
-    namespace
-    {
-        /** \e text within quotes, on one line, cut if it is long */
-        std::string quoted(std::string text)
-        {
-            for (char &c : text)
-                if (static_cast<unsigned char>(c) < ' ' || c == 127)
-                    c = ' ';
-            constexpr std::size_t longest = 60;
-            return "'" + (text.size() > longest ? text.substr(0, longest) + "..." : text) + "'";
-        }
-    }
+    using boost::algorithm::trim_copy;
 
     CfgFile::CfgFile(const std::string &file) : name_(file)
     {
-        namespace po = boost::program_options;
-        std::istringstream text(readWholeFile(file));
-        // Boost would complain as well, but for ever about a line that has a placeholder of its messages in it.
-        for (std::string line; std::getline(text, line);)
+        const std::string content = readWholeFile(file);
+        std::string section;
+        for (LineReader reader(content); reader.nextLine();)
         {
-            line = line.substr(0, line.find('#'));
-            const bool isSection = line.find('[') != std::string::npos && line.find(']') != std::string::npos;
-            if (!isSection && line.find_first_not_of(" \t\r\n") != std::string::npos &&
-                line.find('=') == std::string::npos)
-                throw ompl::Exception(name_, "not a .cfg file: there is no '=' in " + quoted(line));
-        }
-        text.clear();
-        text.seekg(0);
-        try
-        {
-            // It takes keys given several times, and any key, as long as none is declared.
-            for (const auto &option : po::parse_config_file(text, po::options_description(), true).options)
+            const std::string line = trim_copy(std::string(reader.getLine().substr(0, reader.getLine().find('#'))));
+            const std::size_t equals = line.find('=');
+            if (line.empty())
+                continue;
+            if (line.front() == '[' && line.back() == ']')
             {
-                const std::size_t dot = option.string_key.find('.');
-                if (dot == std::string::npos)
-                    throw ompl::Exception(name_, quoted(option.string_key) + " is in no section");
-                entries_.push_back({option.string_key.substr(0, dot), option.string_key.substr(dot + 1),
-                                    option.value.empty() ? "" : option.value.front()});
+                section = line.substr(1, line.size() - 2) + ".";
+                continue;
             }
-        }
-        catch (const po::error &)
-        {
-            throw ompl::Exception(name_, "not a .cfg file");
+            if (equals == std::string::npos)
+                throw ompl::Exception(name_, "not a .cfg file: there is no '=' in " + inQuotes(line));
+            // x of [a.b] is b.x of [a], as in OMPL.app.
+            const std::string key = section + trim_copy(line.substr(0, equals));
+            const std::size_t dot = key.find('.');
+            if (dot == std::string::npos)
+                throw ompl::Exception(name_, inQuotes(key) + " is in no section");
+            entries_.push_back({key.substr(0, dot), key.substr(dot + 1), trim_copy(line.substr(equals + 1))});
         }
     }
 
@@ -79,7 +59,7 @@ namespace ompl_certificates
                 fail(section, entry.key, "unknown key; known here: " + known);
             }
             if (!seen.insert(entry.key).second)
-                fail(section, entry.key, "given twice, now as " + quoted(entry.value));
+                fail(section, entry.key, "given twice, now as " + inQuotes(entry.value));
         }
     }
 
@@ -104,12 +84,11 @@ namespace ompl_certificates
     double CfgFile::number(const std::string &section, const std::string &key) const
     {
         const std::string value = text(section, key);
-        char *end = nullptr;
-        const double number = std::strtod(value.c_str(), &end);
-        if (end == value.c_str() || *end != '\0')
-            fail(section, key, "must be a number, not " + quoted(value));
+        double number;
+        if (!parseNumber(value, number))
+            fail(section, key, "must be a number, not " + inQuotes(value));
         if (!(std::abs(number) <= 1e9))
-            fail(section, key, "must be a finite number of at most 1e9, not " + quoted(value));
+            fail(section, key, "must be a finite number of at most 1e9, not " + inQuotes(value));
         return number;
     }
 
@@ -117,7 +96,7 @@ namespace ompl_certificates
     {
         const double value = number(section, key);
         if (!(value > 0.0))
-            fail(section, key, "must be above 0, not " + quoted(text(section, key)));
+            fail(section, key, "must be above 0, not " + inQuotes(text(section, key)));
         return value;
     }
 
@@ -126,7 +105,7 @@ namespace ompl_certificates
         const double value = number(section, key);
         if (!(value >= 1.0 && value <= most && value == std::floor(value)))
             fail(section, key,
-                 "must be a whole number from 1 to " + std::to_string(most) + ", not " + quoted(text(section, key)));
+                 "must be a whole number from 1 to " + std::to_string(most) + ", not " + inQuotes(text(section, key)));
         return static_cast<unsigned int>(value);
     }
 }

@@ -1,5 +1,5 @@
 #include "MeshReaders.h"
-#include "MeshText.h"
+#include "LineReader.h"
 
 #include <algorithm>
 #include <array>
@@ -48,11 +48,11 @@ namespace ompl_certificates
         /** Those of each semantic */
         using Inputs = std::array<Input, 3>;
 
-        /** A node whose parents have the frame */
-        struct Place
+        /** A node that is still to be read, the frame of its parent, and how deep it is nested */
+        struct OpenNode
         {
             Node node;
-            Eigen::Affine3d frame;
+            Eigen::Affine3d parent;
             std::size_t level;
         };
 
@@ -144,7 +144,7 @@ namespace ompl_certificates
                 std::vector<Number> numbers;
                 for (const Node &child : node.children())
                     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
-                        for (MeshText text(child.value()); text.nextLine();)
+                        for (LineReader text(child.value()); text.nextLine();)
                             for (std::string_view word = text.next(); !word.empty(); word = text.next())
                                 if (!parseNumber(word, numbers.emplace_back()))
                                     fail(node, "has " + inQuotes(word) + ", which is not a number for it");
@@ -368,7 +368,7 @@ namespace ompl_certificates
             /** In the order of Assimp: of the nodes below a node the last one comes first. */
             void placeNodes(const Node &scene, const Eigen::Affine3d &frame)
             {
-                std::vector<Place> open{{scene, frame, 0}};
+                std::vector<OpenNode> open{{scene, frame, 0}};
                 for (std::size_t count = 0; !open.empty();)
                 {
                     const auto [node, parent, level] = open.back();

@@ -3,8 +3,7 @@
 #include "MeshReaders.h"
 #include "certificates/WholeFile.h"
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 #include <map>
 #include <ompl/util/Exception.h>
@@ -29,11 +28,8 @@ namespace ompl_certificates
         {
             static const std::map<std::string, Reader> readers{
                 {".dae", readCollada}, {".stl", readStl}, {".obj", readObj}, {".ply", readPly}};
-            std::string extension = fs::path(file).extension().string();
-            std::transform(extension.begin(), extension.end(), extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
             std::error_code error;
-            const auto found = readers.find(extension);
+            const auto found = readers.find(boost::algorithm::to_lower_copy(fs::path(file).extension().string()));
             if (found == readers.end() && !fs::is_directory(file, error))
                 fail(file, "must end with .dae, .stl, .obj or .ply to be read as a mesh");
             // Opening a pipe would wait for who writes to it.

@@ -1,5 +1,5 @@
 #include "MeshReaders.h"
-#include "MeshText.h"
+#include "LineReader.h"
 
 #include <algorithm>
 #include <set>
@@ -10,7 +10,7 @@ namespace ompl_certificates
     {
         std::string firstWord(std::string_view line)
         {
-            MeshText words(line);
+            LineReader words(line);
             words.nextLine();
             return std::string(words.next());
         }
@@ -142,7 +142,7 @@ namespace ompl_certificates
                 hasMaterial_ = !material_.empty();
             }
 
-            MeshText text_;
+            LineReader text_;
             MeshCollector &mesh_;
             MeshPart part_;
             std::vector<Eigen::Vector3d> points_;

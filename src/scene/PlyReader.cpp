@@ -1,5 +1,5 @@
 #include "MeshReaders.h"
-#include "MeshText.h"
+#include "LineReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,7 +243,7 @@ namespace ompl_certificates
             }
 
             std::string_view content_, rest_;
-            MeshText text_;
+            LineReader text_;
             MeshCollector &mesh_;
             MeshPart part_;
             std::vector<Element> elements_;

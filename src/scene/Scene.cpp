@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/Scene.h"
 
+#include <algorithm>
 #include <ompl/util/Exception.h>
 #include <sstream>
 
@@ -67,6 +68,13 @@ namespace ompl_certificates
             throw ompl::Exception(source_,
                                   "resolution: must be above 0 and at most 1, not " + std::to_string(fraction));
         resolution_ = fraction;
+    }
+
+    Scene Scene::withFirstRobots(std::size_t count) const
+    {
+        Scene part(*this);
+        part.members_.resize(std::min(count, members_.size()));
+        return part;
     }
 
     TeamStateSpacePtr Scene::makeTeam() const

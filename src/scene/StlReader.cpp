@@ -1,5 +1,5 @@
 #include "MeshReaders.h"
-#include "MeshText.h"
+#include "LineReader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +13,7 @@ namespace ompl_certificates
         constexpr std::size_t HEADER = 80, BEGIN = 84, FACET = 50;
 
         /** The next word, wherever it is, in small letters */
-        std::string nextWord(MeshText &text)
+        std::string nextWord(LineReader &text)
         {
             std::string word(text.next());
             while (word.empty() && text.nextLine())
@@ -23,14 +23,14 @@ namespace ompl_certificates
             return word;
         }
 
-        void require(MeshText &text, const char *word)
+        void require(LineReader &text, const char *word)
         {
             if (const std::string found = nextWord(text); found != word)
                 text.fail("there is " + inQuotes(found) + " where '" + word + "' should be");
         }
 
         /** A facet after the first word */
-        void readFacet(MeshText &text, MeshPart &part)
+        void readFacet(LineReader &text, MeshPart &part)
         {
             MeshPart::Vertex vertex;
             require(text, "normal");
@@ -51,7 +51,7 @@ namespace ompl_certificates
 
         void readText(std::string_view content, MeshCollector &mesh)
         {
-            MeshText text(content);
+            LineReader text(content);
             for (std::string word = nextWord(text); !word.empty(); word = nextWord(text))
             {
                 if (word != "solid")

@@ -9,9 +9,6 @@ namespace ompl_certificates
     {
         constexpr std::size_t MAX_SHAPES = 1000;
 
-        /** The hull's cost is of the fourth order in space. */
-        constexpr std::size_t MAX_CORNERS[] = {0, 0, MAX_HULL_POINTS, 64};
-
         Eigen::Vector3d pointOf(const std::vector<double> &values)
         {
             return {values[0], values[1], values.size() > 2 ? values[2] : 0.0};
@@ -68,7 +65,7 @@ namespace ompl_certificates
 
         Body readHull(const YamlNode &node, unsigned int dimension)
         {
-            const auto items = node.items(dimension + 1, MAX_CORNERS[dimension]);
+            const auto items = node.items(dimension + 1, MAX_HULL_POINTS);
             std::vector<Eigen::Vector3d> points;
             for (const YamlNode &item : items)
             {

@@ -3,7 +3,7 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/RigidRobot.h"
-#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>

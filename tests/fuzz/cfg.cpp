@@ -1,7 +1,7 @@
 // Problems of OMPL.app: the text is a .cfg file beside two small meshes, which it may name.
 #include "FuzzFile.h"
 
-#include "ompl_certificates/scene/OmplAppScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 using namespace ompl_certificates;
 
@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         {
             const std::string file = fuzz::folder().write("problem.cfg", fuzz::textOf(data, size));
             if (meshesAreThere)
-                OmplAppScene(file).validate();
+                loadScene(file).validate();
         });
 }

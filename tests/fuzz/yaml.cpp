@@ -1,7 +1,7 @@
 // Scenes in YAML: reading, validating and making the problem may only throw ompl::Exception.
 #include "FuzzFile.h"
 
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 using namespace ompl_certificates;
 
@@ -11,7 +11,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         [&]
         {
             // Its meshes are searched in an empty folder.
-            const YamlScene scene = YamlScene::fromText(fuzz::textOf(data, size), fuzz::folder() / "scene.yaml");
-            scene.validate();
+            sceneFromYaml(fuzz::textOf(data, size), fuzz::folder() / "scene.yaml").validate();
         });
 }

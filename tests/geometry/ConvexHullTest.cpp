@@ -2,6 +2,7 @@
 
 #include "ompl_certificates/geometry/ConvexHull.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -174,6 +175,57 @@ TEST(ConvexHull, IsClosedForNearlyCoplanarPoints)
             ASSERT_NEAR(hull.signedDistance(query), exact, 4.0 * noise + 1e-9) << query.transpose();
         }
     }
+}
+
+TEST(ConvexHull, IsRightOrRefusedForThinPointsAndFarFromTheOrigin)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const bool isFar = seed % 2 == 0;
+        const Eigen::Vector3d center = random.direction(3) * (isFar ? 1e8 : 0.0);
+        const double thickness = isFar ? 1.0 : random.logUniform(1e-11, 1e-6);
+        const Eigen::Quaterniond turn = random.rotation();
+        Points points, there;
+        for (int i = 0; i < 12; ++i)
+        {
+            points.push_back(turn * random.point(3, 1.0).cwiseProduct(Eigen::Vector3d(1.0, 1.0, thickness)));
+            there.push_back(points.back() + center);
+        }
+        ConvexHull hull;
+        try
+        {
+            hull = convexHull(there, 3);
+        }
+        catch (const ompl::Exception &)
+        {
+            EXPECT_FALSE(isFar);
+            continue;
+        }
+        for (int i = 0; i < 20; ++i)
+        {
+            const Eigen::Vector3d query = random.point(3, 4.0);
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const auto &point : points)
+                nearest = std::min(nearest, (point - query).norm());
+            const double distance = hull.signedDistance(query + center);
+            EXPECT_LE(distance, nearest + 1e-6);
+            EXPECT_GE(distance, farthestBeyond(points, 3, query) - 1e-6);
+        }
+    }
+}
+
+/** Fingerprints of obstacles, by which certificate files know theirs, are made of the vertices in their order. */
+TEST(ConvexHull, KeepsTheOrderOfItsVertices)
+{
+    // The fifth is on an edge: it is the rounding of a normal that makes a corner of it.
+    const Points points{{2, 1, 3}, {2, 0, 0}, {2, 3, 0}, {0, 3, 3}, {0, 2, 2}, {0, 0, 0}, {2, 1, 1}, {0, 3, 1}};
+    const ConvexHull hull = convexHull(points, 3);
+    std::vector<std::size_t> order;
+    for (const auto &vertex : hull.vertices)
+        order.push_back(static_cast<std::size_t>(std::find(points.begin(), points.end(), vertex) - points.begin()));
+    EXPECT_EQ(order, (std::vector<std::size_t>{1, 2, 0, 5, 3, 4, 7}));
 }
 
 TEST(ConvexHull, GoesAroundAPolygonCounterClockwise)

@@ -1,7 +1,7 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
-#include "ompl_certificates/scene/PathFile.h"
-#include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/pictures/PlanReport.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
 #include "support/Folder.h"
 
@@ -95,9 +95,9 @@ namespace ompl_certificates
             return open.empty() && xml.find("nan") == std::string::npos && xml.find("inf'") == std::string::npos;
         }
 
-        YamlScene sceneOf(const std::string &name)
+        Scene sceneOf(const std::string &name)
         {
-            return YamlScene((fs::path(OMPL_CERTIFICATES_SOURCE_DIR) / "demos" / "scenes" / name).string());
+            return loadScene((fs::path(OMPL_CERTIFICATES_SOURCE_DIR) / "demos" / "scenes" / name).string());
         }
     }
 
@@ -268,7 +268,7 @@ namespace ompl_certificates
 
     TEST_F(Output, PathsAreTablesInFullPrecision)
     {
-        const YamlScene scene = sceneOf("paper_three_discs.yaml");
+        const Scene scene = sceneOf("paper_three_discs.yaml");
         const TeamSetupPtr setup = scene.makeSetup();
         setup->setup();
         ob::ScopedState<> start = scene.makeStart(std::dynamic_pointer_cast<TeamStateSpace>(setup->getStateSpace()));
@@ -298,7 +298,7 @@ namespace ompl_certificates
 
     TEST(PathFile, NamesTheCoordinatesOfAllRobots)
     {
-        const YamlScene plane = YamlScene::fromText(
+        const Scene plane = sceneFromYaml(
             "environment: {min: [0, 0], max: [9, 9]}\n"
             "robots:\n"
             "  - {type: single_integrator_0, name: scout, start: [1, 1], "
@@ -336,7 +336,7 @@ namespace ompl_certificates
         for (const std::string name : {"paper_five_discs", "warehouse", "drones_3d"})
         {
             SCOPED_TRACE(name);
-            const YamlScene scene = sceneOf(name + ".yaml");
+            const Scene scene = sceneOf(name + ".yaml");
             ScenePicture picture(scene);
             const std::string plain = picture.toSvg();
             EXPECT_TRUE(isWellFormed(plain));
@@ -366,7 +366,7 @@ namespace ompl_certificates
 
     TEST(ScenePicture, EscapesNames)
     {
-        const YamlScene scene = YamlScene::fromText(
+        const Scene scene = sceneFromYaml(
             "name: <a> & 'b'\nenvironment: {min: [0, 0], max: [5, 5]}\n"
             "robots: [{type: single_integrator, name: '</svg>', start: [1, 1], "
             "goal: [2, 2]}]",
@@ -378,7 +378,7 @@ namespace ompl_certificates
 
     TEST(ScenePicture, RefusesPathsOfOtherTeams)
     {
-        const YamlScene scene = sceneOf("paper_three_discs.yaml"), other = sceneOf("paper_one_disc.yaml");
+        const Scene scene = sceneOf("paper_three_discs.yaml"), other = sceneOf("paper_one_disc.yaml");
         const TeamSetupPtr setup = other.makeSetup();
         ScenePicture picture(scene);
         EXPECT_THROW(picture.setPath(ompl::geometric::PathGeometric(setup->getSpaceInformation())), ompl::Exception);

@@ -1,4 +1,4 @@
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
@@ -186,7 +186,7 @@ namespace ompl_certificates
         {
             try
             {
-                YamlScene::fromText(yaml, "f.yaml");
+                sceneFromYaml(yaml, "f.yaml");
                 ADD_FAILURE() << "nothing was thrown, but expected: " << message;
             }
             catch (const ompl::Exception &exception)
@@ -255,8 +255,8 @@ namespace ompl_certificates
     TEST(BrokenYaml, HoldsUntrustedInput)
     {
         // Nesting without end, and bytes that are no text
-        EXPECT_THROW(YamlScene::fromText(std::string(100000, '['), "deep"), ompl::Exception);
-        EXPECT_THROW(YamlScene::fromText(std::string(1000, '\0'), "zeros"), ompl::Exception);
-        EXPECT_THROW(YamlScene::fromText("\xff\xfe\x01\x02{[", "bytes"), ompl::Exception);
+        EXPECT_THROW(sceneFromYaml(std::string(100000, '['), "deep"), ompl::Exception);
+        EXPECT_THROW(sceneFromYaml(std::string(1000, '\0'), "zeros"), ompl::Exception);
+        EXPECT_THROW(sceneFromYaml("\xff\xfe\x01\x02{[", "bytes"), ompl::Exception);
     }
 }

@@ -1,5 +1,5 @@
 #include "ompl_certificates/scene/MeshFile.h"
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
 
@@ -378,12 +378,12 @@ namespace ompl_certificates
         folder.write("a.obj", OBJ);
         const auto read = [&folder](const std::string &environment, const std::string &shape, const std::string &robot)
         {
-            return YamlScene(folder.write(
+            return loadScene(folder.write(
                 "scene.yaml", "environment: " + environment + "\nrobots:\n  - {type: rigid, shape: " + shape + ", " +
                                   robot + "}\n  - {type: rigid, name: b, shape: " + shape + ", " + robot + "}\n"));
         };
         const auto boxOf = [](const Body &body) { return body.getParts().front().shape.getMesh()->getBounds(); };
-        const YamlScene space =
+        const Scene space =
             read("{min: [0, 0, 0], max: [9, 9, 9], obstacles: [{type: mesh, file: a.obj, center: [5, 5, 5]}]}",
                  "{type: mesh, file: a.obj, scale: 2}",
                  "space: SE3, start: [1, 1, 1, 0, 0, 0, 1], goal: [2, 2, 2, 0, 0, 0, 1]");
@@ -401,7 +401,7 @@ namespace ompl_certificates
         EXPECT_NEAR(
             zIntervalOf("{type: mesh, file: a.obj, rotation: {axis: [1, 0, 0], angle: 1.5707963267948966}}").high, 2.0,
             1e-6);
-        const YamlScene about = read(plane, "{type: mesh, file: a.obj, reference: mean}", robot);
+        const Scene about = read(plane, "{type: mesh, file: a.obj, reference: mean}", robot);
         const Eigen::AlignedBox3d box = boxOf(about.getMembers()[0].robot->getBodies().front());
         EXPECT_LT(box.min().x(), 0.0);
         EXPECT_LT(box.min().y(), 0.0);
@@ -437,7 +437,7 @@ namespace ompl_certificates
                                  std::string(broken.shape) + "}\n");
             try
             {
-                YamlScene scene(file);
+                loadScene(file);
                 ADD_FAILURE() << "was read";
             }
             catch (const ompl::Exception &exception)

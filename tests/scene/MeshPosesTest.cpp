@@ -28,9 +28,9 @@ namespace ompl_certificates
     {
         if (!fs::exists(GetParam()))
             GTEST_SKIP() << "there is no " << GetParam();
-        const auto scene = loadScene(GetParam());
-        const auto team = scene->makeTeam();
-        const auto obstacles = scene->makeObstacles();
+        const Scene scene = loadScene(GetParam());
+        const auto team = scene.makeTeam();
+        const auto obstacles = scene.makeObstacles();
         const TeamSetup standard(team, obstacles, Method::STANDARD);
         const TeamSetup shared(team, obstacles, Method::SHARED_PROJECTION);
         standard.getSpaceInformation()->setup();

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_RANDOM_
 #define OMPL_CERTIFICATES_TESTS_SUPPORT_RANDOM_
 
+#include "generators/SeededRandom.h"
 #include "ompl_certificates/geometry/Pose.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <random>
 
 namespace ompl_certificates
 {
@@ -24,16 +24,11 @@ namespace ompl_certificates
         }
 
         /** \brief Random numbers, the same on every machine for a seed */
-        class Random
+        class Random : public generators::SeededRandom
         {
         public:
-            explicit Random(std::uint64_t seed) : generator_(seed * 0x9E3779B97F4A7C15ULL + 1)
+            explicit Random(std::uint64_t seed) : SeededRandom(seed * 0x9E3779B97F4A7C15ULL + 1)
             {
-            }
-
-            double uniform(double low, double high)
-            {
-                return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1.0p-53;
             }
 
             /** \brief All orders of magnitude from \e low to \e high are equally likely. */
@@ -45,7 +40,7 @@ namespace ompl_certificates
             /** \brief One of 0, …, count - 1 */
             unsigned int below(std::size_t count)
             {
-                return static_cast<unsigned int>(generator_() % count);
+                return integer(0, static_cast<unsigned int>(count - 1));
             }
 
             bool chance(double probability)
@@ -97,9 +92,6 @@ namespace ompl_certificates
                 pose.linear() = rotation().toRotationMatrix();
                 return pose;
             }
-
-        private:
-            std::mt19937_64 generator_;
         };
     }
 }

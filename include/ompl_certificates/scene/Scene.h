@@ -42,8 +42,6 @@ namespace ompl_certificates
             \throws ompl::Exception if \e bounds have another dimension or are empty */
         Scene(const std::string &name, const std::string &source, const ompl::base::RealVectorBounds &bounds);
 
-        virtual ~Scene() = default;
-
         /** \brief What the scene is called */
         const std::string &getName() const
         {
@@ -110,6 +108,9 @@ namespace ompl_certificates
         /** \brief Set the longest valid segment fraction, above 0 and at most 1
             \throws ompl::Exception if it is not */
         void setResolution(double fraction);
+
+        /** \brief The same scene with the first \e count of its robots alone, or with all if there are fewer */
+        Scene withFirstRobots(std::size_t count) const;
 
         /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots. */
         TeamStateSpacePtr makeTeam() const;

@@ -1,4 +1,3 @@
-#include "ompl_certificates/scene/OmplAppScene.h"
 #include "ompl_certificates/scene/MeshFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "support/Folder.h"
@@ -37,9 +36,9 @@ namespace ompl_certificates
                 folder_.write("world.obj", WORLD);
             }
 
-            OmplAppScene read(const std::string &cfg) const
+            SceneFile read(const std::string &cfg) const
             {
-                return OmplAppScene(folder_.write("scene.cfg", cfg));
+                return readSceneFile(folder_.write("scene.cfg", cfg));
             }
 
             /** \e text with what is in a line that begins with \e key replaced by \e line */
@@ -73,7 +72,8 @@ namespace ompl_certificates
 
     TEST_F(OmplApp, ReadsAPlanarProblem)
     {
-        const OmplAppScene scene = read(PLANAR + VOLUME);
+        const SceneFile file = read(PLANAR + VOLUME);
+        const Scene &scene = file.scene;
         EXPECT_EQ(scene.getName(), "test");
         EXPECT_EQ(scene.getDimension(), 2u);
         EXPECT_EQ(scene.getBounds().low, (std::vector<double>{0, -1}));
@@ -81,16 +81,19 @@ namespace ompl_certificates
         ASSERT_EQ(scene.getMembers().size(), 1u);
         EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{1, 2, 0.5}));
         EXPECT_NEAR(scene.getMembers()[0].goal[2], 4.0 - 2.0 * M_PI, 1e-12);
-        EXPECT_FALSE(scene.getTimeLimit() || scene.getMemoryLimit() || scene.getRunCount());
-        EXPECT_TRUE(scene.getPlanners().empty());
+        EXPECT_FALSE(file.timeLimit || file.memoryLimit || file.runCount);
+        EXPECT_TRUE(file.planners.empty());
         EXPECT_TRUE(scene.getNotes().empty());
         scene.validate();
-        EXPECT_EQ(loadScene(folder_ / "scene.cfg")->getName(), "test");
+        EXPECT_EQ(loadScene(folder_ / "scene.cfg").getName(), "test");
+        // A section may have the beginning of its keys in its name.
+        const std::string nested = replaced(PLANAR, "start.x", "") + "[problem.start]\nx = 7 # there\n";
+        EXPECT_EQ(read(nested).scene.getMembers()[0].start[0], 7.0);
     }
 
     TEST_F(OmplApp, ReadsASpatialProblem)
     {
-        const OmplAppScene scene = read(SPATIAL);
+        const Scene scene = read(SPATIAL).scene;
         EXPECT_EQ(scene.getDimension(), 3u);
         const std::vector<double> &start = scene.getMembers()[0].start, &goal = scene.getMembers()[0].goal;
         ASSERT_EQ(start.size(), 7u);
@@ -101,35 +104,35 @@ namespace ompl_certificates
 
     TEST_F(OmplApp, BoundsHoldTheEnvironmentTheStartAndTheGoal)
     {
-        const OmplAppScene without = read(PLANAR);
+        const Scene without = read(PLANAR).scene;
         EXPECT_EQ(without.getBounds().low, (std::vector<double>{1, 2}));
         EXPECT_EQ(without.getBounds().high, (std::vector<double>{35, 40}));
-        const OmplAppScene within = read(replaced(PLANAR + VOLUME, "volume.max.x", "volume.max.x = 30\n"));
+        const Scene within = read(replaced(PLANAR + VOLUME, "volume.max.x", "volume.max.x = 30\n")).scene;
         EXPECT_EQ(within.getBounds().high, (std::vector<double>{35, 41}));
         EXPECT_EQ(within.getNotes().size(), 1u);
     }
 
     TEST_F(OmplApp, ReadsBenchmarkAndPlanners)
     {
-        const OmplAppScene scene = read(PLANAR +
-                                        "objective = max_min_clearance\nlongest_valid_segment_fraction = 0.02\n"
-                                        "[benchmark]\r\ntime_limit=2.5\r\nmem_limit = 500\r\nrun_count=7\r\n"
-                                        "[planner]\n# a comment\nest.range=3\nrrt=\nrrt.range=50\nrrt=\n"
-                                        "RRT.Range=5\nrrt.goal_bias=0.1\nrrt.name = RRT far\nkpiece=\n");
-        EXPECT_DOUBLE_EQ(scene.getTimeLimit().value(), 2.5);
-        EXPECT_DOUBLE_EQ(scene.getMemoryLimit().value(), 500.0);
-        EXPECT_EQ(scene.getRunCount().value(), 7u);
-        EXPECT_DOUBLE_EQ(scene.getResolution(), 0.02);
-        EXPECT_EQ(scene.getNotes().size(), 1u);
+        const SceneFile file = read(PLANAR +
+                                    "objective = max_min_clearance\nlongest_valid_segment_fraction = 0.02\n"
+                                    "[benchmark]\r\ntime_limit=2.5\r\nmem_limit = 500\r\nrun_count=7\r\n"
+                                    "[planner]\n# a comment\nest.range=3\nrrt=\nrrt.range=50\nrrt=\n"
+                                    "RRT.Range=5\nrrt.goal_bias=0.1\nrrt.name = RRT far\nkpiece=\n");
+        EXPECT_DOUBLE_EQ(file.timeLimit.value(), 2.5);
+        EXPECT_DOUBLE_EQ(file.memoryLimit.value(), 500.0);
+        EXPECT_EQ(file.runCount.value(), 7u);
+        EXPECT_DOUBLE_EQ(file.scene.getResolution(), 0.02);
+        EXPECT_EQ(file.scene.getNotes().size(), 1u);
         using Parameters = std::vector<std::pair<std::string, std::string>>;
-        ASSERT_EQ(scene.getPlanners().size(), 4u);
-        EXPECT_EQ(scene.getPlanners()[0].type, "est");
-        EXPECT_EQ(scene.getPlanners()[0].parameters, (Parameters{{"range", "3"}}));
-        EXPECT_EQ(scene.getPlanners()[1].type, "rrt");
-        EXPECT_EQ(scene.getPlanners()[1].parameters, (Parameters{{"range", "50"}}));
-        EXPECT_EQ(scene.getPlanners()[2].parameters, (Parameters{{"range", "5"}, {"goal_bias", "0.1"}}));
-        EXPECT_EQ(scene.getPlanners()[2].title, "RRT far");
-        EXPECT_EQ(scene.getPlanners()[3].type, "kpiece");
+        ASSERT_EQ(file.planners.size(), 4u);
+        EXPECT_EQ(file.planners[0].type, "est");
+        EXPECT_EQ(file.planners[0].parameters, (Parameters{{"range", "3"}}));
+        EXPECT_EQ(file.planners[1].type, "rrt");
+        EXPECT_EQ(file.planners[1].parameters, (Parameters{{"range", "50"}}));
+        EXPECT_EQ(file.planners[2].parameters, (Parameters{{"range", "5"}, {"goal_bias", "0.1"}}));
+        EXPECT_EQ(file.planners[2].title, "RRT far");
+        EXPECT_EQ(file.planners[3].type, "kpiece");
     }
 
     TEST_F(OmplApp, NamesFileSectionAndKeyOfWhatIsWrong)
@@ -175,7 +178,7 @@ namespace ompl_certificates
         expectBroken(PLANAR + "[planner]\nrrt = 5\n", "[planner] rrt: takes no value, not '5'");
         expectBroken(PLANAR + "[planner]\nrrt=\nrrt.range=\n", "[planner] rrt.range: has no value");
         expectBroken(std::string(1000, '\0'), "");
-        EXPECT_THROW(OmplAppScene(folder_ / "missing.cfg"), ompl::Exception);
+        EXPECT_THROW(readSceneFile(folder_ / "missing.cfg"), ompl::Exception);
         // What the strings above are made of is fine.
         read(SPATIAL + VOLUME + "volume.min.z = 0\nvolume.max.z = 9\n");
     }
@@ -190,11 +193,12 @@ namespace ompl_certificates
             if (entry.path().extension() == ".cfg")
             {
                 SCOPED_TRACE(entry.path());
-                const OmplAppScene scene(entry.path().string());
+                const SceneFile file = readSceneFile(entry.path().string());
+                const Scene &scene = file.scene;
                 scene.validate();
                 EXPECT_EQ(scene.getDimension(), entry.path().parent_path().filename() == "2D" ? 2u : 3u);
-                EXPECT_FALSE(scene.getPlanners().empty());
-                EXPECT_TRUE(scene.getRunCount());
+                EXPECT_FALSE(file.planners.empty());
+                EXPECT_TRUE(file.runCount);
                 // The robot's reference point is inside the box of its mesh.
                 const Body &body = scene.getMembers()[0].robot->getBodies().front();
                 const Eigen::AlignedBox3d box = body.getParts().front().shape.getMesh()->getBounds();
@@ -228,7 +232,7 @@ namespace ompl_certificates
             if (entry.path().extension() == ".yaml")
             {
                 SCOPED_TRACE(entry.path());
-                EXPECT_NO_THROW(loadScene(entry.path().string())->validate());
+                EXPECT_NO_THROW(loadScene(entry.path().string()).validate());
                 ++count;
             }
         EXPECT_EQ(count, 10u);

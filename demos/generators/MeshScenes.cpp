@@ -1,9 +1,8 @@
-#include "ompl_certificates/scene/MeshScene.h"
+#include "generators/MeshScenes.h"
 
-#include "MeshBuilder.h"
-#include "SeededRandom.h"
 #include "certificates/WholeFile.h"
-
+#include "generators/MeshBuilder.h"
+#include "generators/SeededRandom.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
@@ -15,13 +14,15 @@
 #include <limits>
 #include <ompl/util/Exception.h>
 
-namespace ompl_certificates
+using namespace ompl_certificates;
+
+namespace generators
 {
     namespace
     {
         constexpr double PI = boost::math::constants::pi<double>();
 
-        void check(const MeshScene::Settings &settings)
+        void check(const MeshSettings &settings)
         {
             if (settings.robots < 1 || settings.robots > 12)
                 throw ompl::Exception("robots: must be from 1 to 12, not " + std::to_string(settings.robots));
@@ -44,7 +45,7 @@ namespace ompl_certificates
             return std::round(value / unit) * unit;
         }
 
-        std::string headOf(const std::string &what, const std::string &kind, const MeshScene::Settings &settings)
+        std::string headOf(const std::string &what, const std::string &kind, const MeshSettings &settings)
         {
             return "# " + what + "\n# Made by: generate_scene --kind " + kind + " --robots " +
                    std::to_string(settings.robots) + " --seed " + std::to_string(settings.seed) + "\n";
@@ -253,7 +254,7 @@ namespace ompl_certificates
         }
     }
 
-    MeshScene MeshScene::maze(const Settings &settings)
+    MeshSceneTexts mazeOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
@@ -296,21 +297,20 @@ namespace ompl_certificates
             return std::vector<double>{CELL * (cell % COLUMNS + 0.5), CELL * (row + 0.5),
                                        rounded(0.5 * PI * random.integer(0, 3) - PI, 1e-4)};
         };
-        MeshScene scene;
-        scene.yaml_ = headOf("Carts in the shape of an L in a maze of upright walls.", "maze", settings) +
-                      "environment:\n  min: [0, 0]\n  max: " + listOf({width, height}) +
-                      "\n  obstacles:\n    - {type: mesh, file: @walls.obj}\nrobots:\n";
+        MeshSceneTexts scene;
+        scene.yaml = headOf("Carts in the shape of an L in a maze of upright walls.", "maze", settings) +
+                     "environment:\n  min: [0, 0]\n  max: " + listOf({width, height}) +
+                     "\n  obstacles:\n    - {type: mesh, file: @walls.obj}\nrobots:\n";
         for (unsigned int i = 0; i < settings.robots; ++i)
         {
             const std::vector<double> start = pose(0), goal = pose(4);
-            scene.yaml_ +=
-                robotOf("cart_" + std::to_string(i + 1), "SE2", "{type: mesh, file: @cart.obj}", start, goal);
+            scene.yaml += robotOf("cart_" + std::to_string(i + 1), "SE2", "{type: mesh, file: @cart.obj}", start, goal);
         }
-        scene.meshes_ = {{"walls.obj", walls.toObj()}, {"cart.obj", cart.toObj()}};
+        scene.meshes = {{"walls.obj", walls.toObj()}, {"cart.obj", cart.toObj()}};
         return scene;
     }
 
-    MeshScene MeshScene::canyon(const Settings &settings)
+    MeshSceneTexts canyonOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
@@ -352,10 +352,10 @@ namespace ompl_certificates
                                        rounded(std::sin(0.5 * heading), 1e-4),
                                        rounded(std::cos(0.5 * heading), 1e-4)};
         };
-        MeshScene scene;
-        scene.yaml_ = headOf("Quadrotors in a canyon: they fly through it in both directions.", "canyon", settings) +
-                      "resolution: 0.005\nenvironment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, CEILING}) +
-                      "\n  obstacles:\n    - {type: mesh, file: @terrain.obj}\nrobots:\n";
+        MeshSceneTexts scene;
+        scene.yaml = headOf("Quadrotors in a canyon: they fly through it in both directions.", "canyon", settings) +
+                     "resolution: 0.005\nenvironment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, CEILING}) +
+                     "\n  obstacles:\n    - {type: mesh, file: @terrain.obj}\nrobots:\n";
         for (unsigned int i = 0; i < settings.robots; ++i)
         {
             const bool eastward = i % 2 == 0;
@@ -366,37 +366,37 @@ namespace ompl_certificates
                                    above);
             };
             const Eigen::Vector3d start = end(starts, !eastward), goal = end(goals, eastward);
-            scene.yaml_ += robotOf("quadrotor_" + std::to_string(i + 1), "SE3", "{type: mesh, file: @quadrotor.obj}",
-                                   state(start, 0.0), state(goal, 0.25 * PI * random.integer(0, 4)));
+            scene.yaml += robotOf("quadrotor_" + std::to_string(i + 1), "SE3", "{type: mesh, file: @quadrotor.obj}",
+                                  state(start, 0.0), state(goal, 0.25 * PI * random.integer(0, 4)));
         }
-        scene.meshes_ = {{"terrain.obj", terrain.toObj()}, {"quadrotor.obj", quadrotor.toObj()}};
+        scene.meshes = {{"terrain.obj", terrain.toObj()}, {"quadrotor.obj", quadrotor.toObj()}};
         return scene;
     }
 
-    MeshScene MeshScene::knots(const Settings &settings)
+    MeshSceneTexts knotsOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
         constexpr double SIZE = 40.0, KNOT_REACH = 3.3, GEAR_REACH = 1.5;
         constexpr unsigned int KNOTS = 12;
 
-        MeshScene scene;
-        scene.yaml_ = headOf("Gears of two sizes among knots.", "knots", settings) +
-                      "environment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, SIZE}) + "\n  obstacles:\n";
+        MeshSceneTexts scene;
+        scene.yaml = headOf("Gears of two sizes among knots.", "knots", settings) +
+                     "environment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, SIZE}) + "\n  obstacles:\n";
         std::vector<PlacedBody> obstacles;
         for (unsigned int i = 0; i < KNOTS; ++i)
         {
             const double scale = rounded(random.uniform(2.0, 3.0), 0.01), reach = scale * KNOT_REACH;
             const Eigen::Vector3d center = lonelyPlace(obstacles, 0.9 * reach, SIZE - 0.9 * reach, random);
             const std::vector<double> turn = randomTurn(random);
-            scene.yaml_ += "    - {type: mesh, file: @knot.obj, scale: " + std::to_string(scale).substr(0, 4) +
-                           ", center: " + listOf({center.x(), center.y(), center.z()}) +
-                           ", quaternion: " + listOf(turn) + "}\n";
+            scene.yaml += "    - {type: mesh, file: @knot.obj, scale: " + std::to_string(scale).substr(0, 4) +
+                          ", center: " + listOf({center.x(), center.y(), center.z()}) +
+                          ", quaternion: " + listOf(turn) + "}\n";
             // A ball about it is all that starts and goals need to know.
             obstacles.push_back({Body::sphere(reach)});
             obstacles.back().pose.translation() = center;
         }
-        scene.yaml_ += "robots:\n";
+        scene.yaml += "robots:\n";
         const FclObstacles balls(3, obstacles);
         Places starts(balls, random), goals(balls, random);
         for (unsigned int i = 0; i < settings.robots; ++i)
@@ -414,21 +414,21 @@ namespace ompl_certificates
             };
             const std::vector<double> start = state(starts, nullptr);
             const Eigen::Vector3d from(start[0], start[1], start[2]);
-            scene.yaml_ += robotOf("gear_" + std::to_string(i + 1), "SE3",
-                                   std::string("{type: mesh, file: @gear.obj") + (scale < 1.0 ? ", scale: 0.7}" : "}"),
-                                   start, state(goals, &from));
+            scene.yaml += robotOf("gear_" + std::to_string(i + 1), "SE3",
+                                  std::string("{type: mesh, file: @gear.obj") + (scale < 1.0 ? ", scale: 0.7}" : "}"),
+                                  start, state(goals, &from));
         }
-        scene.meshes_ = {{"knot.obj", knotMesh()}, {"gear.obj", gearMesh(GEAR_REACH)}};
+        scene.meshes = {{"knot.obj", knotMesh()}, {"gear.obj", gearMesh(GEAR_REACH)}};
         return scene;
     }
 
-    void MeshScene::write(const std::string &file) const
+    void writeScene(const MeshSceneTexts &scene, const std::string &file)
     {
         const std::filesystem::path path(file);
         const std::string stem = path.stem().string() + "_";
-        for (const auto &[name, text] : meshes_)
+        for (const auto &[name, text] : scene.meshes)
             writeWholeFile((path.parent_path() / (stem + name)).string(), text);
-        std::string yaml = yaml_;
+        std::string yaml = scene.yaml;
         for (std::size_t at = yaml.find("file: @"); at != std::string::npos; at = yaml.find("file: @"))
             yaml.replace(at + 6, 1, stem);
         writeWholeFile(file, yaml);

@@ -1,10 +1,12 @@
-#include "MeshBuilder.h"
+#include "generators/MeshBuilder.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdio>
 
-namespace ompl_certificates
+using namespace ompl_certificates;
+
+namespace generators
 {
     std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d &point)
     {

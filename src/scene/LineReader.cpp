@@ -1,4 +1,4 @@
-#include "MeshText.h"
+#include "LineReader.h"
 
 #include "MeshPart.h"
 
@@ -17,13 +17,13 @@ namespace ompl_certificates
         }
     }
 
-    MeshText::MeshText(std::string_view text, bool isObj) : rest_(text), isObj_(isObj)
+    LineReader::LineReader(std::string_view text, bool isObj) : rest_(text), isObj_(isObj)
     {
         if (rest_.substr(0, BYTE_ORDER_MARK.size()) == BYTE_ORDER_MARK)
             rest_.remove_prefix(BYTE_ORDER_MARK.size());
     }
 
-    bool MeshText::nextLine()
+    bool LineReader::nextLine()
     {
         bool isJoined = true;
         while (isJoined)
@@ -43,7 +43,7 @@ namespace ompl_certificates
         return true;
     }
 
-    std::string_view MeshText::next()
+    std::string_view LineReader::next()
     {
         for (;;)
         {
@@ -68,7 +68,7 @@ namespace ompl_certificates
         }
     }
 
-    double MeshText::toNumber(std::string_view word) const
+    double LineReader::toNumber(std::string_view word) const
     {
         double number;
         if (!parseNumber(word, number))
@@ -76,7 +76,7 @@ namespace ompl_certificates
         return number;
     }
 
-    Eigen::Vector3d MeshText::point()
+    Eigen::Vector3d LineReader::point()
     {
         Eigen::Vector3d point;
         for (double &coordinate : point)
@@ -89,7 +89,7 @@ namespace ompl_certificates
         return point;
     }
 
-    void MeshText::fail(const std::string &complaint) const
+    void LineReader::fail(const std::string &complaint) const
     {
         throw std::runtime_error("line " + std::to_string(number_) + ": " + complaint);
     }

@@ -1,5 +1,5 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ namespace ompl_certificates
         const fs::path SOURCE = OMPL_CERTIFICATES_SOURCE_DIR;
     }
 
-    TEST(YamlScene, ReadsEveryFileOfDbCbs)
+    TEST(YamlFile, ReadsEveryFileOfDbCbs)
     {
         const auto files = yamlFiles(DB_CBS);
         if (files.empty())
@@ -51,7 +51,7 @@ namespace ompl_certificates
         for (const auto &file : files)
         {
             SCOPED_TRACE(file.string());
-            const YamlScene scene(file.string());
+            const Scene scene = loadScene(file.string());
             EXPECT_EQ(scene.getDimension(), 2u);
             EXPECT_FALSE(scene.getMembers().empty());
             const std::string message = messageOf([&] { scene.validate(); });
@@ -67,9 +67,9 @@ namespace ompl_certificates
         }
     }
 
-    TEST(YamlScene, NotesDroppedVelocities)
+    TEST(YamlFile, NotesDroppedVelocities)
     {
-        const YamlScene scene = YamlScene::fromText(
+        const Scene scene = sceneFromYaml(
             "environment: {min: [0, 0], max: [5, 5]}\n"
             "robots: [{type: double_integrator_0, start: [1, 2, 9, 9], "
             "goal: [3, 3, 0, 0]}]",
@@ -80,23 +80,22 @@ namespace ompl_certificates
         EXPECT_EQ(scene.getName(), "velocities");
     }
 
-    TEST(YamlScene, KnowsTypesWithAndWithoutVersion)
+    TEST(YamlFile, KnowsTypesWithAndWithoutVersion)
     {
         for (const std::string type : {"unicycle_first_order", "unicycle_first_order_0", "unicycle_first_order_sphere",
                                        "unicycle_first_order_0_sphere", "car_first_order", "car_first_order_0"})
         {
             SCOPED_TRACE(type);
-            const YamlScene scene =
-                YamlScene::fromText("environment: {min: [0, 0], max: [5, 5]}\nrobots: [{type: " + type +
-                                        ", start: [1, 2, 0], goal: [3, 3, 1]}]",
-                                    "types");
+            const Scene scene = sceneFromYaml("environment: {min: [0, 0], max: [5, 5]}\nrobots: [{type: " + type +
+                                                  ", start: [1, 2, 0], goal: [3, 3, 1]}]",
+                                              "types");
             EXPECT_EQ(scene.getMembers()[0].robot->getBodies()[0].isBall(), type.find("sphere") != std::string::npos);
         }
     }
 
-    TEST(YamlScene, WrapsHeadings)
+    TEST(YamlFile, WrapsHeadings)
     {
-        const YamlScene scene = YamlScene::fromText(
+        const Scene scene = sceneFromYaml(
             "environment: {min: [0, 0], max: [5, 5]}\n"
             "robots: [{type: car_first_order_with_1_trailers_0, "
             "start: [1, 2, 4, -10], goal: [3, 3, 3.141592653589793, 3]}]",
@@ -109,9 +108,9 @@ namespace ompl_certificates
         scene.validate();
     }
 
-    TEST(YamlScene, NormalisesQuaternions)
+    TEST(YamlFile, NormalisesQuaternions)
     {
-        const YamlScene scene = YamlScene::fromText(
+        const Scene scene = sceneFromYaml(
             "environment: {min: [0, 0, 0], max: [5, 5, 5]}\n"
             "robots: [{type: rigid, space: SE3, shape: {type: point}, "
             "start: [1, 2, 3, 0, 0, 3, 4], goal: [1, 1, 1, 0, 0, 0, 1]}]",
@@ -121,9 +120,9 @@ namespace ompl_certificates
         scene.validate();
     }
 
-    TEST(YamlScene, PlacesShapes)
+    TEST(YamlFile, PlacesShapes)
     {
-        const YamlScene scene = YamlScene::fromText(
+        const Scene scene = sceneFromYaml(
             "environment:\n  min: [0, 0]\n  max: [9, 9]\n  obstacles:\n"
             "    - {type: box, center: [2, 2], size: [2, 0.2], angle: 1.5707963267948966}\n"
             "    - {type: compound, center: [6, 6], angle: 1.5707963267948966,\n"
@@ -138,7 +137,26 @@ namespace ompl_certificates
         EXPECT_NEAR(scene.getMembers()[0].robot->getBodies()[0].signedDistance({1.0, 1.0, 0.0}), 0.5, 1e-12);
     }
 
-    TEST(YamlScene, MakesSetupsThatPlan)
+    TEST(YamlFile, TakesPolytopesOfManyCorners)
+    {
+        std::string corners;
+        for (std::size_t i = 0; i < MAX_HULL_POINTS; ++i)
+        {
+            const double z = 2.0 * (static_cast<double>(i) + 0.5) / MAX_HULL_POINTS - 1.0,
+                         angle = 2.4 * static_cast<double>(i);
+            const double radius = std::sqrt(1.0 - z * z);
+            corners += (i == 0 ? "[" : ", [") + std::to_string(radius * std::cos(angle)) + ", " +
+                       std::to_string(radius * std::sin(angle)) + ", " + std::to_string(z) + "]";
+        }
+        const Scene scene = sceneFromYaml(
+            "environment: {min: [0, 0, 0], max: [9, 9, 9]}\nrobots: [{type: rigid, space: R3, start: [1, 1, 1], goal: "
+            "[8, 8, 8], shape: {type: polytope, vertices: [" +
+                corners + "]}}]",
+            "ball");
+        EXPECT_NO_THROW(scene.validate());
+    }
+
+    TEST(YamlFile, MakesSetupsThatPlan)
     {
         for (const auto &file : yamlFiles(SOURCE / "demos" / "scenes"))
         {
@@ -146,7 +164,7 @@ namespace ompl_certificates
             // Its largest mesh is made when the demos are built.
             if (file.stem() == "canyon" && !fs::exists(file.parent_path() / "canyon_terrain.obj"))
                 continue;
-            const YamlScene scene(file.string());
+            const Scene scene = loadScene(file.string());
             EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
             const TeamSetupPtr setup = scene.makeSetup();
             setup->setup();
@@ -157,7 +175,7 @@ namespace ompl_certificates
         EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 9u);
     }
 
-    TEST(YamlScene, ReadsTheExamplesOfItsDocumentation)
+    TEST(YamlFile, ReadsTheExamplesOfItsDocumentation)
     {
         const std::string doc = readWholeFile((SOURCE / "docs" / "scene-format.md").string());
         std::size_t count = 0;
@@ -165,38 +183,54 @@ namespace ompl_certificates
              begin = doc.find("```yaml\n", begin))
         {
             begin += 8;
-            const YamlScene scene = YamlScene::fromText(doc.substr(begin, doc.find("```", begin) - begin),
-                                                        "example " + std::to_string(count));
+            const Scene scene =
+                sceneFromYaml(doc.substr(begin, doc.find("```", begin) - begin), "example " + std::to_string(count));
             EXPECT_EQ(messageOf([&] { scene.validate(); }), "");
             ++count;
         }
         EXPECT_EQ(count, 2u);
     }
 
-    TEST(YamlScene, SetsTheResolution)
+    TEST(Scene, KeepsAllElseWithFewerRobots)
+    {
+        const std::string robot = "type: rigid, space: R2, start: [1, 1], goal: [4, 4], shape: {type: disc, radius: 1}";
+        const Scene scene = sceneFromYaml(
+            "resolution: 0.02\nenvironment: {min: [0, 0], max: [5, 5], obstacles: "
+            "[{type: box, center: [3, 1], size: [1, 1]}]}\nrobots: [{name: a, " +
+                robot + "}, {name: b, " + robot + "}, {name: c, " + robot + "}]",
+            "three");
+        const Scene two = scene.withFirstRobots(2);
+        ASSERT_EQ(two.getMembers().size(), 2u);
+        EXPECT_EQ(two.getMembers()[1].robot, scene.getMembers()[1].robot);
+        EXPECT_EQ(two.getObstacles().size(), 1u);
+        EXPECT_EQ(two.getResolution(), 0.02);
+        EXPECT_EQ(two.getName(), "three");
+        EXPECT_EQ(scene.withFirstRobots(4).getMembers().size(), 3u);
+    }
+
+    TEST(YamlFile, SetsTheResolution)
     {
         const std::string rest =
             "environment: {min: [0, 0], max: [5, 5]}\n"
             "robots: [{type: single_integrator_0, start: [1, 2], goal: [3, 3], weight: 3}]";
-        const auto fine = YamlScene::fromText("resolution: 0.002\n" + rest, "fine").makeTeam();
+        const auto fine = sceneFromYaml("resolution: 0.002\n" + rest, "fine").makeTeam();
         EXPECT_EQ(fine->getSubspace(0)->getLongestValidSegmentFraction(), 0.002);
         EXPECT_EQ(fine->getSubspaceWeight(0), 3.0);
     }
 
-    TEST(YamlScene, NamesFilesThatCannotBeRead)
+    TEST(YamlFile, NamesFilesThatCannotBeRead)
     {
         const fs::path missing = fs::temp_directory_path() / "ompl_certificates_no_such_file.yaml";
-        EXPECT_EQ(messageOf([&] { YamlScene scene(missing.string()); }).find(missing.string() + ": cannot be read"),
-                  0u);
+        EXPECT_EQ(messageOf([&] { loadScene(missing.string()); }).find(missing.string() + ": cannot be read"), 0u);
         const std::string folder = fs::temp_directory_path().string();
-        EXPECT_EQ(messageOf([&] { YamlScene scene(folder); }), folder + ": is a directory, not a file");
+        EXPECT_EQ(messageOf([&] { loadScene(folder); }), folder + ": is a directory, not a file");
     }
 
     TEST(Scene, ValidateNamesWhatIsWrong)
     {
         const auto validate = [](const std::string &robots)
         {
-            const auto scene = YamlScene::fromText(
+            const auto scene = sceneFromYaml(
                 "environment: {min: [0, 0], max: [5, 5], obstacles: [{type: disc, center: "
                 "[9, 9], radius: 1}, {type: disc, center: [4, 4], radius: 0.5}]}\n"
                 "robots: [" +

@@ -1,6 +1,7 @@
-#include "ompl_certificates/scene/RandomPolygonScene.h"
+#include "generators/RandomPolygons.h"
 
-#include "SeededRandom.h"
+#include "generators/SeededRandom.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -8,7 +9,9 @@
 #include <cstdio>
 #include <ompl/util/Exception.h>
 
-namespace ompl_certificates
+using namespace ompl_certificates;
+
+namespace generators
 {
     namespace
     {
@@ -41,7 +44,7 @@ namespace ompl_certificates
         };
 
         /** Corners on a circle are convex in any number; gaps between them keep them so when rounded. */
-        std::vector<Eigen::Vector2d> randomPolygon(SeededRandom &random, const RandomPolygonScene::Settings &settings,
+        std::vector<Eigen::Vector2d> randomPolygon(SeededRandom &random, const PolygonSettings &settings,
                                                    const Grid &grid)
         {
             constexpr double turn = boost::math::constants::two_pi<double>();
@@ -59,46 +62,47 @@ namespace ompl_certificates
             }
             return polygon;
         }
-    }
 
-    RandomPolygonScene::RandomPolygonScene(const Settings &settings) : settings_(settings)
-    {
-        const auto require = [](bool good, const std::string &complaint)
+        void check(const PolygonSettings &settings)
         {
-            if (!good)
-                throw ompl::Exception(complaint);
-        };
-        require(settings.robots >= 1 && settings.robots <= 100,
-                "robots: must be from 1 to 100, not " + std::to_string(settings.robots));
-        require(settings.obstacles <= 10000,
-                "obstacles: must be at most 10000, not " + std::to_string(settings.obstacles));
-        require(settings.size >= 1e-3 && settings.size <= 1e6,
-                "size: must be from 0.001 to 1000000, not " + std::to_string(settings.size));
-        require(settings.radius >= 1e-3 * settings.size && settings.radius <= 0.1 * settings.size,
-                "radius: must be from a thousandth to a tenth of the size, not " + std::to_string(settings.radius));
-        require(settings.smallest >= 0.005 && settings.smallest <= settings.largest && settings.largest <= 0.5,
-                "smallest and largest: must be ordered fractions from 0.005 to 0.5, not " +
-                    std::to_string(settings.smallest) + " and " + std::to_string(settings.largest));
+            const auto require = [](bool good, const std::string &complaint)
+            {
+                if (!good)
+                    throw ompl::Exception(complaint);
+            };
+            require(settings.robots >= 1 && settings.robots <= 100,
+                    "robots: must be from 1 to 100, not " + std::to_string(settings.robots));
+            require(settings.obstacles <= 10000,
+                    "obstacles: must be at most 10000, not " + std::to_string(settings.obstacles));
+            require(settings.size >= 1e-3 && settings.size <= 1e6,
+                    "size: must be from 0.001 to 1000000, not " + std::to_string(settings.size));
+            require(settings.radius >= 1e-3 * settings.size && settings.radius <= 0.1 * settings.size,
+                    "radius: must be from a thousandth to a tenth of the size, not " + std::to_string(settings.radius));
+            require(settings.smallest >= 0.005 && settings.smallest <= settings.largest && settings.largest <= 0.5,
+                    "smallest and largest: must be ordered fractions from 0.005 to 0.5, not " +
+                        std::to_string(settings.smallest) + " and " + std::to_string(settings.largest));
+        }
     }
 
-    std::string RandomPolygonScene::toYaml() const
+    std::string randomPolygonsYaml(const PolygonSettings &settings)
     {
-        SeededRandom random(settings_.seed);
-        const Grid grid(settings_.size);
-        const std::string side = grid.format({settings_.size, settings_.size});
+        check(settings);
+        SeededRandom random(settings.seed);
+        const Grid grid(settings.size);
+        const std::string side = grid.format({settings.size, settings.size});
         char radius[40];
-        std::snprintf(radius, sizeof(radius), "%.10g", settings_.radius);
+        std::snprintf(radius, sizeof(radius), "%.10g", settings.radius);
 
-        std::string yaml = "# " + std::to_string(settings_.robots) + " disc" + (settings_.robots == 1 ? "" : "s") +
-                           " among " + std::to_string(settings_.obstacles) +
+        std::string yaml = "# " + std::to_string(settings.robots) + " disc" + (settings.robots == 1 ? "" : "s") +
+                           " among " + std::to_string(settings.obstacles) +
                            " random convex polygons, the setting of the paper's experiments.\n" +
-                           "# Made by generate_scene, seed " + std::to_string(settings_.seed) + ".\n";
+                           "# Made by generate_scene, seed " + std::to_string(settings.seed) + ".\n";
         yaml +=
-            "environment:\n  min: [0, 0]\n  max: " + side + "\n  obstacles:" + (settings_.obstacles ? "\n" : " []\n");
+            "environment:\n  min: [0, 0]\n  max: " + side + "\n  obstacles:" + (settings.obstacles ? "\n" : " []\n");
         std::vector<PlacedBody> polygons;
-        for (unsigned int i = 0; i < settings_.obstacles; ++i)
+        for (unsigned int i = 0; i < settings.obstacles; ++i)
         {
-            const auto corners = randomPolygon(random, settings_, grid);
+            const auto corners = randomPolygon(random, settings, grid);
             yaml += "    - {type: polygon, vertices: [";
             for (std::size_t k = 0; k < corners.size(); ++k)
                 yaml += (k == 0 ? "" : ", ") + grid.format(corners[k]);
@@ -107,25 +111,25 @@ namespace ompl_certificates
         }
 
         const FclObstacles obstacles(2, polygons);
-        const double margin = 0.5 * settings_.radius;
+        const double margin = 0.5 * settings.radius;
         const auto place = [&](const std::vector<Eigen::Vector2d> &others, const Eigen::Vector2d *start)
         {
-            const double low = settings_.radius, high = settings_.size - settings_.radius;
+            const double low = settings.radius, high = settings.size - settings.radius;
             for (int i = 0; i < TRIES; ++i)
             {
                 Eigen::Vector2d point = grid.round({random.uniform(low, high), random.uniform(low, high)});
                 const bool apart = std::all_of(others.begin(), others.end(),
                                                [&](const Eigen::Vector2d &other)
-                                               { return (point - other).norm() > 2.0 * settings_.radius + margin; });
-                if (apart && (!start || (point - *start).norm() > 0.5 * settings_.size) &&
-                    obstacles.clearance({point.x(), point.y(), 0.0}) > settings_.radius + margin)
+                                               { return (point - other).norm() > 2.0 * settings.radius + margin; });
+                if (apart && (!start || (point - *start).norm() > 0.5 * settings.size) &&
+                    obstacles.clearance({point.x(), point.y(), 0.0}) > settings.radius + margin)
                     return point;
             }
             throw ompl::Exception("no place was found for a robot: make the square larger, or the obstacles fewer");
         };
         std::vector<Eigen::Vector2d> starts, goals;
         yaml += "robots:\n";
-        for (unsigned int i = 0; i < settings_.robots; ++i)
+        for (unsigned int i = 0; i < settings.robots; ++i)
         {
             starts.push_back(place(starts, nullptr));
             goals.push_back(place(goals, &starts.back()));
@@ -136,8 +140,8 @@ namespace ompl_certificates
         return yaml;
     }
 
-    YamlScene RandomPolygonScene::make() const
+    Scene randomPolygons(const PolygonSettings &settings)
     {
-        return YamlScene::fromText(toYaml(), "random_polygons_" + std::to_string(settings_.seed));
+        return sceneFromYaml(randomPolygonsYaml(settings), "random_polygons_" + std::to_string(settings.seed));
     }
 }

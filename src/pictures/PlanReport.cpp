@@ -1,4 +1,4 @@
-#include "ompl_certificates/scene/PlanReport.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 
 #include "certificates/WholeFile.h"
 

@@ -1,6 +1,6 @@
-#include "ompl_certificates/scene/MeshScene.h"
-#include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
+#include "generators/MeshScenes.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "support/Folder.h"
 #include "support/Random.h"
 
@@ -12,7 +12,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        using Make = MeshScene (*)(const MeshScene::Settings &);
+        using generators::MeshSettings;
+        using Make = generators::MeshSceneTexts (*)(const MeshSettings &);
 
         struct Kind
         {
@@ -21,9 +22,9 @@ namespace ompl_certificates
             std::vector<const char *> meshes;
         };
 
-        const Kind KINDS[] = {{"maze", MeshScene::maze, {"walls", "cart"}},
-                              {"canyon", MeshScene::canyon, {"terrain", "quadrotor"}},
-                              {"knots", MeshScene::knots, {"knot", "gear"}}};
+        const Kind KINDS[] = {{"maze", generators::mazeOfMeshes, {"walls", "cart"}},
+                              {"canyon", generators::canyonOfMeshes, {"terrain", "quadrotor"}},
+                              {"knots", generators::knotsOfMeshes, {"knot", "gear"}}};
 
         std::size_t countTriangles(const Scene &scene)
         {
@@ -36,14 +37,14 @@ namespace ompl_certificates
     }
 
     /** Large meshes are not shipped but made when the demos are built; each one that is there is as it is made. */
-    TEST(MeshScene, MadeTheScenesOfTheDemos)
+    TEST(MeshScenes, MadeTheScenesOfTheDemos)
     {
         const test::Folder folder;
         for (const Kind &kind : KINDS)
         {
             SCOPED_TRACE(kind.name);
             const std::string name = kind.name, shipped = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/";
-            kind.make({}).write(folder / (name + ".yaml"));
+            writeScene(kind.make({}), folder / (name + ".yaml"));
             EXPECT_EQ(readWholeFile(folder / (name + ".yaml")), readWholeFile(shipped + name + ".yaml"));
             for (const std::string mesh : kind.meshes)
             {
@@ -53,51 +54,52 @@ namespace ompl_certificates
                 EXPECT_TRUE(readWholeFile(folder / file) == readWholeFile(shipped + file)) << file;
             }
         }
-        EXPECT_GE(countTriangles(*loadScene(folder / "canyon.yaml")), 100000u);
+        EXPECT_GE(countTriangles(loadScene(folder / "canyon.yaml")), 100000u);
     }
 
-    TEST(MeshScene, CanBeSolved)
+    TEST(MeshScenes, CanBeSolved)
     {
         const test::Folder folder;
         for (const Kind &kind : KINDS)
         {
             SCOPED_TRACE(kind.name);
-            MeshScene::Settings settings;
+            MeshSettings settings;
             settings.robots = 2;
-            kind.make(settings).write(folder / "scene.yaml");
-            const TeamSetupPtr setup = loadScene(folder / "scene.yaml")->makeSetup();
+            writeScene(kind.make(settings), folder / "scene.yaml");
+            const TeamSetupPtr setup = loadScene(folder / "scene.yaml").makeSetup();
             setup->setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup->getSpaceInformation()));
             EXPECT_EQ(setup->solve(60.0), ompl::base::PlannerStatus::EXACT_SOLUTION);
         }
     }
 
-    TEST(MeshScene, StartsAndGoalsAreFreeForEachSeed)
+    TEST(MeshScenes, StartsAndGoalsAreFreeForEachSeed)
     {
         const test::Folder folder;
         for (const Kind &kind : KINDS)
-            for (std::uint64_t seed = 2; seed < 2 + test::scaled(kind.make == MeshScene::canyon ? 1 : 4); ++seed)
+            for (std::uint64_t seed = 2; seed < 2 + test::scaled(kind.make == generators::canyonOfMeshes ? 1 : 4);
+                 ++seed)
             {
                 SCOPED_TRACE(kind.name + std::string(", seed ") + std::to_string(seed));
-                MeshScene::Settings settings;
+                MeshSettings settings;
                 settings.seed = seed;
                 settings.robots = 2 * static_cast<unsigned int>(seed);
-                kind.make(settings).write(folder / "scene.yaml");
-                const auto scene = loadScene(folder / "scene.yaml");
-                EXPECT_NO_THROW(scene->validate());
-                EXPECT_EQ(scene->getMembers().size(), settings.robots);
-                EXPECT_GT(countTriangles(*scene), 500u);
+                writeScene(kind.make(settings), folder / "scene.yaml");
+                const Scene scene = loadScene(folder / "scene.yaml");
+                EXPECT_NO_THROW(scene.validate());
+                EXPECT_EQ(scene.getMembers().size(), settings.robots);
+                EXPECT_GT(countTriangles(scene), 500u);
             }
     }
 
-    TEST(MeshScene, RefusesSettingsThatMakeNoSense)
+    TEST(MeshScenes, RefusesSettingsThatMakeNoSense)
     {
-        MeshScene::Settings settings;
+        MeshSettings settings;
         for (const unsigned int robots : {0u, 13u})
             for (const Kind &kind : KINDS)
             {
                 settings.robots = robots;
                 EXPECT_THROW(kind.make(settings), ompl::Exception);
             }
-        EXPECT_THROW(MeshScene::maze({}).write("/nowhere/at/all/scene.yaml"), ompl::Exception);
+        EXPECT_THROW(writeScene(generators::mazeOfMeshes({}), "/nowhere/at/all/scene.yaml"), ompl::Exception);
     }
 }

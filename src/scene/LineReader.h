@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_SCENE_MESH_TEXT_
-#define OMPL_CERTIFICATES_SCENE_MESH_TEXT_
+#ifndef OMPL_CERTIFICATES_SCENE_LINE_READER_
+#define OMPL_CERTIFICATES_SCENE_LINE_READER_
 
 #include <Eigen/Core>
 #include <charconv>
@@ -8,12 +8,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief The words of a mesh file, line by line */
-    class MeshText
+    /** \brief The words of a text file, line by line */
+    class LineReader
     {
     public:
         /** \param isObj # begins a comment, and a backslash at the end of a line joins it with the next one */
-        explicit MeshText(std::string_view text, bool isObj = false);
+        explicit LineReader(std::string_view text, bool isObj = false);
 
         /** \brief Go to the next line. \return whether there is one */
         bool nextLine();

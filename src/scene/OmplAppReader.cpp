@@ -1,11 +1,11 @@
-#include "ompl_certificates/scene/OmplAppScene.h"
+#include "OmplAppReader.h"
 
 #include "CfgFile.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
@@ -194,62 +194,60 @@ namespace ompl_certificates
             scene.addMember(member);
             return scene;
         }
-    }
 
-    OmplAppScene::OmplAppScene(const std::string &file) : OmplAppScene(CfgFile(file))
-    {
-    }
-
-    OmplAppScene::OmplAppScene(const CfgFile &file) : Scene(readProblem(file))
-    {
-        if (file.has(BENCHMARK, "time_limit"))
-            timeLimit_ = file.positive(BENCHMARK, "time_limit");
-        if (file.has(BENCHMARK, "mem_limit"))
-            memoryLimit_ = file.positive(BENCHMARK, "mem_limit");
-        if (file.has(BENCHMARK, "run_count"))
-            runCount_ = file.count(BENCHMARK, "run_count", 1000000);
-        readPlanners(file);
-    }
-
-    void OmplAppScene::readPlanners(const CfgFile &file)
-    {
-        for (const CfgFile::Entry &entry : file.getEntries())
+        /** The planners; what else is in their section is noted in the scene. */
+        void readPlanners(const CfgFile &file, SceneFile &result)
         {
-            if (entry.section != PLANNER)
-                continue;
-            std::string key = entry.key;
-            std::transform(key.begin(), key.end(), key.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-            const std::size_t dot = key.find('.');
-            const std::string type = key.substr(0, dot);
-            if (type == PROBLEM)
+            for (const CfgFile::Entry &entry : file.getEntries())
             {
-                addNote("[planner] " + entry.key + " = " + entry.value +
-                        " ignored: the problem is one for all planners");
-                continue;
+                if (entry.section != PLANNER)
+                    continue;
+                const std::string key = boost::algorithm::to_lower_copy(entry.key);
+                const std::size_t dot = key.find('.');
+                const std::string type = key.substr(0, dot);
+                if (type == PROBLEM)
+                {
+                    result.scene.addNote("[planner] " + entry.key + " = " + entry.value +
+                                         " ignored: the problem is one for all planners");
+                    continue;
+                }
+                if (dot == std::string::npos)
+                {
+                    if (!entry.value.empty())
+                        file.fail(PLANNER, entry.key, "takes no value, not '" + entry.value + "'");
+                    result.planners.push_back({type, "", {}});
+                    continue;
+                }
+                // A parameter belongs to the last planner of its type, which it starts if there is none.
+                auto planner = std::find_if(result.planners.rbegin(), result.planners.rend(),
+                                            [&type](const SceneFile::Planner &other) { return other.type == type; });
+                if (planner == result.planners.rend())
+                {
+                    result.planners.push_back({type, "", {}});
+                    planner = result.planners.rbegin();
+                }
+                const std::string parameter = key.substr(dot + 1);
+                if (entry.value.empty())
+                    file.fail(PLANNER, entry.key, "has no value");
+                if (parameter == "name")
+                    planner->title = entry.value;
+                else
+                    planner->parameters.emplace_back(parameter, entry.value);
             }
-            if (dot == std::string::npos)
-            {
-                if (!entry.value.empty())
-                    file.fail(PLANNER, entry.key, "takes no value, not '" + entry.value + "'");
-                planners_.push_back({type, "", {}});
-                continue;
-            }
-            // A parameter belongs to the last planner of its type, which it starts if there is none.
-            auto planner = std::find_if(planners_.rbegin(), planners_.rend(),
-                                        [&type](const Planner &other) { return other.type == type; });
-            if (planner == planners_.rend())
-            {
-                planners_.push_back({type, "", {}});
-                planner = planners_.rbegin();
-            }
-            const std::string parameter = key.substr(dot + 1);
-            if (entry.value.empty())
-                file.fail(PLANNER, entry.key, "has no value");
-            if (parameter == "name")
-                planner->title = entry.value;
-            else
-                planner->parameters.emplace_back(parameter, entry.value);
         }
+    }
+
+    SceneFile readOmplApp(const std::string &file)
+    {
+        const CfgFile cfg(file);
+        SceneFile result{readProblem(cfg), {}, {}, {}, {}};
+        if (cfg.has(BENCHMARK, "time_limit"))
+            result.timeLimit = cfg.positive(BENCHMARK, "time_limit");
+        if (cfg.has(BENCHMARK, "mem_limit"))
+            result.memoryLimit = cfg.positive(BENCHMARK, "mem_limit");
+        if (cfg.has(BENCHMARK, "run_count"))
+            result.runCount = cfg.count(BENCHMARK, "run_count", 1000000);
+        readPlanners(cfg, result);
+        return result;
     }
 }

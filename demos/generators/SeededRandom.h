@@ -1,11 +1,11 @@
-#ifndef OMPL_CERTIFICATES_SCENE_SEEDED_RANDOM_
-#define OMPL_CERTIFICATES_SCENE_SEEDED_RANDOM_
+#ifndef OMPL_CERTIFICATES_GENERATORS_SEEDED_RANDOM_
+#define OMPL_CERTIFICATES_GENERATORS_SEEDED_RANDOM_
 
 #include <cmath>
 #include <cstdint>
 #include <random>
 
-namespace ompl_certificates
+namespace generators
 {
     /** \brief Random numbers that are the same with every standard library: its distributions are not. */
     class SeededRandom

@@ -1,8 +1,6 @@
-#include "ompl_certificates/scene/YamlScene.h"
-
-#include "certificates/WholeFile.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <filesystem>
 #include <ompl/util/Exception.h>
@@ -70,55 +68,42 @@ namespace ompl_certificates
                 throw ompl::Exception(source + line, "not valid YAML: " + exception.msg);
             }
         }
+    }
 
-        Scene read(const std::string &text, const std::string &source)
+    Scene sceneFromYaml(const std::string &text, const std::string &source)
+    {
+        const YamlNode root(parse(text, source), "", source);
+        root.allow({"name", "resolution", "environment", "robots"});
+        const YamlNode environment = root.at("environment");
+        environment.allow({"dimension", "min", "max", "obstacles"});
+
+        unsigned int dimension = 0;
+        if (environment.has("dimension"))
         {
-            const YamlNode root(parse(text, source), "", source);
-            root.allow({"name", "resolution", "environment", "robots"});
-            const YamlNode environment = root.at("environment");
-            environment.allow({"dimension", "min", "max", "obstacles"});
-
-            unsigned int dimension = 0;
-            if (environment.has("dimension"))
-            {
-                const double value = environment.at("dimension").number();
-                dimension = value == 2.0 ? 2 : value == 3.0 ? 3 : 0;
-                if (dimension == 0)
-                    environment.at("dimension").fail("must be 2 or 3, not " + environment.at("dimension").describe());
-            }
-            else
-                dimension = static_cast<unsigned int>(environment.at("min").items(2, 3).size());
-
-            const std::string name =
-                root.has("name") ? root.at("name").text() : std::filesystem::path(source).stem().string();
-            Scene scene(name, source, readBounds(environment, dimension));
-            if (root.has("resolution"))
-            {
-                const double resolution = root.at("resolution").positive();
-                if (resolution > 1.0)
-                    root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
-                scene.setResolution(resolution);
-            }
-            YamlMeshes meshes(source);
-            if (environment.has("obstacles"))
-                for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
-                    scene.addObstacle(readObstacle(obstacle, dimension, meshes));
-            for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
-                readRobot(robot, scene, meshes);
-            return scene;
+            const double value = environment.at("dimension").number();
+            dimension = value == 2.0 ? 2 : value == 3.0 ? 3 : 0;
+            if (dimension == 0)
+                environment.at("dimension").fail("must be 2 or 3, not " + environment.at("dimension").describe());
         }
-    }
+        else
+            dimension = static_cast<unsigned int>(environment.at("min").items(2, 3).size());
 
-    YamlScene::YamlScene(const std::string &file) : YamlScene(readWholeFile(file), file)
-    {
-    }
-
-    YamlScene YamlScene::fromText(const std::string &text, const std::string &source)
-    {
-        return YamlScene(text, source);
-    }
-
-    YamlScene::YamlScene(const std::string &text, const std::string &source) : Scene(read(text, source))
-    {
+        const std::string name =
+            root.has("name") ? root.at("name").text() : std::filesystem::path(source).stem().string();
+        Scene scene(name, source, readBounds(environment, dimension));
+        if (root.has("resolution"))
+        {
+            const double resolution = root.at("resolution").positive();
+            if (resolution > 1.0)
+                root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
+            scene.setResolution(resolution);
+        }
+        YamlMeshes meshes(source);
+        if (environment.has("obstacles"))
+            for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
+                scene.addObstacle(readObstacle(obstacle, dimension, meshes));
+        for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
+            readRobot(robot, scene, meshes);
+        return scene;
     }
 }

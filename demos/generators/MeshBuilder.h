@@ -1,12 +1,12 @@
-#ifndef OMPL_CERTIFICATES_SCENE_MESH_BUILDER_
-#define OMPL_CERTIFICATES_SCENE_MESH_BUILDER_
+#ifndef OMPL_CERTIFICATES_GENERATORS_MESH_BUILDER_
+#define OMPL_CERTIFICATES_GENERATORS_MESH_BUILDER_
 
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
 #include <functional>
 #include <string>
 
-namespace ompl_certificates
+namespace generators
 {
     /** \brief Makes meshes of simple parts. Coordinates are rounded to the four decimals that an OBJ file gets, so that
         what is made is what is read. */
@@ -32,7 +32,7 @@ namespace ompl_certificates
         void addTerrain(const std::function<double(double, double)> &height, double size, unsigned int cells);
 
         /** \brief All of it */
-        TriangleMeshPtr make() const;
+        ompl_certificates::TriangleMeshPtr make() const;
 
         /** \brief All of it as the text of an OBJ file */
         std::string toObj() const;
@@ -44,7 +44,7 @@ namespace ompl_certificates
         void addQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
 
         std::vector<Eigen::Vector3d> vertices_;
-        std::vector<TriangleMesh::Triangle> triangles_;
+        std::vector<ompl_certificates::TriangleMesh::Triangle> triangles_;
     };
 }
 

@@ -1,5 +1,5 @@
-#include "ompl_certificates/scene/RandomPolygonScene.h"
 #include "certificates/WholeFile.h"
+#include "generators/RandomPolygons.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -7,52 +7,52 @@
 
 namespace ompl_certificates
 {
-    TEST(RandomPolygonScene, SameSeedSameText)
+    TEST(RandomPolygons, SameSeedSameText)
     {
-        RandomPolygonScene::Settings settings;
+        generators::PolygonSettings settings;
         settings.seed = 7;
-        const std::string text = RandomPolygonScene(settings).toYaml();
-        EXPECT_EQ(RandomPolygonScene(settings).toYaml(), text);
+        const std::string text = generators::randomPolygonsYaml(settings);
+        EXPECT_EQ(generators::randomPolygonsYaml(settings), text);
         settings.seed = 8;
-        EXPECT_NE(RandomPolygonScene(settings).toYaml(), text);
+        EXPECT_NE(generators::randomPolygonsYaml(settings), text);
     }
 
-    TEST(RandomPolygonScene, MadeTheScenesOfThePaper)
+    TEST(RandomPolygons, MadeTheScenesOfThePaper)
     {
         for (const auto &[robots, name] : {std::pair(1u, "one_disc"), {3u, "three_discs"}, {5u, "five_discs"}})
         {
-            RandomPolygonScene::Settings settings;
+            generators::PolygonSettings settings;
             settings.robots = robots;
             settings.seed = 1;
-            EXPECT_EQ(RandomPolygonScene(settings).toYaml(),
+            EXPECT_EQ(generators::randomPolygonsYaml(settings),
                       readWholeFile(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/paper_" + std::string(name) + ".yaml"));
         }
     }
 
-    TEST(RandomPolygonScene, IsValidInAllSizes)
+    TEST(RandomPolygons, IsValidInAllSizes)
     {
         for (const double size : {0.01, 1.0, 100.0, 1e6})
             for (std::uint64_t seed = 0; seed < 10; ++seed)
             {
-                RandomPolygonScene::Settings settings;
+                generators::PolygonSettings settings;
                 settings.size = size;
                 settings.radius = 0.01 * size;
                 settings.seed = seed;
                 SCOPED_TRACE(std::to_string(size) + " " + std::to_string(seed));
-                const YamlScene scene = RandomPolygonScene(settings).make();
+                const Scene scene = generators::randomPolygons(settings);
                 EXPECT_EQ(scene.getObstacles().size(), settings.obstacles);
                 EXPECT_EQ(scene.getMembers().size(), 5u);
                 EXPECT_NO_THROW(scene.validate());
             }
     }
 
-    TEST(RandomPolygonScene, RefusesNonsense)
+    TEST(RandomPolygons, RefusesNonsense)
     {
         const auto refuses = [](auto change)
         {
-            RandomPolygonScene::Settings settings;
+            generators::PolygonSettings settings;
             change(settings);
-            EXPECT_THROW(RandomPolygonScene(settings).toYaml(), ompl::Exception);
+            EXPECT_THROW(generators::randomPolygonsYaml(settings), ompl::Exception);
         };
         refuses([](auto &settings) { settings.robots = 0; });
         refuses([](auto &settings) { settings.robots = 1000; });

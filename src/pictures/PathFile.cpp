@@ -1,4 +1,4 @@
-#include "ompl_certificates/scene/PathFile.h"
+#include "ompl_certificates/pictures/PathFile.h"
 
 #include "certificates/WholeFile.h"
 

@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_SCENE_PATH_FILE_
-#define OMPL_CERTIFICATES_SCENE_PATH_FILE_
+#ifndef OMPL_CERTIFICATES_PICTURES_PATH_FILE_
+#define OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
