@@ -10,10 +10,10 @@
 #include "common/Limit.h"
 #include "common/ProgressBar.h"
 
+#include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/PlanReport.h"
-#include "ompl_certificates/scene/YamlScene.h"
+#include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
 #include <atomic>
@@ -196,13 +196,13 @@ namespace
         bool run()
         {
             const std::string file = options_.scenes + "/" + task_.scene + ".yaml";
-            YamlScene(file).validate();
+            loadScene(file).validate();
             const demos::ProgressBar bar([this] { return getProgress(); }, options_.quiet);
             for (unsigned int seed = 1; seed <= options_.seeds; ++seed)
                 for (std::size_t program = 0; program < PROGRAMS.size(); ++program, ++plansDone_)
                 {
                     // Read anew each time: the trees of bodies are kept with them, and are part of what is measured.
-                    const YamlScene scene(file);
+                    const Scene scene = loadScene(file);
                     ompl::RNG::setSeed(seed);
                     demos::Limit limit(0.0, task_.iterations);
                     const std::string picture =
