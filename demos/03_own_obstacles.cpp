@@ -4,7 +4,7 @@
 #include <ompl_certificates/obstacles/Obstacles.h>
 #include <ompl_certificates/planning/TeamSetup.h>
 #include <ompl_certificates/robots/RigidRobot.h>
-#include <ompl_certificates/validity/UserParts.h>
+#include <ompl_certificates/obstacles/CheckObstacles.h>
 
 #include <cmath>
 #include <iostream>

@@ -1,6 +1,7 @@
 #include "support/Teams.h"
 
-#include "ompl_certificates/validity/UserParts.h"
+#include "ompl_certificates/obstacles/CheckObstacles.h"
+#include "ompl_certificates/robots/CheckRobot.h"
 
 #include <functional>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "ompl_certificates/validity/UserParts.h"
+#include "ompl_certificates/robots/CheckRobot.h"
 
-#include "TrialText.h"
+#include "geometry/TrialText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "ompl_certificates/validity/UserParts.h"
+#include "ompl_certificates/obstacles/CheckObstacles.h"
 
-#include "TrialText.h"
+#include "geometry/TrialText.h"
 
 #include <cmath>
 #include <limits>
