@@ -84,8 +84,8 @@ namespace
 
     void check(benchmark::State &state, const Setting &setting, Poses which, Operation operation)
     {
-        auto obstacles = std::make_shared<FclObstacles>(setting.dimension,
-                                                        RandomWorld(setting.dimension, 1).obstacles(setting.obstacles));
+        auto obstacles = std::make_shared<FclObstacles>(RandomWorld(setting.dimension, 1).obstacles(setting.obstacles),
+                                                        setting.dimension);
         const Body body = bodyOf(setting);
         const CertifiedEnvironment environment(obstacles);
         // As many other poses come first: their certificates are known by then.

@@ -33,7 +33,7 @@ namespace
             for (const std::string name : {"first", "second", "third"})
                 team->addRobot(ofDiscs ? RigidRobot::disc(name, 1.0, bounds)
                                        : RigidRobot::inSE2(name, Body::box(3.0, 1.5), bounds));
-            auto obstacles = std::make_shared<FclObstacles>(2U, RandomWorld(2, 1).obstacles(40));
+            auto obstacles = std::make_shared<FclObstacles>(RandomWorld(2, 1).obstacles(40), 2U);
             auto setup = std::make_unique<TeamSetup>(team, obstacles);
             setup->getSpaceInformation()->setup();
             return setup;

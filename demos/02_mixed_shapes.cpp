@@ -28,7 +28,7 @@ int main()
     team->addRobot(RigidRobot::inSE2("welder", Body::planarCapsule(0.2, 0.6), bounds));
     team->addRobot(std::make_shared<CarWithTrailer>("truck", Body::box(0.5, 0.25), Body::box(0.3, 0.25), 0.5, bounds));
 
-    TeamSetup setup(team, std::make_shared<FclObstacles>(2, columns));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(columns, 2));
 
     // The coordinates of the robots, one after the other: x, y; x, y, θ; x, y, θ; x, y, θ and θ of the trailer.
     ompl::base::ScopedState<> start(team), goal(team);

@@ -75,7 +75,7 @@ int main()
     team->addRobot(RigidRobot::disc("scout", 0.3, bounds));
     const std::vector<PlacedBody> posts{{Body::disc(0.25), planarPose(1.6, 0.9)}};
 
-    TeamSetup setup(team, std::make_shared<FclObstacles>(2, posts));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(posts, 2));
     ompl::base::ScopedState<> start(team), goal(team);
     start = std::vector<double>{-0.3, 0.0, -2.0, -2.0};
     goal = std::vector<double>{1.6, 0.0, 2.0, 0.0};

@@ -25,7 +25,7 @@ int main()
         auto team = std::make_shared<TeamStateSpace>();
         team->addRobot(RigidRobot::disc("first", 0.3, bounds));
         team->addRobot(RigidRobot::disc("second", 0.3, bounds));
-        TeamSetup setup(team, std::make_shared<FclObstacles>(2, columns), method);
+        TeamSetup setup(team, std::make_shared<FclObstacles>(columns, 2), method);
         ompl::base::ScopedState<> start(team), goal(team);
         start = std::vector<double>{2.0, 2.0, 8.0, 8.0};
         goal = std::vector<double>{8.0, 8.0, 2.0, 2.0};

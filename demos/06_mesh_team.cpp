@@ -31,7 +31,7 @@ int main(int argc, char **argv)
 
     // The last argument leaves out what of the walls is above or below all robots.
     const std::vector<PlacedBody> obstacles{{walls.makeObstacle(2)}};
-    TeamSetup setup(team, std::make_shared<FclObstacles>(2, obstacles, team->getZInterval()));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(obstacles, 2, team->getZInterval()));
 
     // x, y and heading of the first robot, then of the second
     ompl::base::ScopedState<> start(team), goal(team);

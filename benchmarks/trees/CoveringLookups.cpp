@@ -42,7 +42,7 @@ namespace
             benchmarks::LookupPlans plans;
             // Enough obstacles that so many certificates are kept
             plans.obstacles =
-                std::make_shared<FclObstacles>(dimension, world.obstacles(static_cast<unsigned int>(count / 100)));
+                std::make_shared<FclObstacles>(world.obstacles(static_cast<unsigned int>(count / 100)), dimension);
             const double spacing = RandomWorld::SIZE * std::pow(static_cast<double>(count), -1.0 / dimension);
             plans.range = 5.0 * spacing;
             plans.resolution = 0.1;

@@ -16,7 +16,7 @@ namespace demos
     }
 
     TimedObstacles::TimedObstacles(const Scene &scene, bool adaptive)
-      : FclObstacles(scene.getDimension(), scene.getObstacles(), scene.getZInterval()), adaptive_(adaptive)
+      : FclObstacles(scene.getObstacles(), scene.getDimension(), scene.getZInterval()), adaptive_(adaptive)
     {
         clockCost_ = nanosecondsSince(std::chrono::steady_clock::now());
         for (int i = 0; i < 1000; ++i)

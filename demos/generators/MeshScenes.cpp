@@ -339,7 +339,7 @@ namespace generators
             quadrotor.addPrism(rotor, 0.1, 0.2);
         }
 
-        const FclObstacles ground(3, {{Body::mesh(terrain.make())}});
+        const FclObstacles ground({{Body::mesh(terrain.make())}}, 3);
         Places starts(ground, random), goals(ground, random);
         const auto above = [&height](const Eigen::Vector3d &point) { return point.z() > height(point.x(), point.y()); };
         const auto state = [](const Eigen::Vector3d &point, double heading)
@@ -397,7 +397,7 @@ namespace generators
             obstacles.back().pose.translation() = center;
         }
         scene.yaml += "robots:\n";
-        const FclObstacles balls(3, obstacles);
+        const FclObstacles balls(obstacles, 3);
         Places starts(balls, random), goals(balls, random);
         for (unsigned int i = 0; i < settings.robots; ++i)
         {

@@ -110,7 +110,7 @@ namespace generators
             polygons.push_back({Body::convexPolygon(corners)});
         }
 
-        const FclObstacles obstacles(2, polygons);
+        const FclObstacles obstacles(polygons, 2);
         const double margin = 0.5 * settings.radius;
         const auto place = [&](const std::vector<Eigen::Vector2d> &others, const Eigen::Vector2d *start)
         {

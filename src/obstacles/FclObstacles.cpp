@@ -59,7 +59,7 @@ namespace ompl_certificates
         }
     }
 
-    FclObstacles::FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles,
+    FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension,
                                const ZInterval &zInterval)
       : dimension_(dimension), zInterval_(zInterval), bodies_(obstacles), primitives_(std::make_unique<ClearanceTree>())
     {
@@ -87,7 +87,7 @@ namespace ompl_certificates
 
     FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                                unsigned int dimension, const ZInterval &zInterval)
-      : FclObstacles(dimension, bodiesOf(objects, dimension), zInterval)
+      : FclObstacles(bodiesOf(objects, dimension), dimension, zInterval)
     {
     }
 

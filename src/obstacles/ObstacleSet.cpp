@@ -14,7 +14,7 @@ namespace ompl_certificates
 
     ObstaclesPtr ObstacleSet::make(const std::vector<PlacedBody> &obstacles) const
     {
-        return std::make_shared<FclObstacles>(dimension_, obstacles, zInterval_);
+        return std::make_shared<FclObstacles>(obstacles, dimension_, zInterval_);
     }
 
     std::map<ObstacleSet::Id, PlacedBody>::iterator ObstacleSet::find(Id obstacle)

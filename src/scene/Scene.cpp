@@ -90,7 +90,7 @@ namespace ompl_certificates
 
     std::shared_ptr<FclObstacles> Scene::makeObstacles() const
     {
-        return std::make_shared<FclObstacles>(getDimension(), obstacles_, getZInterval());
+        return std::make_shared<FclObstacles>(obstacles_, getDimension(), getZInterval());
     }
 
     ZInterval Scene::getZInterval() const
@@ -146,7 +146,7 @@ namespace ompl_certificates
         const auto describeObstacle = [&](const Body &body, const Pose &pose) -> std::string
         {
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
-                if (FclObstacles(getDimension(), {obstacles_[i]}, team->getZInterval()).collides(body, pose))
+                if (FclObstacles({obstacles_[i]}, getDimension(), team->getZInterval()).collides(body, pose))
                     return "environment.obstacles[" + std::to_string(i) + "]";
             return "an obstacle";
         };

@@ -73,7 +73,7 @@ namespace ompl_certificates
                 return frame.get();
         auto frame = std::unique_ptr<BodyFrame>(new BodyFrame{body, nullptr, nullptr, {}});
         frame->obstacles =
-            std::make_shared<FclObstacles>(body.getDimension(), std::vector<PlacedBody>{{body}}, zInterval);
+            std::make_shared<FclObstacles>(std::vector<PlacedBody>{{body}}, body.getDimension(), zInterval);
         if (makesCertificates(method_))
             frame->certified = std::make_unique<CertifiedEnvironment>(frame->obstacles, limit_);
         frames_.push_back(std::move(frame));

@@ -15,7 +15,7 @@ namespace
         std::vector<PlacedBody> bodies;
         for (unsigned int count = 1 + random.below(8); count > 0; --count)
             bodies.push_back({randomBody(random, dimension, 1.0), random.pose(dimension, 3.0)});
-        return std::make_shared<FclObstacles>(dimension, bodies);
+        return std::make_shared<FclObstacles>(bodies, dimension);
     }
 }
 

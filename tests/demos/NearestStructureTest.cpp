@@ -30,7 +30,7 @@ namespace
         std::vector<PlacedBody> columns;
         for (int i = 0; i < 16; ++i)
             columns.push_back({Body::box(0.8, 0.8), planarPose(1.5 + 2.3 * (i % 4), 1.5 + 2.3 * (i / 4), 0.3 * i)});
-        auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(2, columns));
+        auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(columns, 2));
         ob::ScopedState<> start(team), goal(team);
         start = std::vector<double>{0.5, 0.5, 9.5, 0.5, 1.0};
         goal = std::vector<double>{9.5, 9.5, 0.5, 9.5, -3.0};

@@ -23,7 +23,7 @@ namespace
         const auto team = std::make_shared<TeamStateSpace>();
         team->addRobot(RigidRobot::disc("first", 0.2, bounds));
         team->addRobot(RigidRobot::inSE2("second", Body::box(0.5, 0.25), bounds));
-        return {team, std::make_shared<FclObstacles>(2U, std::vector<PlacedBody>{{Body::box(1.0, 1.0)}})};
+        return {team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0)}}, 2U)};
     }
 
     template <typename T>

@@ -40,7 +40,7 @@ protected:
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const double unit = std::pow(10.0, random.below(8)) * 1e-3;
-            const FclObstacles obstacles(GetParam(), randomObstacles(random, GetParam(), unit));
+            const FclObstacles obstacles(randomObstacles(random, GetParam(), unit), GetParam());
             test(random, obstacles, unit);
             if (HasFatalFailure())
                 return;
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Dimension, RandomObstacles, testing::Values(2U, 3U));
 
 TEST(FclObstacles, OfNoneAreInfinitelyFar)
 {
-    const FclObstacles none(2, {});
+    const FclObstacles none(std::vector<PlacedBody>{}, 2);
     EXPECT_EQ(none.clearance({1.0, 2.0, 0.0}), std::numeric_limits<double>::infinity());
     EXPECT_FALSE(none.collides(Body::disc(1e9), Pose::Identity()));
     EXPECT_TRUE(none.provesCollisions());
@@ -150,16 +150,16 @@ TEST(FclObstacles, OfNoneAreInfinitelyFar)
 
 TEST(FclObstacles, RefuseAnotherDimensionAndPosesThatAreNotFinite)
 {
-    EXPECT_THROW(FclObstacles(1, {}), ompl::Exception);
-    EXPECT_THROW(FclObstacles(4, {}), ompl::Exception);
-    EXPECT_THROW(FclObstacles(2, {{Body::sphere(1.0)}}), ompl::Exception);
-    EXPECT_THROW(FclObstacles(3, {{Body::disc(1.0)}}), ompl::Exception);
-    EXPECT_THROW(FclObstacles(2, {{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(std::vector<PlacedBody>{}, 1), ompl::Exception);
+    EXPECT_THROW(FclObstacles(std::vector<PlacedBody>{}, 4), ompl::Exception);
+    EXPECT_THROW(FclObstacles({{Body::sphere(1.0)}}, 2), ompl::Exception);
+    EXPECT_THROW(FclObstacles({{Body::disc(1.0)}}, 3), ompl::Exception);
+    EXPECT_THROW(FclObstacles({{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}, 2), ompl::Exception);
 }
 
 TEST(FclObstacles, RefuseWhatLeavesThePlane)
 {
-    const auto make = [](const Body &body, const Pose &pose) { FclObstacles(2, {{body, pose}}); };
+    const auto make = [](const Body &body, const Pose &pose) { FclObstacles({{body, pose}}, 2); };
     Pose lifted = planarPose(1.0, 2.0, 0.5), tilted = lifted;
     lifted.translation().z() = 0.5;
     tilted.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -180,7 +180,7 @@ TEST(FclObstacles, RefuseWhatLeavesThePlane)
 TEST(FclObstacles, CountAPointRobotAsABody)
 {
     const FclObstacles obstacles(
-        2, {{Body::convexPolygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}})}, {Body::disc(0.5), planarPose(5, 0)}});
+        {{Body::convexPolygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}})}, {Body::disc(0.5), planarPose(5, 0)}}, 2);
     EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(1.0, 1.0)));
     EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(1.0, 0.001)));
     EXPECT_FALSE(obstacles.collides(Body::disc(0.0), planarPose(1.0, -0.001)));

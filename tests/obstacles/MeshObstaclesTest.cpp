@@ -46,7 +46,7 @@ protected:
             SCOPED_TRACE("seed " + std::to_string(seed));
             Random random(seed);
             const double unit = std::pow(10.0, random.below(8)) * 1e-3;
-            const FclObstacles obstacles(GetParam(), randomMeshObstacles(random, GetParam(), unit, primitiveChance));
+            const FclObstacles obstacles(randomMeshObstacles(random, GetParam(), unit, primitiveChance), GetParam());
             test(random, obstacles, unit);
             if (HasFatalFailure())
                 return;
@@ -159,8 +159,9 @@ TEST_P(MeshObstacles, HoldForBodiesFarSmallerThanTheirTriangles)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double unit = std::pow(10.0, random.below(8)) * 1e-3;
-        const FclObstacles obstacles(GetParam(), {{meshBody(GetParam(), randomMesh(random, 1000.0 * unit)),
-                                                   random.pose(GetParam(), 300.0 * unit)}});
+        const FclObstacles obstacles(
+            {{meshBody(GetParam(), randomMesh(random, 1000.0 * unit)), random.pose(GetParam(), 300.0 * unit)}},
+            GetParam());
         const Body body =
             random.chance(0.7) ? randomBody(random, GetParam(), unit) : meshBody(GetParam(), randomMesh(random, unit));
         const double margin = obstacles.getTolerance() + exactCheckTolerance(body.getBoundingRadius());
@@ -185,16 +186,16 @@ INSTANTIATE_TEST_SUITE_P(Dimension, MeshObstacles, testing::Values(2U, 3U));
 
 TEST(MeshObstacles, DoNotTouchWhatIsWhollyInside)
 {
-    const FclObstacles hollow(3, {{Body::mesh(boxMesh({10, 10, 10}))}});
+    const FclObstacles hollow({{Body::mesh(boxMesh({10, 10, 10}))}}, 3);
     EXPECT_FALSE(hollow.collides(Body::mesh(boxMesh({1, 1, 1})), Pose::Identity()));
     EXPECT_FALSE(hollow.collides(Body::sphere(1.0), Pose::Identity()));
     EXPECT_FALSE(hollow.collides(Body::box(1.0, 2.0, 3.0), Pose::Identity()));
     EXPECT_TRUE(hollow.collides(Body::sphere(1.0), poseAt({5, 0, 0})));
     EXPECT_DOUBLE_EQ(hollow.clearance({0, 0, 1}), 4.0);
-    const FclObstacles solid(3, {{Body::box(1.0, 1.0, 1.0)}});
+    const FclObstacles solid({{Body::box(1.0, 1.0, 1.0)}}, 3);
     EXPECT_FALSE(solid.collides(Body::mesh(boxMesh({10, 10, 10})), Pose::Identity()));
     EXPECT_TRUE(solid.collides(Body::mesh(boxMesh({0.1, 0.1, 0.1})), Pose::Identity()));
-    EXPECT_TRUE(FclObstacles(3, {{Body::mesh(boxMesh({1, 1, 1}))}}).collides(Body::sphere(5.0), Pose::Identity()));
+    EXPECT_TRUE(FclObstacles({{Body::mesh(boxMesh({1, 1, 1}))}}, 3).collides(Body::sphere(5.0), Pose::Identity()));
 }
 
 TEST(MeshObstacles, CountInThePlaneWithinTheZIntervalOfTheRobots)
@@ -203,11 +204,11 @@ TEST(MeshObstacles, CountInThePlaneWithinTheZIntervalOfTheRobots)
     const std::vector<PlacedBody> bodies{{Body::planarMesh(boxMesh({1, 10, 10}, {0, 0, 5}))},
                                          {Body::planarMesh(boxMesh({20, 20, 1}, {0, 0, 12}))}};
     const Body robot = Body::planarMesh(boxMesh({1, 1, 2}, {0, 0, 3}));
-    const FclObstacles obstacles(2, bodies, robot.getZInterval());
+    const FclObstacles obstacles(bodies, 2, robot.getZInterval());
     EXPECT_DOUBLE_EQ(obstacles.clearance({3, 0, 0}), 2.5);
     EXPECT_FALSE(obstacles.collides(robot, planarPose(1.1, 0.0)));
     EXPECT_TRUE(obstacles.collides(robot, planarPose(0.9, 0.0)));
-    EXPECT_DOUBLE_EQ(FclObstacles(2, bodies).clearance({3, 0, 0}), 0.0);
+    EXPECT_DOUBLE_EQ(FclObstacles(bodies, 2).clearance({3, 0, 0}), 0.0);
     // Inside the wall, away from its four sides
     EXPECT_DOUBLE_EQ(obstacles.clearance({0.1, 0, 0}), 0.4);
 }
@@ -240,7 +241,7 @@ TEST(MeshObstacles, AreMadeOfFclsModels)
 TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
 {
     // A wall about x = 0 from z = 100 to 110, and robots that are primitives: discs, boxes, capsules, polygons, points
-    const FclObstacles wall(2, {{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}});
+    const FclObstacles wall({{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}}, 2);
     const std::vector<Body> robots{Body::disc(1.0), Body::box(2.0, 0.5), Body::planarCapsule(0.25, 1.5),
                                    Body::convexPolygon({{-1, -1}, {1, 0}, {-1, 1}})};
     for (const Body &robot : robots)
@@ -258,14 +259,14 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)
     const Body mesh = Body::planarMesh(boxMesh({2, 2, 10}, {0, 0, 105}));
     for (const Body &obstacle : robots)
     {
-        const FclObstacles obstacles(2, {{obstacle}});
+        const FclObstacles obstacles({{obstacle}}, 2);
         EXPECT_TRUE(obstacles.collides(mesh, planarPose(1.99, 0.0)));
         EXPECT_FALSE(obstacles.collides(mesh, planarPose(2.01, 0.0)));
         // A higher mesh later
         EXPECT_TRUE(obstacles.collides(Body::planarMesh(boxMesh({2, 2, 1000})), planarPose(1.99, 0.0)));
     }
     // Robots below the wall
-    const FclObstacles above(2, {{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}}, {0.0, 1.0});
+    const FclObstacles above({{Body::planarMesh(boxMesh({2, 20, 10}, {0, 0, 105}))}}, 2, {0.0, 1.0});
     EXPECT_FALSE(above.collides(Body::disc(1.0), planarPose(0.0, 0.0)));
     EXPECT_TRUE(std::isinf(above.clearance({0.0, 0.0, 0.0})));
 }
@@ -280,7 +281,7 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsAndSegmentsInFiniteTime)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const Body mesh = meshBody(2, randomMesh(random, 10.0));
-        const FclObstacles obstacles(2, {{mesh}});
+        const FclObstacles obstacles({{mesh}}, 2);
         for (int i = 0; i < 100; ++i)
         {
             const Eigen::Vector3d at = surfacePointOf(random, mesh);
@@ -297,14 +298,14 @@ TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
     const Body mesh = Body::mesh(boxMesh({2, 2, 10})), plane = Body::planarMesh(boxMesh({2, 2, 10}));
     for (const Body &body : {mesh, plane})
     {
-        const FclObstacles obstacles(body.getDimension(), {{body}});
+        const FclObstacles obstacles({{body}}, body.getDimension());
         // Something larger, which is still right but not what FCL would compute
         double &radius = body.getParts().front().shape.getCollisionGeometry()->aabb_radius;
         radius *= 1.5;
         const double before = radius;
         EXPECT_TRUE(obstacles.collides(body, planarPose(1.0, 0.0)));
         EXPECT_FALSE(obstacles.collides(body, planarPose(5.0, 0.0, 0.3)));
-        const FclObstacles again(body.getDimension(), {{body}});
+        const FclObstacles again({{body}}, body.getDimension());
         EXPECT_EQ(radius, before);
     }
 }

@@ -26,7 +26,7 @@ TEST_P(MeshTouch, NeverSaysWhatTheExactCheckDenies)
         Random random(seed);
         const double unit = std::pow(10.0, random.below(8)) * 1e-3;
         const bool mixed = random.chance(0.3);
-        const FclObstacles obstacles(GetParam(), randomMeshObstacles(random, GetParam(), unit, mixed ? 0.4 : 0.0));
+        const FclObstacles obstacles(randomMeshObstacles(random, GetParam(), unit, mixed ? 0.4 : 0.0), GetParam());
         const double size = unit * random.logUniform(0.01, 3.0);
         const Body body = mixed && random.chance(0.3) ? randomBody(random, GetParam(), size)
                                                       : meshBody(GetParam(), randomMesh(random, size));
@@ -65,8 +65,8 @@ INSTANTIATE_TEST_SUITE_P(Dimension, MeshTouch, testing::Values(2U, 3U));
 
 TEST(MeshTouch, KnowsAlmostAllRandomPoses)
 {
-    const FclObstacles obstacles(
-        3, {{Body::mesh(ballMesh(20, 5.0))}, {Body::mesh(boxMesh({3, 3, 3})), poseAt({8, 0, 0})}});
+    const FclObstacles obstacles({{Body::mesh(ballMesh(20, 5.0))}, {Body::mesh(boxMesh({3, 3, 3})), poseAt({8, 0, 0})}},
+                                 3);
     const Body body = Body::mesh(boxMesh({2, 1, 1}));
     unsigned int unknown = 0, colliding = 0;
     for (unsigned int seed = 0; seed < 1000; ++seed)
@@ -84,7 +84,7 @@ TEST(MeshTouch, KnowsAlmostAllRandomPoses)
 
 TEST(MeshTouch, HitsATriangleWithASolidBody)
 {
-    const FclObstacles obstacles(3, {{Body::mesh(boxMesh({10, 10, 10}))}});
+    const FclObstacles obstacles({{Body::mesh(boxMesh({10, 10, 10}))}}, 3);
     ObstaclePart part;
     EXPECT_DOUBLE_EQ(obstacles.findNearest({4, 1, 0.5}, part), 1.0);
     ASSERT_NE(part, NO_PART);
@@ -92,7 +92,7 @@ TEST(MeshTouch, HitsATriangleWithASolidBody)
     EXPECT_FALSE(obstacles.certainlyHits(Body::sphere(0.9), poseAt({4, 1, 0.5}), part));
     EXPECT_TRUE(obstacles.certainlyHits(Body::box(4, 1, 1), poseAt({4, 1, 0.5}), part));
     EXPECT_EQ(obstacles.touches(Body::sphere(1.5), poseAt({4, 1, 0.5})), Touching::UNKNOWN);
-    const FclObstacles primitives(3, {{Body::box(1.0, 1.0, 1.0)}});
+    const FclObstacles primitives({{Body::box(1.0, 1.0, 1.0)}}, 3);
     EXPECT_DOUBLE_EQ(primitives.findNearest({4, 0, 0}, part), 3.5);
     EXPECT_EQ(part, NO_PART);
 }

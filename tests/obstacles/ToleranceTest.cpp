@@ -71,7 +71,7 @@ TEST(Tolerance, CoversWhatFclMakesOfTinyShapes)
         Random random(seed);
         const unsigned int dimension = 2 + seed % 2;
         const double unit = random.logUniform(1e-9, 1e-4);
-        const FclObstacles obstacles(dimension, {{randomBody(random, dimension, unit), random.pose(dimension, unit)}});
+        const FclObstacles obstacles({{randomBody(random, dimension, unit), random.pose(dimension, unit)}}, dimension);
         const Body body = randomBody(random, dimension, unit * random.logUniform(1e-4, 1.0));
         for (int i = 0; i < 20; ++i)
             ASSERT_NO_FATAL_FAILURE(expectTrueAround(random, obstacles, body, unit));
@@ -86,7 +86,7 @@ TEST(Tolerance, CoversWhatFclMakesOfHugeBoxes)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double unit = random.logUniform(1e7, 1e11);
-        const FclObstacles obstacles(3, {{Body::box(unit, unit, 0.5 * unit), random.pose(3, unit)}});
+        const FclObstacles obstacles({{Body::box(unit, unit, 0.5 * unit), random.pose(3, unit)}}, 3);
         const Body body = Body::box(unit, 0.3 * unit, 0.3 * unit);
         for (int i = 0; i < 20; ++i)
             ASSERT_NO_FATAL_FAILURE(expectTrueAround(random, obstacles, body, unit));
@@ -100,7 +100,7 @@ TEST(Tolerance, CoversWhatFclMakesOfDiscsAndTriangles)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        const FclObstacles obstacles(2, {{meshBody(2, randomMesh(random, 10.0)), random.pose(2, 10.0)}});
+        const FclObstacles obstacles({{meshBody(2, randomMesh(random, 10.0)), random.pose(2, 10.0)}}, 2);
         const Body body = Body::disc(random.logUniform(0.01, 1.0));
         for (int i = 0; i < 20; ++i)
             ASSERT_NO_FATAL_FAILURE(expectTrueAround(random, obstacles, body, 10.0));
@@ -128,7 +128,7 @@ TEST(Tolerance, CoversWhatFclMakesOfLevelPrisms)
         if (outline.size() < 3)
             continue;
         const Body body = dimension == 2 ? Body::convexPolygon(outline) : Body::convexPolytope(corners);
-        const FclObstacles obstacles(dimension, {{body, Pose::Identity()}});
+        const FclObstacles obstacles({{body, Pose::Identity()}}, dimension);
         for (int i = 0; i < 20; ++i)
         {
             const Eigen::Vector3d along = random.direction(2);

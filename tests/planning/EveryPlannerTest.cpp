@@ -127,7 +127,7 @@ namespace
         team->addRobot(RigidRobot::disc("disc", 0.3, cubeBounds(2, 2.0)));
         team->addRobot(RigidRobot::inSE2("box", Body::box(0.5, 0.3), cubeBounds(2, 2.0)));
         auto setup = std::make_shared<TeamSetup>(
-            team, std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::disc(0.2)}}));
+            team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::disc(0.2)}}, 2));
         ob::ScopedState<> start(team), goal(team);
         start = std::vector<double>{-1.0, 0.5, 1.0, -1.0, 0.0};
         goal = std::vector<double>{1.0, 0.8, -1.0, -1.0, 0.5};

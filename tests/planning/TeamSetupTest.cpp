@@ -21,7 +21,7 @@ namespace
 {
     ObstaclesPtr noObstacles(unsigned int dimension)
     {
-        return std::make_shared<FclObstacles>(dimension, std::vector<PlacedBody>{});
+        return std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, dimension);
     }
 
     /** RRT that shows its nearest-neighbor structure */
@@ -133,7 +133,7 @@ TEST(Checkers, RefuseRobotsBeyondTheZIntervalOfTheObstacles)
     const auto obstacles = [](const ZInterval &zInterval)
     {
         const Body wall = Body::planarMesh(boxMesh({1.0, 1.0, 9.0}));
-        return std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{wall}}, zInterval);
+        return std::make_shared<FclObstacles>(std::vector<PlacedBody>{{wall}}, 2, zInterval);
     };
     const ZInterval all = planarMeshTeam()->getZInterval();
     EXPECT_NO_THROW(TeamSetup(planarMeshTeam(), obstacles(all)));
@@ -171,7 +171,7 @@ TEST(Checkers, SayWhichRobotTouchesAnObstacle)
 {
     const auto team = teamOfDiscs();
     const auto block =
-        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(1.0, 1.0), planarPose(3.0, 0.0)}});
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0), planarPose(3.0, 0.0)}}, 2);
     const TeamSetup setup(team, block);
     ob::ScopedState<> state(team);
     state = std::vector<double>{0.0, 0.0, 3.0, 0.0, -4.0, 0.0};

@@ -17,8 +17,8 @@ namespace ompl_certificates
             const unsigned int dimension = team->getWorkspaceDimension();
             const ZInterval zInterval = team->getZInterval();
             if (expensive_)
-                return std::make_shared<test::ExpensiveObstacles>(dimension, bodies, zInterval);
-            return std::make_shared<FclObstacles>(dimension, bodies, zInterval);
+                return std::make_shared<test::ExpensiveObstacles>(bodies, dimension, zInterval);
+            return std::make_shared<FclObstacles>(bodies, dimension, zInterval);
         }
 
         void Checked::makeStandard()

@@ -115,7 +115,7 @@ namespace ompl_certificates
                 const Body body = randomBody(random, dimension, unit * random.uniform(0.3, 1.5));
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
-            return std::make_shared<ExpensiveObstacles>(dimension, bodies);
+            return std::make_shared<ExpensiveObstacles>(bodies, dimension);
         }
 
         /** \brief Obstacles for team \e which of anyTeam(): scattered ones, mostly meshes for a team of meshes */
@@ -134,7 +134,7 @@ namespace ompl_certificates
                     random.chance(0.2) ? randomBody(random, dimension, size) : randomMeshBody(random, dimension, size);
                 bodies.push_back({body, random.pose(dimension, HALF * unit)});
             }
-            return std::make_shared<ExpensiveObstacles>(dimension, bodies, team->getZInterval());
+            return std::make_shared<ExpensiveObstacles>(bodies, dimension, team->getZInterval());
         }
     }
 }

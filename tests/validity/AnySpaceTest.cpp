@@ -148,7 +148,7 @@ TEST_P(AnySpace, AnswersForOneRobotAndOnePairAsForTheTeamOfThem)
     Random random(GetParam());
     const auto team = anyTeam(GetParam());
     const auto obstacles = anyObstacles(random, GetParam(), 5);
-    const auto none = std::make_shared<FclObstacles>(team->getWorkspaceDimension(), std::vector<PlacedBody>{});
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, team->getWorkspaceDimension());
     const auto si = std::make_shared<ob::SpaceInformation>(team);
     std::vector<std::shared_ptr<TeamValidityChecker>> checkers;
     for (const Method method : allMethods())
@@ -282,7 +282,7 @@ TEST(AnySpaceConstrained, IsAskedByTheValidatorOfOmpl)
     for (int i = 1; i < 24; ++i)
         belt.push_back(
             {Body::sphere(0.5), poseAt({3.0 * std::cos(M_PI * i / 12), 3.0 * std::sin(M_PI * i / 12), 0.0})});
-    const auto obstacles = std::make_shared<FclObstacles>(3, belt);
+    const auto obstacles = std::make_shared<FclObstacles>(belt, 3);
     const auto checker = std::make_shared<SharedProjection>(si, obstacles, robot);
     EXPECT_THROW(CertificateMotionValidator{checker}, ompl::Exception);
     EXPECT_FALSE(checker->getTeam().interpolatesRobots());
@@ -344,7 +344,7 @@ TEST(AnySpaceThatDoesNotFit, IsRefused)
     const auto disc = RigidRobot::disc("disc", 0.2, bounds);
     const auto box = RigidRobot::inSE2("box", Body::box(0.6, 0.3), bounds);
     const auto ball = RigidRobot::sphere("ball", 0.2, cubeBounds(3, HALF));
-    const auto none = std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{});
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
     const auto refuses = [&](const ob::StateSpacePtr &space, const std::vector<RobotPtr> &robots)
     { EXPECT_THROW(SharedProjection(std::make_shared<ob::SpaceInformation>(space), none, robots), ompl::Exception); };
     const auto plane = ownSpaceOf(*disc);

@@ -82,7 +82,7 @@ TEST_P(CertificateFile, GivesBackWhatWasSaved)
     // The same obstacles, made again in another order
     std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
     std::reverse(bodies.begin(), bodies.end());
-    const auto again = std::make_shared<ExpensiveObstacles>(team_->getWorkspaceDimension(), bodies);
+    const auto again = std::make_shared<ExpensiveObstacles>(bodies, team_->getWorkspaceDimension());
     for (const Method method : {Method::SHARED_PROJECTION, Method::PARTIAL})
     {
         const auto checker = makeFresh(again, method)->getTeamChecker();
@@ -121,9 +121,9 @@ TEST_F(CertificateFile, IsRefusedForOtherObstacles)
     expectRefused(makeObstacles(2), file_, "other obstacles");
     std::vector<PlacedBody> bodies = static_cast<const FclObstacles &>(*obstacles).getBodies();
     bodies[3].pose.translation().x() += 1e-12;
-    expectRefused(std::make_shared<FclObstacles>(2U, bodies), file_, "other obstacles");
+    expectRefused(std::make_shared<FclObstacles>(bodies, 2U), file_, "other obstacles");
     bodies.erase(bodies.begin() + 3);
-    expectRefused(std::make_shared<FclObstacles>(2U, bodies), file_, "other obstacles");
+    expectRefused(std::make_shared<FclObstacles>(bodies, 2U), file_, "other obstacles");
     expectRefused(obstacles, file_, "basic", Method::BASIC);
 }
 
@@ -132,7 +132,7 @@ TEST_F(CertificateFile, TellsMeshesAndTheirHeightsApart)
     Random random(1);
     const TriangleMeshPtr mesh = boxMesh({1.0, 2.0, 3.0}), other = boxMesh({1.0, 2.0, 3.0 + 1e-9});
     const auto fingerprint = [](const TriangleMeshPtr &of, const ZInterval &zInterval)
-    { return FclObstacles(2U, {{Body::planarMesh(of)}}, zInterval).getFingerprint(); };
+    { return FclObstacles({{Body::planarMesh(of)}}, 2U, zInterval).getFingerprint(); };
     EXPECT_EQ(fingerprint(mesh, {}), fingerprint(boxMesh({1.0, 2.0, 3.0}), {}));
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(other, {}));
     EXPECT_NE(fingerprint(mesh, {}), fingerprint(mesh, {0.0, 1.0}));
@@ -191,7 +191,7 @@ namespace
 
 TEST_F(CertificateFile, NeedsObstaclesThatCanBeRecognized)
 {
-    const auto setup = makeFresh(std::make_shared<Nameless>(2U, std::vector<PlacedBody>()), Method::PARTIAL);
+    const auto setup = makeFresh(std::make_shared<Nameless>(std::vector<PlacedBody>(), 2U), Method::PARTIAL);
     EXPECT_THROW(saveCertificates(*setup->getTeamChecker(), file_), ompl::Exception);
     EXPECT_THROW(loadCertificates(*setup->getTeamChecker(), file_), ompl::Exception);
 }

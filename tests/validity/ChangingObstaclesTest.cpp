@@ -254,7 +254,7 @@ namespace
         bool collides(const Body &body, const Pose &pose) const override
         {
             if (checker)
-                checker->changeObstacles({std::make_shared<FclObstacles>(2U, std::vector<PlacedBody>()), {}, {}});
+                checker->changeObstacles({std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 2U), {}, {}});
             return ExpensiveObstacles::collides(body, pose);
         }
 
@@ -265,11 +265,11 @@ namespace
 TEST_F(ChangingObstacles, AreRefusedWhereTheyMakeNoSense)
 {
     const TeamStateSpacePtr team = teamOfDiscs();
-    const auto meddling = std::make_shared<Meddling>(2U, std::vector<PlacedBody>());
+    const auto meddling = std::make_shared<Meddling>(std::vector<PlacedBody>(), 2U);
     TeamSetup setup(team, meddling, Method::STANDARD);
     setup.getSpaceInformation()->setup();
     TeamValidityChecker &checker = *setup.getTeamChecker();
-    const auto inSpace = std::make_shared<FclObstacles>(3U, std::vector<PlacedBody>());
+    const auto inSpace = std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 3U);
     EXPECT_THROW(checker.changeObstacles({}), ompl::Exception);
     EXPECT_THROW(checker.changeObstacles({inSpace, {}, {}}), ompl::Exception);
     EXPECT_THROW(checker.changeObstacles({meddling, inSpace, {}}), ompl::Exception);

@@ -83,7 +83,7 @@ TEST_P(Clearance, IsDeclaredABoundedApproximation)
 {
     const auto team = anyTeam(GetParam());
     const Checkers checkers(team,
-                            std::make_shared<FclObstacles>(team->getWorkspaceDimension(), std::vector<PlacedBody>{}));
+                            std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, team->getWorkspaceDimension()));
     for (const auto &setup : checkers.setups)
         EXPECT_EQ(setup->getTeamChecker()->getSpecs().clearanceComputationType,
                   ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE);
@@ -95,7 +95,7 @@ TEST(Clearances, OfDiscsAreExact)
 {
     const auto team = teamOfDiscs();  // 0.1, 0.2 and 0.3
     const auto wall =
-        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(1.0, 10.0), planarPose(4.5, 0.0)}});
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 10.0), planarPose(4.5, 0.0)}}, 2);
     const TeamSetup setup(team, wall);
     ob::ScopedState<> state(team);
     state = std::vector<double>{3.0, 0.0, 0.0, 0.0, -2.0, 0.0};

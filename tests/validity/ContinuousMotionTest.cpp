@@ -130,7 +130,7 @@ TEST(ContinuousMotion, StopsAtAWallThatADiscreteCheckStepsOver)
     team->addRobot(RigidRobot::disc("disc", 0.01, cubeBounds(2, HALF)));
     // A wall thinner than a step, between two samples
     const auto wall =
-        std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{{Body::box(0.001, 20.0), planarPose(0.13, 0.0)}});
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(0.001, 20.0), planarPose(0.13, 0.0)}}, 2);
     ob::ScopedState<> from(team), to(team);
     from = std::vector<double>{-1.0, 0.0};
     to = std::vector<double>{1.0, 0.0};
@@ -154,7 +154,7 @@ TEST(ContinuousMotion, KeepsTwoRobotsFromSwappingPlacesBetweenSamples)
     auto team = std::make_shared<TeamStateSpace>();
     team->addRobot(RigidRobot::disc("a", 0.01, cubeBounds(2, HALF)));
     team->addRobot(RigidRobot::inSE2("b", Body::box(0.02, 0.02), cubeBounds(2, HALF)));
-    const auto none = std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{});
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
     ob::ScopedState<> from(team), to(team);
     from = std::vector<double>{-1.0, 0.0, 1.03, 0.0, 0.0};
     to = std::vector<double>{1.0, 0.0, -0.97, 0.0, 0.0};
@@ -173,7 +173,7 @@ TEST(ContinuousMotion, AcceptsWhatIsClearlyFree)
     for (unsigned int kind = 0; kind < TEAMS; ++kind)
     {
         const auto team = anyTeam(kind);
-        const auto none = std::make_shared<FclObstacles>(team->getWorkspaceDimension(), std::vector<PlacedBody>{});
+        const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, team->getWorkspaceDimension());
         Random random(kind);
         for (const Method method : CERTIFIED)
         {
@@ -195,7 +195,7 @@ TEST(ContinuousMotion, AcceptsWhatIsClearlyFree)
 
 TEST(ContinuousMotion, IsNotForTheStandardMethod)
 {
-    const auto none = std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{});
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
     EXPECT_THROW(TeamSetup(teamOfDiscs(), none, Method::STANDARD, CertificateMotionValidator::CONTINUOUS),
                  ompl::Exception);
 }

@@ -20,9 +20,10 @@ namespace
             team_ = std::make_shared<TeamStateSpace>();
             team_->addRobot(RigidRobot::disc("a", 0.1, cubeBounds(2, HALF)));
             team_->addRobot(RigidRobot::disc("b", 0.1, cubeBounds(2, HALF)));
-            obstacles_ = std::make_shared<ExpensiveObstacles>(
-                2, std::vector<PlacedBody>{{Body::disc(1.0), planarPose(-3.0, 3.0)},
-                                           {Body::disc(1.0), planarPose(3.0, 3.0)}});
+            obstacles_ =
+                std::make_shared<ExpensiveObstacles>(std::vector<PlacedBody>{{Body::disc(1.0), planarPose(-3.0, 3.0)},
+                                                                             {Body::disc(1.0), planarPose(3.0, 3.0)}},
+                                                     2);
         }
 
         /** The number of robots checked exactly, at a state without references */

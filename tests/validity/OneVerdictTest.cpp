@@ -33,7 +33,7 @@ namespace
         std::vector<PlacedBody> boxes;
         for (int i = 0; i < 25; ++i)
             boxes.push_back({Body::box(0.6, 0.6), planarPose(1 + 2 * (i % 5), 1 + 2 * (i / 5), 0.3 * i)});
-        return std::make_shared<FclObstacles>(2, boxes);
+        return std::make_shared<FclObstacles>(boxes, 2);
     }
 
     /** The team of boxes, or one of anyTeam() */

@@ -88,7 +88,7 @@ TEST_P(Pairs, TouchIfFclSaysSoOfTheirBodies)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const auto team = crowdedTeam(random, GetParam());
-        const auto none = std::make_shared<FclObstacles>(GetParam(), std::vector<PlacedBody>{});
+        const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, GetParam());
         const Checkers checkers(team, none);
         for (int i = 0; i < 40; ++i)
         {
@@ -128,7 +128,7 @@ TEST(RobotPairs, AreAllPairsOfTheTeam)
 TEST(RobotPairs, OfDiscsTouchAtTheSumOfTheirRadii)
 {
     const auto team = teamOfDiscs();  // 0.1, 0.2 and 0.3
-    const Checkers checkers(team, std::make_shared<FclObstacles>(2, std::vector<PlacedBody>{}));
+    const Checkers checkers(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
     ob::ScopedState<> state(team);
     for (const auto &setup : checkers.setups)
     {

@@ -111,7 +111,7 @@ namespace
             const Pose pose = random.pose(2, HALF), rounded = wobbly(random, pose);
             bodies.push_back({body, exact ? pose : rounded});
         }
-        return std::make_shared<FclObstacles>(2, bodies, zInterval);
+        return std::make_shared<FclObstacles>(bodies, 2, zInterval);
     }
 }
 
@@ -190,7 +190,7 @@ TEST(PlanarRounding, IsNoMoreThanRounding)
     EXPECT_THROW(Body({{capsule, Pose::Identity()}}), ompl::Exception);
     EXPECT_THROW(Body({{capsule, Pose(Eigen::AngleAxisd(M_PI / 2.0 + 1e-9, Eigen::Vector3d::UnitY()))}}),
                  ompl::Exception);
-    EXPECT_THROW(FclObstacles(2, {{Body({{box, Pose::Identity()}}), poseAt({0.0, 0.0, 1e-9})}}), ompl::Exception);
+    EXPECT_THROW(FclObstacles({{Body({{box, Pose::Identity()}}), poseAt({0.0, 0.0, 1e-9})}}, 2), ompl::Exception);
     // An exact pose stays as it is.
     const Pose pose = planarPose(1.0, 2.0, 0.3);
     EXPECT_EQ(Body({{box, pose}}).getParts().front().pose.matrix(), pose.matrix());

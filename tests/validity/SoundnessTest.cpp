@@ -59,8 +59,8 @@ namespace
             bodies.push_back({body, pose});
         }
         if (random.chance(0.5))
-            return std::make_shared<ExpensiveObstacles>(dimension, bodies, team.getZInterval());
-        return std::make_shared<FclObstacles>(dimension, bodies, team.getZInterval());
+            return std::make_shared<ExpensiveObstacles>(bodies, dimension, team.getZInterval());
+        return std::make_shared<FclObstacles>(bodies, dimension, team.getZInterval());
     }
 
     /** Moves one robot of a state along a line, to where its verdict changes. */

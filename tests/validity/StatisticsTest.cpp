@@ -167,9 +167,9 @@ TEST(Statistics, RepeatThemselvesWhereNoClockDecides)
         }
         return all;
     };
-    const auto quick = walkAmong(std::make_shared<ExpensiveObstacles>(2, bodies), false);
-    EXPECT_EQ(walkAmong(std::make_shared<SlowClearances>(2, bodies), false), quick);
-    const auto adapted = walkAmong(std::make_shared<SlowClearances>(2, bodies), true);
+    const auto quick = walkAmong(std::make_shared<ExpensiveObstacles>(bodies, 2), false);
+    EXPECT_EQ(walkAmong(std::make_shared<SlowClearances>(bodies, 2), false), quick);
+    const auto adapted = walkAmong(std::make_shared<SlowClearances>(bodies, 2), true);
     for (std::size_t method = 0; method < quick.size(); ++method)
     {
         EXPECT_EQ(quick[method][5], 0U);

@@ -187,7 +187,7 @@ namespace
             Random random(3);
             // With an unbounded z-interval, so that discs may be asked about
             const auto made = anyObstacles(random, GetParam(), 10);
-            told_ = std::make_unique<Told>(std::make_shared<FclObstacles>(made->getDimension(), made->getBodies()));
+            told_ = std::make_unique<Told>(std::make_shared<FclObstacles>(made->getBodies(), made->getDimension()));
         }
 
         std::string complaint() const
@@ -317,7 +317,7 @@ TEST(CheckObstacles, KeepsToTheZIntervalThatTheyWereMadeFor)
 
 TEST(CheckObstacles, RefuseOtherDimensions)
 {
-    const FclObstacles flat(2, {{Body::disc(1.0)}}), none(3, {});
+    const FclObstacles flat({{Body::disc(1.0)}}, 2), none(std::vector<PlacedBody>{}, 3);
     EXPECT_THROW(checkObstacles(flat, {}, cubeBounds(3, 1.0)), ompl::Exception);
     EXPECT_THROW(checkObstacles(flat, {Body::sphere(1.0)}, cubeBounds(2, 1.0)), ompl::Exception);
     EXPECT_NO_THROW(checkObstacles(none, {Body::sphere(1.0), Body::box(1.0, 1.0, 1.0)}, cubeBounds(3, 1.0)));

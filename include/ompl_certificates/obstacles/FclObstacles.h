@@ -33,7 +33,7 @@ namespace ompl_certificates
             primitives is unbounded.
             \throws ompl::Exception if an obstacle has another dimension or a pose that is not finite. In the plane also
             if it is tilted, or is no mesh and not at z = 0. */
-        FclObstacles(unsigned int dimension, const std::vector<PlacedBody> &obstacles, const ZInterval &zInterval = {});
+        FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension, const ZInterval &zInterval = {});
 
         /** \brief Obstacles from the collision objects of an FCL program, at their present poses: spheres, boxes,
             capsules, cylinders, convex polytopes and meshes (fcl::BVHModel of OBBRSS or OBB).
