@@ -23,7 +23,7 @@ namespace generators
         /** \brief A whole number from \e low to \e high */
         unsigned int integer(unsigned int low, unsigned int high)
         {
-            return low + static_cast<unsigned int>(engine_() % (high - low + 1));
+            return low + static_cast<unsigned int>(engine_() % (std::uint64_t(high) - low + 1));
         }
 
     private:

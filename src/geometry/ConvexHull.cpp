@@ -105,10 +105,11 @@ namespace ompl_certificates
             for (const Eigen::Vector3d &point : points)
                 moved.push_back(point - points.front());
             std::vector<Triple> triangles;
+            orgQhull::Qhull qhull;  // Its other constructor leaks when it throws.
             try
             {
                 // Cut into triangles, without warnings
-                const orgQhull::Qhull qhull("", 3, static_cast<int>(moved.size()), moved.front().data(), "Qt Pp");
+                qhull.runQhull("", 3, static_cast<int>(moved.size()), moved.front().data(), "Qt Pp");
                 for (const orgQhull::QhullFacet &facet : qhull.facetList())
                 {
                     std::vector<std::size_t> corners;
@@ -120,6 +121,7 @@ namespace ompl_certificates
             }
             catch (const orgQhull::QhullError &)
             {
+                qhull.clearQhullMessage();  // Its destructor would print it.
                 throw ompl::Exception(NO_VOLUME);
             }
             std::sort(triangles.begin(), triangles.end());

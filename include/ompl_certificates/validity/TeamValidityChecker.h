@@ -40,6 +40,7 @@ namespace ompl_certificates
 
         ~TeamValidityChecker() override;
 
+        /** \brief Whether the team is free in \e state: no robot touches an obstacle or another robot */
         bool isValid(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::isValid;
