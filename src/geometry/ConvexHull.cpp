@@ -102,6 +102,7 @@ namespace ompl_certificates
         {
             // Its precision is that of the largest coordinate.
             std::vector<Eigen::Vector3d> moved;
+            moved.reserve(points.size());
             for (const Eigen::Vector3d &point : points)
                 moved.push_back(point - points.front());
             std::vector<Triple> triangles;

@@ -124,6 +124,7 @@ namespace ompl_certificates
                 }
                 std::sort(times.begin(), times.end());
                 std::vector<std::vector<Pose>> poses;
+                poses.reserve(times.size());
                 for (const double time : times)
                     poses.push_back(posesAt(from, to, time));
                 for (std::size_t i = 0; i < times.size(); ++i)
