@@ -1,6 +1,7 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 
 #include "Interpolation.h"
+#include "SpaceBounds.h"
 
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -65,5 +66,12 @@ namespace ompl_certificates
         const double linear = distanceOf(a, b), turn = turnOf(trailerOf(from), trailerOf(to));
         bounds[0] = {linear, turnOf(*a.as<ob::SO2StateSpace::StateType>(1), *b.as<ob::SO2StateSpace::StateType>(1))};
         bounds[1] = {linear + hitchLength_ * turn, turn};
+    }
+
+    bool CarWithTrailer::isLike(const Robot &other) const
+    {
+        const auto *car = dynamic_cast<const CarWithTrailer *>(&other);
+        return car && car->hitchLength_ == hitchLength_ && car->getBodies() == getBodies() &&
+               haveEqualBounds(*getStateSpace(), *car->getStateSpace());
     }
 }

@@ -1,6 +1,7 @@
 #include "ompl_certificates/robots/RigidRobot.h"
 
 #include "Interpolation.h"
+#include "SpaceBounds.h"
 
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -127,5 +128,12 @@ namespace ompl_certificates
                 break;
             }
         }
+    }
+
+    bool RigidRobot::isLike(const Robot &other) const
+    {
+        const auto *rigid = dynamic_cast<const RigidRobot *>(&other);
+        return rigid && rigid->kind_ == kind_ && rigid->getBodies().front() == getBodies().front() &&
+               haveEqualBounds(*getStateSpace(), *rigid->getStateSpace());
     }
 }

@@ -38,6 +38,8 @@ namespace ompl_certificates
         void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                  MotionBound *bounds) const override;
 
+        bool isLike(const Robot &other) const override;
+
     private:
         /** \brief The component space of a rigid robot */
         enum class Space

@@ -65,6 +65,13 @@ namespace ompl_certificates
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 
+        /** \brief Whether \e other moves equal bodies in an equal space, so that both are free where one is. Such robots share a
+            roadmap. False if in doubt, as here for all but the robot itself. */
+        virtual bool isLike(const Robot &other) const
+        {
+            return this == &other;
+        }
+
     private:
         std::string name_;
         ompl::base::StateSpacePtr space_;

@@ -1,0 +1,89 @@
+#ifndef OMPL_CERTIFICATES_PLANNING_TEAM_ROADMAPS_
+#define OMPL_CERTIFICATES_PLANNING_TEAM_ROADMAPS_
+
+#include "Roadmap.h"
+
+#include <array>
+#include <unordered_map>
+
+namespace ompl_certificates
+{
+    /** \brief The roadmaps of a team, and what is known of its robots' motions against each other. Robots that are alike share
+        a roadmap.
+
+        A vertex of the roadmaps' tensor product has a vertex for each robot; in a step, each robot takes an edge of its
+        roadmap, all in the same time, or stays.
+
+        @par External documentation
+        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration of
+        implicit roadmaps in multi-robot motion planning, 2016. */
+    class TeamRoadmaps
+    {
+    public:
+        using Vertex = Roadmap::Vertex;
+
+        /** \brief A vertex of the tensor product: one for each robot */
+        using Configuration = std::vector<Vertex>;
+
+        explicit TeamRoadmaps(const TeamValidityChecker &checker);
+
+        unsigned int getRobotCount() const
+        {
+            return static_cast<unsigned int>(roadmapOf_.size());
+        }
+
+        Roadmap &getRoadmap(unsigned int robot)
+        {
+            return *roadmaps_[roadmapOf_[robot]];
+        }
+
+        const Roadmap &getRoadmap(unsigned int robot) const
+        {
+            return *roadmaps_[roadmapOf_[robot]];
+        }
+
+        /** \brief Add a free state of the team */
+        Configuration add(const ompl::base::State *state);
+
+        /** \brief Add \e count free states to each roadmap
+            \return false if \e condition became true before */
+        bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Whether two robots stay apart while each takes an edge of its roadmap. Checked once, then remembered. */
+        bool areApart(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
+                      Vertex secondFrom, const Roadmap::Edge &secondEdge);
+
+        /** \brief Note that two robots do not stay apart, though areApart() said so */
+        void refute(unsigned int first, Vertex firstFrom, Vertex firstTo, unsigned int second, Vertex secondFrom,
+                    Vertex secondTo);
+
+        /** \brief Write the state of the team at \e configuration to \e state */
+        void copyTo(const Configuration &configuration, ompl::base::State *state) const;
+
+        /** \brief How many motions of two robots were checked, and how often that was known already */
+        std::size_t getPairChecks() const
+        {
+            return motions_.size();
+        }
+
+    private:
+        /** \brief A motion of two robots: the roadmaps, and where either moves from and to */
+        using PairMotion = std::array<Vertex, 6>;
+
+        struct Hash
+        {
+            std::size_t operator()(const PairMotion &motion) const;
+        };
+
+        /** \brief The same for the robots in the other order and for the reverse motion */
+        PairMotion keyOf(unsigned int first, Vertex firstFrom, Vertex firstTo, unsigned int second, Vertex secondFrom,
+                         Vertex secondTo) const;
+
+        const TeamValidityChecker &checker_;
+        std::vector<std::unique_ptr<Roadmap>> roadmaps_;
+        std::vector<unsigned int> roadmapOf_;
+        std::unordered_map<PairMotion, bool, Hash> motions_;
+    };
+}
+
+#endif
