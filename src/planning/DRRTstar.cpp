@@ -1,6 +1,7 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 
 #include "PrioritizedSearch.h"
+#include "ProductTree.h"
 #include "TeamRoadmaps.h"
 
 #include <algorithm>
@@ -17,11 +18,14 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How many orders of the robots a round tries, and how often a path that does not hold is searched anew */
-        constexpr unsigned int ORDERS = 20, REPAIRS = 50;
+        /** How many orders of the robots a round tries */
+        constexpr unsigned int ORDERS = 20;
+
+        /** The iterations of the tree, and of RRTConnect for a robot, in the first round. Each later round doubles them. */
+        constexpr unsigned int TREE_ITERATIONS = 200, ROBOT_ITERATIONS = 500;
     }
 
-    DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si) : Planner(si, "DRRTstar"), bestCost_(std::nan(""))
+    DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si) : Planner(si, "DRRTstar"), bestCost_(std::nan("")), treeCost_(std::nan(""))
     {
         specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
         specs_.optimizingPaths = true;
@@ -57,6 +61,7 @@ namespace ompl_certificates
     void DRRTstar::clear()
     {
         Planner::clear();
+        tree_.reset();
         roadmaps_.reset();
         starts_.clear();
         goals_.clear();
@@ -106,6 +111,7 @@ namespace ompl_certificates
                 continue;
             // The team's resolution is finer than that of a robot: what it shows is taken from the roadmaps.
             holds = false;
+            tree_->cut(b);
             const unsigned int segments = si_->getStateSpace()->validSegmentCount(from, to);
             for (unsigned int sample = 0; sample <= segments; ++sample)
             {
@@ -113,7 +119,7 @@ namespace ompl_certificates
                 for (unsigned int i = 0; i < team.getRobotCount(); ++i)
                 {
                     if (!checker_->isRobotFree(i, team.getRobotState(at, i)))
-                        roadmaps_->getRoadmap(i).remove(a[i], b[i]);
+                        roadmaps_->refute(i, a[i], b[i]);
                     for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
                         if (!checker_->isPairFree(i, team.getRobotState(at, i), j, team.getRobotState(at, j)))
                             roadmaps_->refute(i, a[i], b[i], j, a[j], b[j]);
@@ -148,32 +154,75 @@ namespace ompl_certificates
         }
     }
 
+    bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
+    {
+        const unsigned int iterations = ROBOT_ITERATIONS << std::min(rounds_, 20U);
+        std::vector<ProductTree::Goal> goals;
+        for (const Configuration &goal : goals_)
+        {
+            std::vector<std::vector<double>> distances;
+            for (unsigned int robot = 0; robot < goal.size(); ++robot)
+            {
+                distances.push_back(
+                    roadmaps_->getRoadmap(robot).connect(starts_.front()[robot], goal[robot], iterations, condition));
+                if (distances.back().empty())
+                    break;
+            }
+            if (distances.size() == goal.size() && !distances.back().empty())
+                goals.push_back({goal, distances});
+        }
+        if (goals.empty())
+            return false;
+        // What was connected first may have found edges blocked, and added vertices.
+        for (ProductTree::Goal &goal : goals)
+            for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
+                goal.distances[robot] = roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]);
+        tree_->setGoals(std::move(goals));
+        return true;
+    }
+
+    void DRRTstar::search(const ob::PlannerTerminationCondition &condition)
+    {
+        if (!best_ && std::getenv("NOPRIO") == nullptr)
+            for (const ProductTree::Goal &goal : tree_->getGoals())
+                while (const auto path = PrioritizedSearch(*roadmaps_, starts_.front(), goal.configuration,
+                                                           goal.distances).search(ORDERS, condition))
+                    if (confirm(*path))
+                    {
+                        tree_->insert(*path);
+                        break;
+                    }
+        unsigned int iterations = TREE_ITERATIONS << std::min(rounds_, 20U);
+        while (tree_->grow(iterations, treeCost_, condition))
+        {
+            const Path path = tree_->getPath();
+            if (!confirm(path))
+                continue;
+            treeCost_ = tree_->getCost();
+            report(path);
+        }
+    }
+
     ob::PlannerStatus DRRTstar::solve(const ob::PlannerTerminationCondition &condition)
     {
         checkValidity();
         if (!roadmaps_)
+        {
             roadmaps_ = std::make_unique<TeamRoadmaps>(*checker_);
+            tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
+            treeCost_ = objective_->infiniteCost();
+        }
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)
             return status;
+        for (const Configuration &start : starts_)
+            tree_->addStart(start);
         while (!condition)
         {
-            const auto more = static_cast<TeamRoadmaps::Vertex>(roadmapSize_ << std::min(rounds_, 20U));
+            if (rounds_ > 0)
+                roadmaps_->grow(static_cast<TeamRoadmaps::Vertex>(roadmapSize_ << std::min(rounds_ - 1, 20U)), condition);
+            if (!condition && connect(condition))
+                search(condition);
             ++rounds_;
-            if (!roadmaps_->grow(more, condition))
-                break;
-            for (const Configuration &start : starts_)
-                for (const Configuration &goal : goals_)
-                    for (unsigned int i = 0; i < REPAIRS && !condition; ++i)
-                    {
-                        const auto path = PrioritizedSearch(*roadmaps_, start, goal).search(ORDERS, condition);
-                        if (!path)
-                            break;
-                        if (confirm(*path))
-                        {
-                            report(*path);
-                            break;
-                        }
-                    }
             if (best_ && objective_->isSatisfied(bestCost_))
                 break;
         }

@@ -24,24 +24,24 @@ namespace ompl_certificates
         struct Open
         {
             double estimate;
-            std::uint32_t node;
+            std::uint32_t step, node;
 
+            /** The shorter one first; of equal ones that which is farther in time */
             bool operator<(const Open &other) const
             {
-                return estimate > other.estimate;
+                return estimate > other.estimate || (estimate == other.estimate && step < other.step);
             }
         };
     }
 
-    PrioritizedSearch::PrioritizedSearch(TeamRoadmaps &roadmaps, TeamRoadmaps::Configuration start,
-                                         TeamRoadmaps::Configuration goal)
-      : roadmaps_(roadmaps), start_(std::move(start)), goal_(std::move(goal)), paths_(start_.size())
+    PrioritizedSearch::PrioritizedSearch(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
+                                         const TeamRoadmaps::Configuration &goal,
+                                         const std::vector<std::vector<double>> &distances)
+      : roadmaps_(roadmaps), start_(start), goal_(goal), distances_(distances)
     {
-        for (unsigned int robot = 0; robot < start_.size(); ++robot)
-            distances_.push_back(roadmaps_.getRoadmap(robot).distancesTo(goal_[robot]));
     }
 
-    std::optional<PrioritizedSearch::Path>
+    std::optional<TeamRoadmaps::Path>
     PrioritizedSearch::search(unsigned int orders, const ompl::base::PlannerTerminationCondition &condition)
     {
         std::vector<unsigned int> order(start_.size());
@@ -52,8 +52,7 @@ namespace ompl_certificates
                          { return distances_[a][start_[a]] > distances_[b][start_[b]]; });
         for (; orders > 0 && !condition; --orders)
         {
-            planned_.clear();
-            arrival_ = 0;
+            moves_.assign(1, {});
             const auto failed =
                 std::find_if(order.begin(), order.end(), [&](unsigned int robot) { return !plan(robot, condition); });
             if (failed != order.end())
@@ -61,10 +60,10 @@ namespace ompl_certificates
                 std::rotate(order.begin(), failed, failed + 1);
                 continue;
             }
-            Path path(arrival_ + 1, TeamRoadmaps::Configuration(start_.size()));
-            for (std::size_t step = 0; step < path.size(); ++step)
-                for (unsigned int robot = 0; robot < start_.size(); ++robot)
-                    path[step][robot] = paths_[robot][std::min(step, paths_[robot].size() - 1)];
+            TeamRoadmaps::Path path(moves_.size(), goal_);
+            for (std::size_t step = 0; step < moves_.size(); ++step)
+                for (const Move &move : moves_[step])
+                    path[step][move.robot] = move.from;
             return path;
         }
         return std::nullopt;
@@ -72,57 +71,82 @@ namespace ompl_certificates
 
     bool PrioritizedSearch::isFree(unsigned int robot, Vertex from, const Roadmap::Edge &edge, std::size_t step)
     {
-        const auto avoids = [&](unsigned int other)
+        Roadmap &roadmap = roadmaps_.getRoadmap(robot);
+        if (!roadmap.isFree(from, edge))
+            return false;
+        const Ball &swept = roadmap.getSwept(edge.motion);
+        const auto avoids = [&](const Move &other)
         {
-            const auto &path = paths_[other];
-            const Vertex otherFrom = path[std::min(step, path.size() - 1)];
-            const Vertex otherTo = path[std::min(step + 1, path.size() - 1)];
-            const auto &edges = roadmaps_.getRoadmap(other).getEdges(otherFrom);
-            const auto taken = std::find_if(edges.begin(), edges.end(),
-                                            [otherTo](const Roadmap::Edge &one) { return one.to == otherTo; });
-            return roadmaps_.areApart(robot, from, edge, other, otherFrom, *taken);
+            const double reach = swept.radius + other.swept.radius;
+            return (swept.center - other.swept.center).squaredNorm() > 1.0001 * reach * reach ||
+                   roadmaps_.areApart(robot, from, edge, other.robot, other.from, *other.edge);
         };
-        return std::all_of(planned_.begin(), planned_.end(), avoids);
+        const std::vector<Move> &others = moves_[std::min(step, moves_.size() - 1)];
+        return std::all_of(others.begin(), others.end(), avoids);
+    }
+
+    PrioritizedSearch::Move PrioritizedSearch::stayOf(unsigned int robot) const
+    {
+        const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
+        const Roadmap::Edge &stay = roadmap.getEdges(goal_[robot]).front();
+        return {roadmap.getSwept(stay.motion), robot, goal_[robot], &stay};
+    }
+
+    void PrioritizedSearch::keep(unsigned int robot, const std::vector<Vertex> &path)
+    {
+        const std::vector<Move> allStay = moves_.back();
+        if (path.size() > moves_.size())
+            moves_.resize(path.size(), allStay);
+        const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
+        for (std::size_t step = 0; step < moves_.size(); ++step)
+            if (step + 1 < path.size())
+            {
+                const Roadmap::Edge *edge = roadmap.findEdge(path[step], path[step + 1]);
+                moves_[step].push_back({roadmap.getSwept(edge->motion), robot, path[step], edge});
+            }
+            else
+                moves_[step].push_back(stayOf(robot));
     }
 
     bool PrioritizedSearch::plan(unsigned int robot, const ompl::base::PlannerTerminationCondition &condition)
     {
         const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
         const std::vector<double> &distances = distances_[robot];
+        const std::size_t last = moves_.size() - 1;  // From then on the others stay.
         // From when on the robot may stay at its goal
-        std::size_t goalFree = arrival_;
+        std::size_t goalFree = last + 1;
         while (goalFree > 0 && isFree(robot, goal_[robot], roadmap.getEdges(goal_[robot]).front(), goalFree - 1))
             --goalFree;
+        if (goalFree > last)
+            return false;
 
         std::vector<Node> nodes{{start_[robot], 0, NONE, 0.0}};
         std::priority_queue<Open> open;
-        open.push({distances[start_[robot]], 0});
+        open.push({distances[start_[robot]], 0, 0});
         // After the others have arrived, one step is as another.
         std::unordered_map<std::uint64_t, double> known;
-        const auto keyOf = [this](Vertex vertex, std::uint32_t step)
-        { return static_cast<std::uint64_t>(std::min<std::size_t>(step, arrival_)) << 32U | vertex; };
+        const auto keyOf = [last](Vertex vertex, std::uint32_t step)
+        { return static_cast<std::uint64_t>(std::min<std::size_t>(step, last)) << 32U | vertex; };
         while (!open.empty() && !condition)
         {
             const std::uint32_t index = open.top().node;
             open.pop();
             const Node node = nodes[index];
-            if (known[keyOf(node.vertex, node.step)] < node.length)
+            if (node.step > 0 && known[keyOf(node.vertex, node.step)] < node.length)
                 continue;
             if (node.vertex == goal_[robot] && node.step >= goalFree)
             {
-                std::vector<Vertex> &path = paths_[robot];
-                path.assign(node.step + 1, 0);
+                std::vector<Vertex> path(node.step + 1);
                 for (std::uint32_t i = index; i != NONE; i = nodes[i].parent)
                     path[nodes[i].step] = nodes[i].vertex;
-                planned_.push_back(robot);
-                arrival_ = std::max<std::size_t>(arrival_, node.step);
+                keep(robot, path);
                 return true;
             }
             for (const Roadmap::Edge &edge : roadmap.getEdges(node.vertex))
             {
                 const double length = node.length + edge.length;
                 // After all others have arrived there is nothing to wait for.
-                if (!std::isfinite(distances[edge.to]) || (edge.to == node.vertex && node.step >= arrival_))
+                if (!std::isfinite(distances[edge.to]) || (edge.to == node.vertex && node.step >= last))
                     continue;
                 const auto [entry, isNew] =
                     known.try_emplace(keyOf(edge.to, node.step + 1), std::numeric_limits<double>::infinity());
@@ -130,7 +154,7 @@ namespace ompl_certificates
                     continue;
                 entry->second = length;
                 nodes.push_back({edge.to, node.step + 1, index, length});
-                open.push({length + distances[edge.to], static_cast<std::uint32_t>(nodes.size() - 1)});
+                open.push({length + distances[edge.to], node.step + 1, static_cast<std::uint32_t>(nodes.size() - 1)});
             }
         }
         return false;

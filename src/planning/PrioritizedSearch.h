@@ -19,30 +19,44 @@ namespace ompl_certificates
     {
     public:
         using Vertex = TeamRoadmaps::Vertex;
-        using Path = std::vector<TeamRoadmaps::Configuration>;
 
-        PrioritizedSearch(TeamRoadmaps &roadmaps, TeamRoadmaps::Configuration start, TeamRoadmaps::Configuration goal);
+        /** \brief A search from \e start to \e goal
+            \param distances for each robot, the distances of all vertices to its goal; see Roadmap::distancesTo() */
+        PrioritizedSearch(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
+                          const TeamRoadmaps::Configuration &goal, const std::vector<std::vector<double>> &distances);
 
-        /** \brief Try orders of the robots until one succeeds, \e orders have failed, or \e condition becomes true
-            \return the configurations of the team, step by step */
-        std::optional<Path> search(unsigned int orders, const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Try orders of the robots until one succeeds, \e orders have failed, or \e condition becomes true */
+        std::optional<TeamRoadmaps::Path> search(unsigned int orders,
+                                                 const ompl::base::PlannerTerminationCondition &condition);
 
     private:
-        /** \brief Find robot's path in time around those in planned_
+        /** \brief What a robot does in a step */
+        struct Move
+        {
+            Ball swept;
+            unsigned int robot;
+            Vertex from;
+            const Roadmap::Edge *edge;
+        };
+
+        /** \brief Find robot's path in time around those that are planned
             \return whether there is one */
         bool plan(unsigned int robot, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Whether a robot may take an edge in a step */
         bool isFree(unsigned int robot, Vertex from, const Roadmap::Edge &edge, std::size_t step);
 
+        /** \brief Note the path of a robot, one vertex after each step */
+        void keep(unsigned int robot, const std::vector<Vertex> &path);
+
+        /** \brief What a robot does in a step if it stays at its goal */
+        Move stayOf(unsigned int robot) const;
+
         TeamRoadmaps &roadmaps_;
-        const TeamRoadmaps::Configuration start_, goal_;
-        std::vector<std::vector<double>> distances_;
-        /** \brief The robots that have a path, and the path of each robot: the vertex after each step */
-        std::vector<unsigned int> planned_;
-        std::vector<std::vector<Vertex>> paths_;
-        /** \brief The number of steps until all planned robots have arrived */
-        std::size_t arrival_{0};
+        const TeamRoadmaps::Configuration &start_, &goal_;
+        const std::vector<std::vector<double>> &distances_;
+        /** \brief What the planned robots do in each step, until all have arrived; the last entry is how they stay */
+        std::vector<std::vector<Move>> moves_;
     };
 }
 

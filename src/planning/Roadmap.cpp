@@ -1,20 +1,27 @@
 #include "Roadmap.h"
 
+#include "RobotSpaceInformation.h"
+
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+#include <ompl/base/ScopedState.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <queue>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
+    namespace og = ompl::geometric;
 
     Roadmap::Roadmap(const TeamValidityChecker &checker, unsigned int robot)
       : checker_(checker)
       , robot_(robot)
       , space_(checker.getTeam().getRobotSpace(robot))
+      , si_(makeRobotSpaceInformation(checker, robot))
       , sampler_(space_.allocStateSampler())
       , near_(std::make_unique<ompl::NearestNeighborsGNATNoThreadSafety<Vertex>>())
       , sample_(space_.allocState())
@@ -29,11 +36,17 @@ namespace ompl_certificates
         space_.freeState(sample_);
     }
 
+    const Roadmap::Edge *Roadmap::findEdge(Vertex from, Vertex to) const
+    {
+        const auto &edges = edges_[from];
+        const auto edge = std::find_if(edges.begin(), edges.end(), [to](const Edge &one) { return one.to == to; });
+        return edge == edges.end() ? nullptr : &*edge;
+    }
+
     Roadmap::Vertex Roadmap::add(const ob::State *state)
     {
         const Vertex vertex = size();
         states_.push_back(space_.cloneState(state));
-        edges_.push_back({{vertex, 0.0, sweptBy(state, state)}});
         const double dimension = space_.getDimension();
         const double constant = boost::math::constants::e<double>() * (1.0 + 1.0 / dimension);
         const auto neighbors =
@@ -41,20 +54,46 @@ namespace ompl_certificates
         std::vector<Vertex> nearest;
         if (vertex > 0)
             near_->nearestK(vertex, neighbors, nearest);
+        if (!nearest.empty() && space_.distance(states_[nearest.front()], state) == 0.0)
+        {
+            space_.freeState(states_.back());
+            states_.pop_back();
+            return nearest.front();
+        }
+        edges_.push_back({{vertex, static_cast<Motion>(motions_.size()), 0.0}});
+        motions_.push_back({sweptBy(state, state), Knowledge::FREE});
         for (const Vertex other : nearest)
-            join(vertex, other);
+            join(vertex, other, Knowledge::UNCHECKED);
         near_->add(vertex);
         return vertex;
     }
 
-    void Roadmap::join(Vertex a, Vertex b)
+    void Roadmap::join(Vertex a, Vertex b, Knowledge knowledge)
     {
-        const double length = space_.distance(states_[a], states_[b]);
-        if (!(length > 0.0) || !checker_.isRobotMotionFree(robot_, states_[a], states_[b]))
+        if (const Edge *edge = knowledge == Knowledge::FREE ? findEdge(a, b) : nullptr)
+        {
+            motions_[edge->motion] = {sweptBy(states_[a], states_[b]), knowledge};
             return;
-        const Ball swept = sweptBy(states_[a], states_[b]);
-        edges_[a].push_back({b, length, swept});
-        edges_[b].push_back({a, length, swept});
+        }
+        const double length = space_.distance(states_[a], states_[b]);
+        const auto motion = static_cast<Motion>(motions_.size());
+        edges_[a].push_back({b, motion, length});
+        edges_[b].push_back({a, motion, length});
+        motions_.push_back({knowledge == Knowledge::FREE ? sweptBy(states_[a], states_[b]) : Ball(), knowledge});
+    }
+
+    bool Roadmap::isFree(Vertex from, const Edge &edge)
+    {
+        MotionData &data = motions_[edge.motion];
+        if (data.knowledge == Knowledge::UNCHECKED)
+        {
+            ++checkedMotions_;
+            const ob::State *a = states_[from], *b = states_[edge.to];
+            data.knowledge = checker_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
+            if (data.knowledge == Knowledge::FREE)
+                data.swept = sweptBy(a, b);
+        }
+        return data.knowledge == Knowledge::FREE;
     }
 
     Ball Roadmap::sweptBy(const ob::State *from, const ob::State *to) const
@@ -67,6 +106,7 @@ namespace ompl_certificates
         robot.computePoses(sample_, poses.data());
         robot.computeMotionBounds(from, to, bounds.data());
         std::vector<Ball> balls;
+        balls.reserve(bodies);
         for (std::size_t i = 0; i < bodies; ++i)
         {
             const Ball &own = robot.getBodies()[i].getSphereTree().getRoot();
@@ -80,33 +120,17 @@ namespace ompl_certificates
 
     bool Roadmap::grow(Vertex count, const ob::PlannerTerminationCondition &condition)
     {
-        while (count > 0)
+        ob::State *sample = space_.allocState();
+        while (count > 0 && !condition)
         {
-            if (condition)
-                return false;
-            sampler_->sampleUniform(sample_);
-            if (!checker_.isRobotFree(robot_, sample_))
+            sampler_->sampleUniform(sample);
+            if (!checker_.isRobotFree(robot_, sample))
                 continue;
-            // add() interpolates in sample_, so it gets a copy.
-            ob::State *state = space_.cloneState(sample_);
-            add(state);
-            space_.freeState(state);
+            add(sample);
             --count;
         }
-        return true;
-    }
-
-    void Roadmap::remove(Vertex a, Vertex b)
-    {
-        const auto removeFrom = [this](Vertex from, Vertex to)
-        {
-            auto &edges = edges_[from];
-            edges.erase(
-                std::remove_if(edges.begin() + 1, edges.end(), [to](const Edge &edge) { return edge.to == to; }),
-                edges.end());
-        };
-        removeFrom(a, b);
-        removeFrom(b, a);
+        space_.freeState(sample);
+        return count == 0;
     }
 
     std::vector<double> Roadmap::distancesTo(Vertex goal) const
@@ -123,12 +147,71 @@ namespace ompl_certificates
             if (distance > distances[vertex])
                 continue;
             for (const Edge &edge : edges_[vertex])
-                if (const double next = distance + edge.length; next < distances[edge.to])
+                if (const double next = distance + edge.length;
+                    next < distances[edge.to] && motions_[edge.motion].knowledge != Knowledge::BLOCKED)
                 {
                     distances[edge.to] = next;
                     queue.push({next, edge.to});
                 }
         }
         return distances;
+    }
+
+    bool Roadmap::isPathFree(Vertex start, const std::vector<double> &distances)
+    {
+        bool isFreeSoFar = true;
+        // All of it is checked: what is blocked near the end would be found later anyway.
+        for (Vertex vertex = start; distances[vertex] > 0.0;)
+        {
+            const Edge *best = nullptr;
+            double shortest = std::numeric_limits<double>::infinity();
+            for (const Edge &edge : edges_[vertex])
+                if (const double length = edge.length + distances[edge.to];
+                    edge.to != vertex && length < shortest && motions_[edge.motion].knowledge != Knowledge::BLOCKED)
+                {
+                    best = &edge;
+                    shortest = length;
+                }
+            isFreeSoFar = isFree(vertex, *best) && isFreeSoFar;
+            vertex = best->to;
+        }
+        return isFreeSoFar;
+    }
+
+    std::vector<double> Roadmap::connect(Vertex start, Vertex goal, unsigned int iterations,
+                                         const ob::PlannerTerminationCondition &condition)
+    {
+        while (!condition)
+        {
+            std::vector<double> distances = distancesTo(goal);
+            if (std::isfinite(distances[start]) ? isPathFree(start, distances)
+                                                : !plan(start, goal, iterations, condition))
+                return std::isfinite(distances[start]) ? distances : std::vector<double>();
+        }
+        return {};
+    }
+
+    bool Roadmap::plan(Vertex start, Vertex goal, unsigned int iterations,
+                       const ob::PlannerTerminationCondition &condition)
+    {
+        auto problem = std::make_shared<ob::ProblemDefinition>(si_);
+        problem->setStartAndGoalStates(ob::ScopedState<>(si_->getStateSpace(), states_[start]),
+                                       ob::ScopedState<>(si_->getStateSpace(), states_[goal]));
+        og::RRTConnect planner(si_);
+        planner.setProblemDefinition(problem);
+        planner.setup();
+        const ob::PlannerTerminationCondition enough([&iterations] { return iterations == 0 || iterations-- == 0; });
+        planner.solve(ob::plannerOrTerminationCondition(condition, enough));
+        if (!problem->hasExactSolution())
+            return false;
+        const auto &states = problem->getSolutionPath()->as<og::PathGeometric>()->getStates();
+        Vertex last = start;
+        for (std::size_t i = 1; i < states.size(); ++i)
+        {
+            const Vertex next = i + 1 < states.size() ? add(states[i]) : goal;
+            join(last, next, Knowledge::FREE);
+            last = next;
+        }
+        return true;
     }
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateSampler.h>
 #include <ompl/datastructures/NearestNeighbors.h>
 #include <vector>
@@ -15,24 +16,26 @@ namespace ompl_certificates
 {
     /** \brief A roadmap for one robot, or for several that are alike: PRM* in the robot's own space, by the team's checker.
 
-        Each vertex is joined to the k(n) nearest ones by the motions that are free; k(n) grows with the logarithm of the
-        number of vertices, so that shortest paths approach the shortest free path.
+        Each vertex is joined to the k(n) nearest ones; k(n) grows with the logarithm of the number of vertices, so that
+        shortest paths approach the shortest free path. Motions are checked when they are first needed.
 
         @par External documentation
-        S. Karaman, E. Frazzoli, Sampling-based algorithms for optimal motion planning, 2011, section 3.3. */
+        S. Karaman, E. Frazzoli, Sampling-based algorithms for optimal motion planning, 2011, section 3.3; R. Bohlin,
+        L. Kavraki, Path planning using Lazy PRM, 2000. */
     class Roadmap
     {
     public:
         using Vertex = std::uint32_t;
 
-        /** \brief A motion to another vertex */
+        /** \brief A motion between two vertices, or a stay at one, by its number */
+        using Motion = std::uint32_t;
+
+        /** \brief A way from a vertex to another one, or to itself */
         struct Edge
         {
             Vertex to;
+            Motion motion;
             double length;
-
-            /** \brief A ball of the workspace that contains the robot for all of the motion */
-            Ball swept;
         };
 
         /** \brief An empty roadmap for robot number \e robot of \e checker's team */
@@ -48,46 +51,103 @@ namespace ompl_certificates
             return static_cast<Vertex>(states_.size());
         }
 
+        /** \brief The number of motions that were checked against the obstacles */
+        std::size_t getCheckedMotions() const
+        {
+            return checkedMotions_;
+        }
+
         /** \brief The state of a vertex */
         const ompl::base::State *getState(Vertex vertex) const
         {
             return states_[vertex];
         }
 
-        /** \brief The motions from a vertex; the first one is to stay there */
+        /** \brief The distance between two vertices */
+        double distance(Vertex a, Vertex b) const
+        {
+            return space_.distance(states_[a], states_[b]);
+        }
+
+        /** \brief The edges from a vertex, those included that isFree() refuses. The first one is to stay there. */
         const std::vector<Edge> &getEdges(Vertex vertex) const
         {
             return edges_[vertex];
         }
 
-        /** \brief Add a copy of a free state, and join it to those around it */
+        /** \brief The edge from a vertex to another one, or to itself; null if there is none */
+        const Edge *findEdge(Vertex from, Vertex to) const;
+
+        /** \brief A ball of the workspace that contains the robot for all of a motion. Only for motions that are free. */
+        const Ball &getSwept(Motion motion) const
+        {
+            return motions_[motion].swept;
+        }
+
+        /** \brief Whether the robot touches no obstacle along an edge from \e from. Checked once, then remembered. */
+        bool isFree(Vertex from, const Edge &edge);
+
+        /** \brief Note that an edge is not free, though isFree() said so */
+        void refute(const Edge &edge)
+        {
+            motions_[edge.motion].knowledge = Knowledge::BLOCKED;
+        }
+
+        /** \brief Add a copy of a free state, and join it to those around it. An equal vertex is taken if there is one. */
         Vertex add(const ompl::base::State *state);
 
-        /** \brief Sample and add \e count more free states
+        /** \brief Sample states until \e count more free ones are added
             \return false if \e condition became true before */
         bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Remove the motion between two vertices, in both directions */
-        void remove(Vertex a, Vertex b);
+        /** \brief Find a free path between two vertices. If the roadmap has none, RRTConnect looks for one with at most
+            \e iterations, and its path becomes part of the roadmap.
+            \return the distances of all vertices to \e goal, as distancesTo(); empty if there is no path */
+        std::vector<double> connect(Vertex start, Vertex goal, unsigned int iterations,
+                                    const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief The lengths of the shortest paths from all vertices to \e goal; infinite where there is none. Cost: that of
-            Dijkstra's algorithm. */
+        /** \brief The lengths of the shortest paths from all vertices to \e goal along motions that are not known to be blocked;
+            infinite where there is none. Cost: that of Dijkstra's algorithm. */
         std::vector<double> distancesTo(Vertex goal) const;
 
     private:
-        /** \brief The motion between two vertices, if the robot stays free */
-        void join(Vertex a, Vertex b);
+        enum class Knowledge : std::uint8_t
+        {
+            UNCHECKED,
+            FREE,
+            BLOCKED
+        };
+
+        struct MotionData
+        {
+            Ball swept;
+            Knowledge knowledge;
+        };
+
+        void join(Vertex a, Vertex b, Knowledge knowledge);
+
+        /** \brief Check the shortest path from \e start, given the distances to its end
+            \return whether all of it is free */
+        bool isPathFree(Vertex start, const std::vector<double> &distances);
+
+        /** \brief Add a path of RRTConnect
+            \return whether it found one */
+        bool plan(Vertex start, Vertex goal, unsigned int iterations,
+                  const ompl::base::PlannerTerminationCondition &condition);
 
         Ball sweptBy(const ompl::base::State *from, const ompl::base::State *to) const;
 
         const TeamValidityChecker &checker_;
         const unsigned int robot_;
         const ompl::base::StateSpace &space_;
+        ompl::base::SpaceInformationPtr si_;
         ompl::base::StateSamplerPtr sampler_;
         std::vector<ompl::base::State *> states_;
         std::vector<std::vector<Edge>> edges_;
+        std::vector<MotionData> motions_;
         std::unique_ptr<ompl::NearestNeighbors<Vertex>> near_;
         ompl::base::State *sample_;
+        std::size_t checkedMotions_{0};
     };
 }
 

@@ -40,42 +40,73 @@ namespace ompl_certificates
 
     std::size_t TeamRoadmaps::Hash::operator()(const PairMotion &motion) const
     {
-        return boost::hash_range(motion.begin(), motion.end());
+        std::size_t hash = motion.isReversed;
+        boost::hash_combine(hash, motion.first);
+        boost::hash_combine(hash, motion.second);
+        return hash;
     }
 
-    TeamRoadmaps::PairMotion TeamRoadmaps::keyOf(unsigned int first, Vertex firstFrom, Vertex firstTo,
-                                                 unsigned int second, Vertex secondFrom, Vertex secondTo) const
+    TeamRoadmaps::PairMotion TeamRoadmaps::keyOf(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge,
+                                                 unsigned int second, Vertex secondFrom,
+                                                 const Roadmap::Edge &secondEdge) const
     {
-        const Vertex a = roadmapOf_[first], b = roadmapOf_[second];
-        return std::min({PairMotion{a, firstFrom, firstTo, b, secondFrom, secondTo},
-                         PairMotion{a, firstTo, firstFrom, b, secondTo, secondFrom},
-                         PairMotion{b, secondFrom, secondTo, a, firstFrom, firstTo},
-                         PairMotion{b, secondTo, secondFrom, a, firstTo, firstFrom}});
+        const auto numberOf = [this](unsigned int robot, const Roadmap::Edge &edge)
+        { return static_cast<std::uint64_t>(roadmapOf_[robot]) << 32U | edge.motion; };
+        const std::uint64_t a = numberOf(first, firstEdge), b = numberOf(second, secondEdge);
+        // Two that stay, or one, move the same way forwards and backwards.
+        const bool bothMove = firstFrom != firstEdge.to && secondFrom != secondEdge.to;
+        const bool isReversed = bothMove && (firstFrom < firstEdge.to) != (secondFrom < secondEdge.to);
+        return {std::min(a, b), std::max(a, b), isReversed};
     }
 
     bool TeamRoadmaps::areApart(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge,
                                 unsigned int second, Vertex secondFrom, const Roadmap::Edge &secondEdge)
     {
-        const Ball &a = firstEdge.swept, &b = secondEdge.swept;
+        const Roadmap &one = getRoadmap(first), &other = getRoadmap(second);
+        const Ball &a = one.getSwept(firstEdge.motion), &b = other.getSwept(secondEdge.motion);
         const double reach = a.radius + b.radius;
         if ((a.center - b.center).squaredNorm() > 1.0001 * reach * reach)
             return true;
         const auto [entry, isNew] =
-            motions_.try_emplace(keyOf(first, firstFrom, firstEdge.to, second, secondFrom, secondEdge.to), false);
+            pairMotions_.try_emplace(keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge), false);
         if (isNew)
-        {
-            const Roadmap &one = getRoadmap(first), &other = getRoadmap(second);
             entry->second =
                 checker_.isPairMotionFree(first, one.getState(firstFrom), one.getState(firstEdge.to), second,
                                           other.getState(secondFrom), other.getState(secondEdge.to));
-        }
         return entry->second;
+    }
+
+    bool TeamRoadmaps::isStepFree(const Configuration &from, const Configuration &to)
+    {
+        std::vector<const Roadmap::Edge *> edges;
+        for (unsigned int robot = 0; robot < getRobotCount(); ++robot)
+        {
+            edges.push_back(getRoadmap(robot).findEdge(from[robot], to[robot]));
+            if (!edges.back())
+                return false;
+        }
+        for (unsigned int i = 0; i < getRobotCount(); ++i)
+        {
+            if (!getRoadmap(i).isFree(from[i], *edges[i]))
+                return false;
+            for (unsigned int j = 0; j < i; ++j)
+                if (!areApart(i, from[i], *edges[i], j, from[j], *edges[j]))
+                    return false;
+        }
+        return true;
+    }
+
+    void TeamRoadmaps::refute(unsigned int robot, Vertex from, Vertex to)
+    {
+        getRoadmap(robot).refute(*getRoadmap(robot).findEdge(from, to));
     }
 
     void TeamRoadmaps::refute(unsigned int first, Vertex firstFrom, Vertex firstTo, unsigned int second,
                               Vertex secondFrom, Vertex secondTo)
     {
-        motions_[keyOf(first, firstFrom, firstTo, second, secondFrom, secondTo)] = false;
+        const Roadmap::Edge &a = *getRoadmap(first).findEdge(firstFrom, firstTo);
+        const Roadmap::Edge &b = *getRoadmap(second).findEdge(secondFrom, secondTo);
+        pairMotions_[keyOf(first, firstFrom, a, second, secondFrom, b)] = false;
     }
 
     void TeamRoadmaps::copyTo(const Configuration &configuration, ob::State *state) const

@@ -3,7 +3,6 @@
 
 #include "Roadmap.h"
 
-#include <array>
 #include <unordered_map>
 
 namespace ompl_certificates
@@ -25,6 +24,9 @@ namespace ompl_certificates
         /** \brief A vertex of the tensor product: one for each robot */
         using Configuration = std::vector<Vertex>;
 
+        /** \brief Configurations of the team, one after each step */
+        using Path = std::vector<Configuration>;
+
         explicit TeamRoadmaps(const TeamValidityChecker &checker);
 
         unsigned int getRobotCount() const
@@ -42,6 +44,12 @@ namespace ompl_certificates
             return *roadmaps_[roadmapOf_[robot]];
         }
 
+        /** \brief The roadmaps, each once */
+        const std::vector<std::unique_ptr<Roadmap>> &getRoadmaps() const
+        {
+            return roadmaps_;
+        }
+
         /** \brief Add a free state of the team */
         Configuration add(const ompl::base::State *state);
 
@@ -49,9 +57,17 @@ namespace ompl_certificates
             \return false if \e condition became true before */
         bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Whether two robots stay apart while each takes an edge of its roadmap. Checked once, then remembered. */
+        /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free. Checked once,
+            then remembered. */
         bool areApart(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
                       Vertex secondFrom, const Roadmap::Edge &secondEdge);
+
+        /** \brief Whether the team may go from one configuration to another in a step: all edges exist and are free, and all
+            robots stay apart */
+        bool isStepFree(const Configuration &from, const Configuration &to);
+
+        /** \brief Note that a robot is not free in a step, though Roadmap::isFree() said so */
+        void refute(unsigned int robot, Vertex from, Vertex to);
 
         /** \brief Note that two robots do not stay apart, though areApart() said so */
         void refute(unsigned int first, Vertex firstFrom, Vertex firstTo, unsigned int second, Vertex secondFrom,
@@ -60,15 +76,24 @@ namespace ompl_certificates
         /** \brief Write the state of the team at \e configuration to \e state */
         void copyTo(const Configuration &configuration, ompl::base::State *state) const;
 
-        /** \brief How many motions of two robots were checked, and how often that was known already */
-        std::size_t getPairChecks() const
+        /** \brief How many motions of two robots were checked */
+        std::size_t getCheckedPairMotions() const
         {
-            return motions_.size();
+            return pairMotions_.size();
         }
 
     private:
-        /** \brief A motion of two robots: the roadmaps, and where either moves from and to */
-        using PairMotion = std::array<Vertex, 6>;
+        /** \brief A motion of two robots: the roadmap and the motion of either, and whether one of them is reversed */
+        struct PairMotion
+        {
+            std::uint64_t first, second;
+            bool isReversed;
+
+            bool operator==(const PairMotion &other) const
+            {
+                return first == other.first && second == other.second && isReversed == other.isReversed;
+            }
+        };
 
         struct Hash
         {
@@ -76,13 +101,14 @@ namespace ompl_certificates
         };
 
         /** \brief The same for the robots in the other order and for the reverse motion */
-        PairMotion keyOf(unsigned int first, Vertex firstFrom, Vertex firstTo, unsigned int second, Vertex secondFrom,
-                         Vertex secondTo) const;
+        PairMotion keyOf(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
+                         Vertex secondFrom, const Roadmap::Edge &secondEdge) const;
 
         const TeamValidityChecker &checker_;
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
         std::vector<unsigned int> roadmapOf_;
-        std::unordered_map<PairMotion, bool, Hash> motions_;
+        /** \brief Whether the robots stay apart */
+        std::unordered_map<PairMotion, bool, Hash> pairMotions_;
     };
 }
 

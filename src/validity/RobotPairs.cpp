@@ -42,7 +42,7 @@ namespace ompl_certificates
     }
 
     RobotPairs::RobotPairs(const Team &team, Method method, std::shared_ptr<CertificateLimit> limit)
-      : method_(method), limit_(std::move(limit))
+      : method_(method), limit_(std::move(limit)), robotCount_(team.getRobotCount())
     {
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
             for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
@@ -82,9 +82,10 @@ namespace ompl_certificates
 
     unsigned int RobotPairs::find(unsigned int first, unsigned int second) const
     {
-        for (unsigned int pair = 0; pair < getPairCount(); ++pair)
-            if (getFirst(pair) == std::min(first, second) && getSecond(pair) == std::max(first, second))
-                return pair;
+        const unsigned int low = std::min(first, second), high = std::max(first, second);
+        // The pairs stand in the order of their first, then of their second robot.
+        if (low < high && high < robotCount_)
+            return low * robotCount_ - low * (low + 1) / 2 + high - low - 1;
         throw ompl::Exception("There is no pair of robots " + std::to_string(first) + " and " + std::to_string(second));
     }
 

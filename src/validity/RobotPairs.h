@@ -117,6 +117,7 @@ namespace ompl_certificates
 
         const Method method_;
         const std::shared_ptr<CertificateLimit> limit_;
+        const unsigned int robotCount_;
         std::vector<Pair> pairs_;
         bool adaptive_{true};
         std::vector<std::unique_ptr<BodyFrame>> frames_;

@@ -8,6 +8,7 @@
 
 namespace ompl_certificates
 {
+    class ProductTree;
     class TeamRoadmaps;
 
     /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product.
@@ -61,6 +62,13 @@ namespace ompl_certificates
             \return what is wrong, or UNKNOWN */
         ompl::base::PlannerStatus takeInput(const ompl::base::PlannerTerminationCondition &condition);
 
+        /** \brief Find out which goals each robot can reach alone
+            \return whether there is a start and a goal that all can */
+        bool connect(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Look for better paths in the roadmaps as they are */
+        void search(const ompl::base::PlannerTerminationCondition &condition);
+
         /** \brief Check a path of the roadmaps as a path of the team; remove what does not hold
             \return whether all of it holds */
         bool confirm(const Path &path);
@@ -70,10 +78,13 @@ namespace ompl_certificates
 
         std::shared_ptr<TeamValidityChecker> checker_;
         std::unique_ptr<TeamRoadmaps> roadmaps_;
+        std::unique_ptr<ProductTree> tree_;
         std::vector<Configuration> starts_, goals_;
         ompl::base::OptimizationObjectivePtr objective_;
         ompl::base::PathPtr best_;
         ompl::base::Cost bestCost_;
+        /** \brief The cost of the best path of the tree */
+        ompl::base::Cost treeCost_;
         unsigned int roadmapSize_{50};
         unsigned int rounds_{0};
     };

@@ -1,0 +1,331 @@
+#include "ProductTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <utility>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** The number of vertices around a new one that may become its parent or its children */
+        constexpr std::size_t NEIGHBORS = 12;
+
+        /** How often a robot goes to its goal while others explore */
+        constexpr double GOAL_BIAS = 0.5;
+
+        /** The target_ in nearest-neighbor queries */
+        constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max() - 1;
+    }
+
+    ProductTree::ProductTree(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
+                             TeamRoadmaps &roadmaps)
+      : si_(std::move(si))
+      , objective_(std::move(objective))
+      , roadmaps_(roadmaps)
+      , near_(std::make_unique<ompl::NearestNeighborsGNATNoThreadSafety<Number>>())
+      , randomTargets_(roadmaps.getRobotCount())
+      , goesToGoal_(roadmaps.getRobotCount())
+      , chosen_(roadmaps.getRobotCount())
+      , target_(si_->allocState())
+    {
+        const auto stateOf = [this](Number number) { return number == TARGET ? target_ : nodes_[number].state; };
+        near_->setDistanceFunction([this, stateOf](Number a, Number b) { return si_->distance(stateOf(a), stateOf(b)); });
+    }
+
+    ProductTree::~ProductTree()
+    {
+        for (const Node &node : nodes_)
+            si_->freeState(node.state);
+        si_->freeStates(goalStates_);
+        si_->freeState(target_);
+    }
+
+    void ProductTree::addStart(const Configuration &start)
+    {
+        if (numbers_.count(start) == 0)
+            add(start, NONE, objective_->infiniteCost());
+    }
+
+    void ProductTree::setGoals(std::vector<Goal> goals)
+    {
+        goals_ = std::move(goals);
+        si_->freeStates(goalStates_);
+        goalStates_.resize(goals_.size());
+        si_->allocStates(goalStates_);
+        for (std::size_t i = 0; i < goals_.size(); ++i)
+            roadmaps_.copyTo(goals_[i].configuration, goalStates_[i]);
+        goal_ = nullptr;
+        last_ = NONE;
+    }
+
+    ProductTree::Number ProductTree::bestGoal() const
+    {
+        Number best = NONE;
+        for (const Goal &goal : goals_)
+            if (const auto entry = numbers_.find(goal.configuration);
+                entry != numbers_.end() &&
+                (best == NONE || objective_->isCostBetterThan(nodes_[entry->second].cost, nodes_[best].cost)))
+                best = entry->second;
+        return best;
+    }
+
+    ob::Cost ProductTree::getCost() const
+    {
+        const Number best = bestGoal();
+        return best == NONE ? objective_->infiniteCost() : nodes_[best].cost;
+    }
+
+    bool ProductTree::grow(unsigned int &iterations, ob::Cost bound, const ob::PlannerTerminationCondition &condition)
+    {
+        while (!objective_->isCostBetterThan(getCost(), bound))
+        {
+            if (iterations == 0 || condition)
+                return false;
+            --iterations;
+            expand(bound);
+        }
+        return true;
+    }
+
+    void ProductTree::expand(ob::Cost bound)
+    {
+        const bool continues = last_ != NONE;
+        chooseTargets(continues);
+        const Number from = continues ? last_ : nearestToRandom();
+        last_ = NONE;
+        const Configuration configuration = nodes_[from].configuration;
+        if (!chooseStep(configuration))
+            return;
+        Configuration next(configuration.size());
+        double before = 0.0, after = 0.0;
+        for (unsigned int robot = 0; robot < next.size(); ++robot)
+        {
+            next[robot] = chosen_[robot]->to;
+            before += goal_->distances[robot][configuration[robot]];
+            after += goal_->distances[robot][next[robot]];
+        }
+        const bool isNew = numbers_.count(next) == 0;
+        const Number added = add(next, from, bound);
+        if (added != NONE && isNew && (after < before || !continues))
+            last_ = added;
+    }
+
+    ProductTree::Number ProductTree::nearestToRandom()
+    {
+        Configuration random(roadmaps_.getRobotCount());
+        for (unsigned int robot = 0; robot < random.size(); ++robot)
+            random[robot] = goesToGoal_[robot] ? goal_->configuration[robot] : randomTargets_[robot];
+        roadmaps_.copyTo(random, target_);
+        return near_->nearest(TARGET);
+    }
+
+    void ProductTree::chooseTargets(bool onlyGoals)
+    {
+        if (!goal_ || !onlyGoals)
+            goal_ = &goals_[static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(goals_.size()) - 1))];
+        for (unsigned int robot = 0; robot < roadmaps_.getRobotCount(); ++robot)
+        {
+            goesToGoal_[robot] = onlyGoals || random_.uniform01() < GOAL_BIAS;
+            if (!goesToGoal_[robot])
+                randomTargets_[robot] = static_cast<Vertex>(
+                    random_.uniformInt(0, static_cast<int>(roadmaps_.getRoadmap(robot).size()) - 1));
+        }
+    }
+
+    double ProductTree::rate(unsigned int robot, const Roadmap::Edge &edge) const
+    {
+        if (goesToGoal_[robot])
+            return edge.length + goal_->distances[robot][edge.to];
+        return roadmaps_.getRoadmap(robot).distance(edge.to, randomTargets_[robot]);
+    }
+
+    bool ProductTree::chooseStep(const Configuration &from)
+    {
+        std::fill(chosen_.begin(), chosen_.end(), nullptr);
+        std::vector<unsigned int> order(from.size());
+        std::iota(order.begin(), order.end(), 0U);
+        random_.shuffle(order.begin(), order.end());
+        return std::all_of(order.begin(), order.end(),
+                           [&](unsigned int robot) { return chosen_[robot] || chooseEdge(from, robot); });
+    }
+
+    bool ProductTree::fits(const Configuration &from, unsigned int robot, const Roadmap::Edge &edge)
+    {
+        if (!roadmaps_.getRoadmap(robot).isFree(from[robot], edge))
+            return false;
+        for (unsigned int other = 0; other < from.size(); ++other)
+            if (other != robot && chosen_[other] &&
+                !roadmaps_.areApart(robot, from[robot], edge, other, from[other], *chosen_[other]))
+                return false;
+        return true;
+    }
+
+    bool ProductTree::chooseEdge(const Configuration &from, unsigned int robot)
+    {
+        std::vector<std::pair<double, const Roadmap::Edge *>> edges;
+        for (const Roadmap::Edge &edge : roadmaps_.getRoadmap(robot).getEdges(from[robot]))
+            if (const double rating = rate(robot, edge); std::isfinite(rating))
+                edges.emplace_back(rating, &edge);
+        // A robot stays only if no way is as good: going on along a shortest path rates as staying does.
+        std::rotate(edges.begin(), edges.begin() + (edges.empty() ? 0 : 1), edges.end());
+        std::stable_sort(edges.begin(), edges.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+        for (const auto &[rating, edge] : edges)
+        {
+            if (!fits(from, robot, *edge))
+                continue;
+            const std::vector<const Roadmap::Edge *> before = chosen_;
+            chosen_[robot] = edge;
+            bool allMakeWay = true;
+            for (unsigned int other = 0; other < from.size() && allMakeWay; ++other)
+                if (!chosen_[other])
+                {
+                    const Roadmap::Edge &stay = roadmaps_.getRoadmap(other).getEdges(from[other]).front();
+                    allMakeWay = roadmaps_.areApart(robot, from[robot], *edge, other, from[other], stay) ||
+                                 chooseEdge(from, other);
+                }
+            if (allMakeWay)
+                return true;
+            chosen_ = before;
+        }
+        return false;
+    }
+
+    ob::Cost ProductTree::costThrough(Number parent, const ob::State *state) const
+    {
+        const Node &node = nodes_[parent];
+        return objective_->combineCosts(node.cost, objective_->motionCost(node.state, state));
+    }
+
+    bool ProductTree::mayImprove(ob::Cost bound, ob::Cost cost, const ob::State *state) const
+    {
+        return std::any_of(goalStates_.begin(), goalStates_.end(),
+                           [&](const ob::State *goal)
+                           {
+                               const ob::Cost rest = objective_->motionCostHeuristic(state, goal);
+                               return objective_->isCostBetterThan(objective_->combineCosts(cost, rest), bound);
+                           });
+    }
+
+    ProductTree::Number ProductTree::add(const Configuration &configuration, Number parent, ob::Cost bound)
+    {
+        const auto known = numbers_.find(configuration);
+        if (known != numbers_.end())
+        {
+            const Number number = known->second;
+            if (parent != NONE && number != parent)
+                if (const ob::Cost cost = costThrough(parent, nodes_[number].state);
+                    objective_->isCostBetterThan(cost, nodes_[number].cost))
+                    moveTo(number, parent, cost);
+            return number;
+        }
+        ob::State *state = si_->allocState();
+        roadmaps_.copyTo(configuration, state);
+        ob::Cost cost = parent == NONE ? objective_->identityCost() : costThrough(parent, state);
+        std::vector<Number> around;
+        if (parent != NONE)
+        {
+            si_->copyState(target_, state);
+            near_->nearestK(TARGET, NEIGHBORS, around);
+            for (const Number other : around)
+                if (const ob::Cost through = costThrough(other, state);
+                    objective_->isCostBetterThan(through, cost) &&
+                    roadmaps_.isStepFree(nodes_[other].configuration, configuration))
+                {
+                    parent = other;
+                    cost = through;
+                }
+        }
+        if (parent != NONE && !mayImprove(bound, cost, state))
+        {
+            si_->freeState(state);
+            return NONE;
+        }
+        const auto number = static_cast<Number>(nodes_.size());
+        nodes_.push_back({configuration, state, cost, parent, {}});
+        numbers_.emplace(configuration, number);
+        near_->add(number);
+        if (parent != NONE)
+            nodes_[parent].children.push_back(number);
+        for (const Number other : around)
+            if (other != parent)
+                if (const ob::Cost through = costThrough(number, nodes_[other].state);
+                    objective_->isCostBetterThan(through, nodes_[other].cost) &&
+                    roadmaps_.isStepFree(configuration, nodes_[other].configuration))
+                    moveTo(other, number, through);
+        return number;
+    }
+
+    void ProductTree::moveTo(Number node, Number parent, ob::Cost cost)
+    {
+        if (nodes_[node].parent != NONE)
+        {
+            auto &siblings = nodes_[nodes_[node].parent].children;
+            siblings.erase(std::find(siblings.begin(), siblings.end(), node));
+        }
+        nodes_[node].parent = parent;
+        nodes_[node].cost = cost;
+        nodes_[parent].children.push_back(node);
+        lowerCosts(node);
+    }
+
+    void ProductTree::lowerCosts(Number node)
+    {
+        std::vector<Number> changed{node};
+        while (!changed.empty())
+        {
+            const Number parent = changed.back();
+            changed.pop_back();
+            for (const Number child : nodes_[parent].children)
+            {
+                nodes_[child].cost = costThrough(parent, nodes_[child].state);
+                changed.push_back(child);
+            }
+        }
+    }
+
+    void ProductTree::insert(const TeamRoadmaps::Path &path)
+    {
+        for (std::size_t step = 1; step < path.size(); ++step)
+            add(path[step], numbers_.at(path[step - 1]), objective_->infiniteCost());
+    }
+
+    TeamRoadmaps::Path ProductTree::getPath() const
+    {
+        TeamRoadmaps::Path path;
+        for (Number best = bestGoal(); best != NONE; best = nodes_[best].parent)
+            path.push_back(nodes_[best].configuration);
+        std::reverse(path.begin(), path.end());
+        return path;
+    }
+
+    void ProductTree::cut(const Configuration &configuration)
+    {
+        const auto entry = numbers_.find(configuration);
+        if (entry == numbers_.end())
+            return;
+        const Number node = entry->second;
+        auto &siblings = nodes_[nodes_[node].parent].children;
+        siblings.erase(std::find(siblings.begin(), siblings.end(), node));
+        remove(node);
+        last_ = NONE;
+    }
+
+    void ProductTree::remove(Number node)
+    {
+        std::vector<Number> removed{node};
+        while (!removed.empty())
+        {
+            Node &one = nodes_[removed.back()];
+            near_->remove(removed.back());
+            removed.pop_back();
+            numbers_.erase(one.configuration);
+            removed.insert(removed.end(), one.children.begin(), one.children.end());
+            one.children.clear();
+        }
+    }
+}

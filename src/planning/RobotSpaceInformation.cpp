@@ -1,0 +1,46 @@
+#include "RobotSpaceInformation.h"
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        class RobotMotionValidator : public ob::MotionValidator
+        {
+        public:
+            RobotMotionValidator(ob::SpaceInformation *si, const TeamValidityChecker &checker, unsigned int robot)
+              : MotionValidator(si), checker_(checker), robot_(robot)
+            {
+            }
+
+            bool checkMotion(const ob::State *s1, const ob::State *s2) const override
+            {
+                return checker_.isRobotMotionFree(robot_, s1, s2);
+            }
+
+            bool checkMotion(const ob::State * /*s1*/, const ob::State * /*s2*/,
+                             std::pair<ob::State *, double> & /*lastValid*/) const override
+            {
+                throw ompl::Exception("A robot's motion validator knows no last valid state");
+            }
+
+        private:
+            const TeamValidityChecker &checker_;
+            const unsigned int robot_;
+        };
+    }
+
+    ob::SpaceInformationPtr makeRobotSpaceInformation(const TeamValidityChecker &checker, unsigned int robot)
+    {
+        auto si = std::make_shared<ob::SpaceInformation>(checker.getTeam().getRobot(robot).getStateSpace());
+        si->setStateValidityChecker([&checker, robot](const ob::State *state)
+                                    { return checker.isRobotFree(robot, state); });
+        si->setMotionValidator(std::make_shared<RobotMotionValidator>(si.get(), checker, robot));
+        si->setup();
+        return si;
+    }
+}
