@@ -22,7 +22,7 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** The iterations of the tree, and of RRTConnect for a robot, in the first round. Each later round doubles them. */
-        constexpr unsigned int TREE_ITERATIONS = 200, ROBOT_ITERATIONS = 500;
+        constexpr unsigned int TREE_ITERATIONS = 200, ROBOT_ITERATIONS = 500, SMOOTHING = 100;
     }
 
     DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si) : Planner(si, "DRRTstar"), bestCost_(std::nan("")), treeCost_(std::nan(""))
@@ -61,6 +61,7 @@ namespace ompl_certificates
     void DRRTstar::clear()
     {
         Planner::clear();
+        simplifier_.reset();
         tree_.reset();
         roadmaps_.reset();
         starts_.clear();
@@ -131,25 +132,31 @@ namespace ompl_certificates
         return holds;
     }
 
-    void DRRTstar::report(const Path &path)
+    og::PathGeometric DRRTstar::toGeometric(const Path &path) const
     {
-        auto geometric = std::make_shared<og::PathGeometric>(si_);
+        og::PathGeometric geometric(si_);
         ob::State *state = si_->allocState();
         for (const Configuration &configuration : path)
         {
             roadmaps_->copyTo(configuration, state);
-            geometric->append(state);
+            geometric.append(state);
         }
         si_->freeState(state);
-        const ob::Cost cost = geometric->cost(objective_);
+        return geometric;
+    }
+
+    void DRRTstar::report(const og::PathGeometric &path)
+    {
+        const ob::Cost cost = path.cost(objective_);
         if (!objective_->isCostBetterThan(cost, bestCost_))
             return;
-        best_ = geometric;
+        best_ = std::make_shared<og::PathGeometric>(path);
         bestCost_ = cost;
         OMPL_INFORM("%s: a solution of cost %.4f in round %u", getName().c_str(), cost.value(), rounds_);
-        if (const auto &intermediate = pdef_->getIntermediateSolutionCallback())
+        if (const auto intermediate = pdef_->getIntermediateSolutionCallback())
         {
-            std::vector<const ob::State *> states(geometric->getStates().begin(), geometric->getStates().end());
+            const auto &kept = best_->as<og::PathGeometric>()->getStates();
+            const std::vector<const ob::State *> states(kept.begin(), kept.end());
             intermediate(this, states, cost);
         }
     }
@@ -199,7 +206,16 @@ namespace ompl_certificates
             if (!confirm(path))
                 continue;
             treeCost_ = tree_->getCost();
-            report(path);
+            og::PathGeometric geometric = toGeometric(path);
+            report(geometric);
+            if (smoothing_ && simplifier_->simplify(geometric, SMOOTHING << std::min(rounds_, 20U), condition))
+                report(geometric);
+        }
+        if (best_ && smoothing_)
+        {
+            og::PathGeometric geometric = *best_->as<og::PathGeometric>();
+            if (simplifier_->simplify(geometric, SMOOTHING << std::min(rounds_, 20U), condition))
+                report(geometric);
         }
     }
 
@@ -210,6 +226,7 @@ namespace ompl_certificates
         {
             roadmaps_ = std::make_unique<TeamRoadmaps>(*checker_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
+            simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
         }
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)

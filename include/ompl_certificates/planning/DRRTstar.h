@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PLANNING_DRRTSTAR_
 #define OMPL_CERTIFICATES_PLANNING_DRRTSTAR_
 
-#include "ompl_certificates/validity/TeamValidityChecker.h"
+#include "ompl_certificates/planning/TeamPathSimplifier.h"
 
 #include <memory>
 #include <ompl/base/Planner.h>
@@ -74,11 +74,15 @@ namespace ompl_certificates
         bool confirm(const Path &path);
 
         /** \brief Keep a path if it is the best so far */
-        void report(const Path &path);
+        void report(const ompl::geometric::PathGeometric &path);
+
+        /** \brief A path of the roadmaps as one of the team */
+        ompl::geometric::PathGeometric toGeometric(const Path &path) const;
 
         std::shared_ptr<TeamValidityChecker> checker_;
         std::unique_ptr<TeamRoadmaps> roadmaps_;
         std::unique_ptr<ProductTree> tree_;
+        std::unique_ptr<TeamPathSimplifier> simplifier_;
         std::vector<Configuration> starts_, goals_;
         ompl::base::OptimizationObjectivePtr objective_;
         ompl::base::PathPtr best_;
@@ -87,6 +91,7 @@ namespace ompl_certificates
         ompl::base::Cost treeCost_;
         unsigned int roadmapSize_{50};
         unsigned int rounds_{0};
+        bool smoothing_{true};
     };
 }
 

@@ -1,0 +1,44 @@
+#ifndef OMPL_CERTIFICATES_PLANNING_TEAM_PATH_SIMPLIFIER_
+#define OMPL_CERTIFICATES_PLANNING_TEAM_PATH_SIMPLIFIER_
+
+#include "ompl_certificates/validity/TeamValidityChecker.h"
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_certificates
+{
+    /** \brief Lowers the cost of a team's path by changing one robot's path at a time, with the others' motions fixed.
+
+        ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free for
+        many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
+        A change is kept if it lowers the cost and the motion validator accepts the motions that change.
+
+        @par External documentation
+        R. Geraerts, M. Overmars, Creating high-quality paths for motion planning, 2007 (partial shortcuts). */
+    class TeamPathSimplifier
+    {
+    public:
+        /** \brief A simplifier for paths of \e si's space, whose validity checker is a TeamValidityChecker
+            \throws ompl::Exception if it is another one */
+        TeamPathSimplifier(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
+
+        /** \brief Try \e attempts changes of a valid path; fewer if \e condition becomes true, or if it seems that none will
+            help any more
+            \return whether the path has a lower cost now */
+        bool simplify(ompl::geometric::PathGeometric &path, std::uint64_t attempts,
+                      const ompl::base::PlannerTerminationCondition &condition);
+
+    private:
+        class Attempt;
+
+        const ompl::base::SpaceInformationPtr si_;
+        const ompl::base::OptimizationObjectivePtr objective_;
+        std::shared_ptr<const TeamValidityChecker> checker_;
+        ompl::RNG random_;
+    };
+}
+
+#endif

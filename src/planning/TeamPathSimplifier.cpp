@@ -1,0 +1,281 @@
+#include "ompl_certificates/planning/TeamPathSimplifier.h"
+
+#include "TimedPaths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    namespace og = ompl::geometric;
+
+    namespace
+    {
+        /** A change must lower the cost by that part of it, so that rounding is no progress. */
+        constexpr double LEAST_GAIN = 1e-9;
+
+        /** A path is as good as it gets when that many attempts in a row, for each knot, were in vain. */
+        constexpr std::uint64_t VAIN_ATTEMPTS = 50;
+    }
+
+    /** A path, and the changes that are tried on it */
+    class TeamPathSimplifier::Attempt
+    {
+    public:
+        Attempt(const TeamPathSimplifier &simplifier, const og::PathGeometric &path, ompl::RNG &random)
+          : si_(*simplifier.si_)
+          , objective_(*simplifier.objective_)
+          , checker_(*simplifier.checker_)
+          , team_(checker_.getTeam())
+          , random_(random)
+          , paths_(team_, path)
+          , before_(si_.allocState())
+          , after_(si_.allocState())
+        {
+        }
+
+        ~Attempt()
+        {
+            si_.freeState(before_);
+            si_.freeState(after_);
+        }
+
+        Attempt(const Attempt &) = delete;
+        Attempt &operator=(const Attempt &) = delete;
+
+        /** Whether all robots may move at even paces from start to end, or some of them */
+        bool evenAll()
+        {
+            std::vector<Change> changes;
+            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+                changes.push_back({robot, even(robot, 0.0, paths_.getDuration())});
+            return accept(std::move(changes), 0.0, paths_.getDuration());
+        }
+
+        /** A change at random */
+        bool tryOne()
+        {
+            const auto robot =
+                static_cast<unsigned int>(random_.uniformInt(0, static_cast<int>(team_.getRobotCount()) - 1));
+            const double choice = random_.uniform01();
+            if (choice < 0.4)
+                return moveCorner(robot);
+            const auto [first, last] = interval(robot);
+            if (choice < 0.6)
+                return accept({{robot, even(robot, first, last)}}, first, last);
+            if (choice < 0.9)
+                return takeShortcut(robot, first, last);
+            return takeTeamShortcut(first, last);
+        }
+
+        std::uint64_t countKnots() const
+        {
+            std::uint64_t knots = 0;
+            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+                knots += paths_.getKnots(robot).size();
+            return knots;
+        }
+
+        og::PathGeometric getPath(const ob::SpaceInformationPtr &si) const
+        {
+            og::PathGeometric path(si);
+            for (const double time : paths_.timesWithin(0.0, paths_.getDuration()))
+            {
+                paths_.copyTo(time, before_);
+                path.append(before_);
+            }
+            return path;
+        }
+
+    private:
+        using Knot = TimedPaths::Knot;
+        using Knots = std::vector<Knot>;
+
+        /** New knots of a robot */
+        struct Change
+        {
+            unsigned int robot;
+            Knots knots;
+        };
+
+        /** Part of the path: from corner to corner of a robot's way, or between any two times */
+        std::pair<double, double> interval(unsigned int robot)
+        {
+            const Knots &knots = paths_.getKnots(robot);
+            const auto time = [&]
+            {
+                if (random_.uniform01() < 0.5)
+                    return random_.uniformReal(0.0, paths_.getDuration());
+                return knots[static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(knots.size()) - 1))].time;
+            };
+            const double a = time(), b = time();
+            return {std::min(a, b), std::max(a, b)};
+        }
+
+        /** The knots of a robot with others between two times */
+        Knots replaced(unsigned int robot, double first, double last, const Knots &middle) const
+        {
+            const Knots &knots = paths_.getKnots(robot);
+            Knots result;
+            std::copy_if(knots.begin(), knots.end(), std::back_inserter(result),
+                         [first](const Knot &knot) { return knot.time < first; });
+            result.push_back(paths_.at(robot, first));
+            result.insert(result.end(), middle.begin(), middle.end());
+            result.push_back(paths_.at(robot, last));
+            std::copy_if(knots.begin(), knots.end(), std::back_inserter(result),
+                         [last](const Knot &knot) { return knot.time > last; });
+            return result;
+        }
+
+        /** The knots of a robot that goes the same way, at an even pace between two times */
+        Knots even(unsigned int robot, double first, double last) const
+        {
+            const ob::StateSpace &space = team_.getRobotSpace(robot);
+            Knots middle;
+            double length = 0.0;
+            Knot previous = paths_.at(robot, first);
+            for (const Knot &knot : paths_.getKnots(robot))
+                if (knot.time > first && knot.time < last)
+                    if (const double step = space.distance(previous.state.get(), knot.state.get()); step > 0.0)
+                    {
+                        length += step;
+                        middle.push_back({length, knot.state});
+                        previous = knot;
+                    }
+            length += space.distance(previous.state.get(), paths_.at(robot, last).state.get());
+            const auto isAtEnd = [&](const Knot &knot) { return !(knot.time < length); };
+            middle.erase(std::find_if(middle.begin(), middle.end(), isAtEnd), middle.end());
+            for (Knot &knot : middle)
+                knot.time = first + (last - first) * (knot.time / length);
+            return replaced(robot, first, last, middle);
+        }
+
+        bool takeShortcut(unsigned int robot, double first, double last)
+        {
+            return first < last && accept({{robot, replaced(robot, first, last, {})}}, first, last);
+        }
+
+        bool takeTeamShortcut(double first, double last)
+        {
+            if (!(first < last))
+                return false;
+            std::vector<Change> changes;
+            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+                changes.push_back({robot, replaced(robot, first, last, {})});
+            return accept(std::move(changes), first, last);
+        }
+
+        /** Move a corner of a robot's way to a state near it, in space and time */
+        bool moveCorner(unsigned int robot)
+        {
+            const Knots &knots = paths_.getKnots(robot);
+            if (knots.size() < 3)
+                return false;
+            const auto index = static_cast<std::size_t>(random_.uniformInt(1, static_cast<int>(knots.size()) - 2));
+            const Knot &previous = knots[index - 1], &next = knots[index + 1];
+            const ob::StateSpace &space = team_.getRobotSpace(robot);
+            const double scale = std::pow(10.0, random_.uniformReal(-4.0, 0.0));
+            const double distance = scale * (space.distance(previous.state.get(), knots[index].state.get()) +
+                                             space.distance(knots[index].state.get(), next.state.get()));
+            Knots moved = knots;
+            moved[index].state = paths_.clone(robot, knots[index].state.get());
+            if (!samplers_[robot])
+                samplers_[robot] = space.allocStateSampler();
+            samplers_[robot]->sampleUniformNear(moved[index].state.get(), knots[index].state.get(), distance);
+            return accept({{robot, std::move(moved)}}, previous.time, next.time);
+        }
+
+        /** Change paths if that lowers the cost, and the motions between two times are valid */
+        bool accept(std::vector<Change> changes, double first, double last)
+        {
+            const double begin = paths_.knotBefore(first), end = paths_.knotAfter(last);
+            const ob::Cost old = cost(begin, end);
+            const auto exchange = [&]
+            {
+                for (Change &change : changes)
+                    change.knots = paths_.exchange(change.robot, std::move(change.knots));
+            };
+            exchange();
+            const ob::Cost limit(old.value() - LEAST_GAIN * std::abs(old.value()));
+            if (objective_.isCostBetterThan(cost(begin, end), limit) && isValid(begin, end))
+                return true;
+            exchange();
+            return false;
+        }
+
+        /** Call \e visit with the ends of each motion between two knots, until it returns false */
+        template <typename Visitor>
+        bool visitMotions(double begin, double end, const Visitor &visit)
+        {
+            const std::vector<double> times = paths_.timesWithin(begin, end);
+            paths_.copyTo(times.front(), before_);
+            for (std::size_t i = 1; i < times.size(); ++i)
+            {
+                paths_.copyTo(times[i], after_);
+                if (!visit(before_, after_))
+                    return false;
+                std::swap(before_, after_);
+            }
+            return true;
+        }
+
+        ob::Cost cost(double begin, double end)
+        {
+            ob::Cost sum = objective_.identityCost();
+            visitMotions(begin, end,
+                         [&](const ob::State *from, const ob::State *to)
+                         {
+                             sum = objective_.combineCosts(sum, objective_.motionCost(from, to));
+                             return true;
+                         });
+            return sum;
+        }
+
+        bool isValid(double begin, double end)
+        {
+            return visitMotions(begin, end, [this](const ob::State *from, const ob::State *to)
+                                { return si_.isValid(to) && si_.checkMotion(from, to); });
+        }
+
+        const ob::SpaceInformation &si_;
+        const ob::OptimizationObjective &objective_;
+        const TeamValidityChecker &checker_;
+        const Team &team_;
+        ompl::RNG &random_;
+        TimedPaths paths_;
+        mutable ob::State *before_, *after_;
+        std::vector<ob::StateSamplerPtr> samplers_{team_.getRobotCount()};
+    };
+
+    TeamPathSimplifier::TeamPathSimplifier(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
+      : si_(std::move(si))
+      , objective_(std::move(objective))
+      , checker_(std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker()))
+    {
+        if (!checker_)
+            throw ompl::Exception("A TeamPathSimplifier needs a TeamValidityChecker");
+    }
+
+    bool TeamPathSimplifier::simplify(og::PathGeometric &path, std::uint64_t attempts,
+                                      const ob::PlannerTerminationCondition &condition)
+    {
+        if (path.getStateCount() < 2)
+            return false;
+        Attempt attempt(*this, path, random_);
+        bool isSimpler = attempt.evenAll();
+        std::uint64_t inVain = 0;
+        for (; attempts > 0 && !condition && inVain < VAIN_ATTEMPTS * attempt.countKnots(); --attempts)
+            if (attempt.tryOne())
+            {
+                isSimpler = true;
+                inVain = 0;
+            }
+            else
+                ++inVain;
+        if (isSimpler)
+            path = attempt.getPath(si_);
+        return isSimpler;
+    }
+}

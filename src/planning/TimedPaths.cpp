@@ -1,0 +1,113 @@
+#include "TimedPaths.h"
+
+#include <algorithm>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    TimedPaths::TimedPaths(const Team &team, const ompl::geometric::PathGeometric &path)
+      : team_(team), knots_(team.getRobotCount())
+    {
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        {
+            const ob::State *whole = path.getState(i);
+            const double step = i > 0 ? team.getStateSpace()->distance(path.getState(i - 1), whole) : 0.0;
+            if (i > 0 && !(step > 0.0))
+                continue;
+            duration_ += step;
+            for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+            {
+                auto &knots = knots_[robot];
+                const ob::State *state = team.getRobotState(whole, robot);
+                const auto isHere = [&](const Knot &knot)
+                { return team.getRobotSpace(robot).equalStates(knot.state.get(), state); };
+                // One that waits needs a knot at either end of the wait.
+                if (knots.size() > 1 && isHere(knots.back()) && isHere(knots[knots.size() - 2]))
+                    knots.back().time = duration_;
+                else
+                    knots.push_back({duration_, clone(robot, state)});
+            }
+        }
+    }
+
+    std::shared_ptr<ob::State> TimedPaths::clone(unsigned int robot, const ob::State *state) const
+    {
+        const ob::StateSpace &space = team_.getRobotSpace(robot);
+        return {space.cloneState(state), [&space](ob::State *one) { space.freeState(one); }};
+    }
+
+    namespace
+    {
+        /** The first of some knots that is not before a time */
+        template <typename Knots>
+        auto firstFrom(const Knots &knots, double time)
+        {
+            return std::lower_bound(knots.begin(), knots.end(), time,
+                                    [](const TimedPaths::Knot &knot, double t) { return knot.time < t; });
+        }
+    }
+
+    TimedPaths::Knot TimedPaths::at(unsigned int robot, double time) const
+    {
+        const auto next = firstFrom(knots_[robot], time);
+        if (next == knots_[robot].end())
+            return knots_[robot].back();
+        if (next->time == time || next == knots_[robot].begin())
+            return *next;
+        const auto previous = next - 1;
+        Knot knot{time, clone(robot, previous->state.get())};
+        team_.getRobotSpace(robot).interpolate(previous->state.get(), next->state.get(),
+                                               (time - previous->time) / (next->time - previous->time),
+                                               knot.state.get());
+        return knot;
+    }
+
+    std::vector<double> TimedPaths::timesWithin(double first, double last) const
+    {
+        std::vector<double> times;
+        for (const auto &knots : knots_)
+            for (auto knot = firstFrom(knots, first); knot != knots.end() && knot->time <= last; ++knot)
+                times.push_back(knot->time);
+        std::sort(times.begin(), times.end());
+        times.erase(std::unique(times.begin(), times.end()), times.end());
+        return times;
+    }
+
+    double TimedPaths::knotBefore(double time) const
+    {
+        double before = 0.0;
+        for (const auto &knots : knots_)
+        {
+            const auto next = std::upper_bound(knots.begin(), knots.end(), time,
+                                               [](double t, const Knot &knot) { return t < knot.time; });
+            if (next != knots.begin())
+                before = std::max(before, (next - 1)->time);
+        }
+        return before;
+    }
+
+    double TimedPaths::knotAfter(double time) const
+    {
+        double after = duration_;
+        for (const auto &knots : knots_)
+            if (const auto next = firstFrom(knots, time); next != knots.end())
+                after = std::min(after, next->time);
+        return after;
+    }
+
+    void TimedPaths::copyTo(double time, ob::State *state) const
+    {
+        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+        {
+            ob::State *own = const_cast<ob::State *>(team_.getRobotState(state, robot));
+            const auto &knots = knots_[robot];
+            const auto next = firstFrom(knots, time);
+            if (next == knots.end() || next->time == time || next == knots.begin())
+                team_.getRobotSpace(robot).copyState(own, next == knots.end() ? knots.back().state.get() : next->state.get());
+            else
+                team_.getRobotSpace(robot).interpolate((next - 1)->state.get(), next->state.get(),
+                                                       (time - (next - 1)->time) / (next->time - (next - 1)->time), own);
+        }
+    }
+}
