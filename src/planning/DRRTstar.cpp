@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ompl/util/Time.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -22,7 +24,7 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** The iterations of the tree, and of RRTConnect for a robot, in the first round. Each later round doubles them. */
-        constexpr unsigned int TREE_ITERATIONS = 200, ROBOT_ITERATIONS = 500, SMOOTHING = 100;
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING = 100;
     }
 
     DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si) : Planner(si, "DRRTstar"), bestCost_(std::nan("")), treeCost_(std::nan(""))
@@ -237,8 +239,18 @@ namespace ompl_certificates
         {
             if (rounds_ > 0)
                 roadmaps_->grow(static_cast<TeamRoadmaps::Vertex>(roadmapSize_ << std::min(rounds_ - 1, 20U)), condition);
-            if (!condition && connect(condition))
+            const auto t0 = ompl::time::now();
+            const bool ok = !condition && connect(condition);
+            const auto t1 = ompl::time::now();
+            if (ok)
                 search(condition);
+            if (std::getenv("DBG"))
+            {
+                std::size_t checked = 0, size = 0;
+                for (const auto &r : roadmaps_->getRoadmaps())
+                    checked += r->getCheckedMotions(), size += r->size();
+                std::fprintf(stderr, "round %u vertices %zu checked %zu pairs %zu tree %zu connect %d %.4f search %.4f cost %g tree %g\n", rounds_, size, checked, roadmaps_->getCheckedPairMotions(), tree_->size(), ok, ompl::time::seconds(t1 - t0), ompl::time::seconds(ompl::time::now() - t1), bestCost_.value(), treeCost_.value());
+            }
             ++rounds_;
             if (best_ && objective_->isSatisfied(bestCost_))
                 break;

@@ -89,7 +89,7 @@ namespace ompl_certificates
         ompl::base::Cost bestCost_;
         /** \brief The cost of the best path of the tree */
         ompl::base::Cost treeCost_;
-        unsigned int roadmapSize_{50};
+        unsigned int roadmapSize_{20};
         unsigned int rounds_{0};
         bool smoothing_{true};
     };
