@@ -4,14 +4,14 @@
 #include "ProductTree.h"
 #include "TeamRoadmaps.h"
 
+#include "ompl_certificates/team/TeamPathLength.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <ompl/util/Time.h>
+#include <limits>
 #include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
-#include <ompl/geometric/PathGeometric.h>
-#include <ompl/tools/config/SelfConfig.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -20,23 +20,31 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How many orders of the robots a round tries */
+        /** How many orders of the robots each round tries */
         constexpr unsigned int ORDERS = 20;
 
-        /** The iterations of the tree, and of RRTConnect for a robot, in the first round. Each later round doubles them. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING = 100;
+        /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to shorten the
+            path. Each later round does twice as much. */
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
+
+        /** The number of goal states that are taken from a goal region */
+        constexpr std::size_t MOST_GOALS = 10;
     }
 
-    DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si) : Planner(si, "DRRTstar"), bestCost_(std::nan("")), treeCost_(std::nan(""))
+    DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si)
+      : Planner(si, "DRRTstar"), treeCost_(std::nan("")), bestCost_(std::nan(""))
     {
         specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
         specs_.optimizingPaths = true;
-        specs_.multithreaded = false;
         specs_.canReportIntermediateSolutions = true;
         Planner::declareParam<unsigned int>("roadmap_size", this, &DRRTstar::setRoadmapSize, &DRRTstar::getRoadmapSize,
                                             "1:1000000");
-        addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(bestCost_.value()); });
-        addPlannerProgressProperty("rounds INTEGER", [this] { return std::to_string(rounds_); });
+        Planner::declareParam<unsigned int>("max_roadmap_size", this, &DRRTstar::setMaxRoadmapSize,
+                                            &DRRTstar::getMaxRoadmapSize, "1:10000000");
+        Planner::declareParam<bool>("smoothing", this, &DRRTstar::setSmoothing, &DRRTstar::getSmoothing, "0,1");
+        addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(bestCost_); });
+        addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations_); });
+        addPlannerProgressProperty("roadmap vertices INTEGER", [this] { return std::to_string(vertices_); });
     }
 
     DRRTstar::~DRRTstar() = default;
@@ -44,20 +52,20 @@ namespace ompl_certificates
     void DRRTstar::setup()
     {
         Planner::setup();
+        if (!dynamic_cast<const TeamStateSpace *>(si_->getStateSpace().get()))
+            throw ompl::Exception(getName(), "needs a TeamStateSpace");
         checker_ = std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker());
         if (!checker_)
             throw ompl::Exception(getName(), "needs a TeamValidityChecker");
-        if (!dynamic_cast<const TeamStateSpace *>(si_->getStateSpace().get()))
-            throw ompl::Exception(getName(), "needs a TeamStateSpace");
+        validator_ = std::dynamic_pointer_cast<const CertificateMotionValidator>(si_->getMotionValidator());
+        if (!validator_)
+            validator_ = std::make_shared<CertificateMotionValidator>(checker_);
         if (!pdef_)
             return;
+        if (!pdef_->hasOptimizationObjective())
+            pdef_->setOptimizationObjective(std::make_shared<TeamPathLength>(si_));
         objective_ = pdef_->getOptimizationObjective();
-        if (!objective_)
-        {
-            objective_ = std::make_shared<ob::PathLengthOptimizationObjective>(si_);
-            pdef_->setOptimizationObjective(objective_);
-        }
-        bestCost_ = objective_->infiniteCost();
+        bestCost_ = objective_->infiniteCost().value();
     }
 
     void DRRTstar::clear()
@@ -70,7 +78,14 @@ namespace ompl_certificates
         goals_.clear();
         best_.reset();
         rounds_ = 0;
-        bestCost_ = objective_ ? objective_->infiniteCost() : ob::Cost(std::nan(""));
+        iterations_ = 0;
+        vertices_ = 0;
+        bestCost_ = objective_ ? objective_->infiniteCost().value() : std::nan("");
+    }
+
+    std::uint64_t DRRTstar::effort(unsigned int first) const
+    {
+        return static_cast<std::uint64_t>(first) << std::min(rounds_, 30U);
     }
 
     ob::PlannerStatus DRRTstar::takeInput(const ob::PlannerTerminationCondition &condition)
@@ -90,7 +105,7 @@ namespace ompl_certificates
         if (goals_.empty())
             if (const ob::State *goal = pis_.nextGoal(condition))
                 goals_.push_back(roadmaps_->add(goal));
-        while (const ob::State *goal = goals_.size() < 10 ? pis_.nextGoal() : nullptr)
+        while (const ob::State *goal = goals_.size() < MOST_GOALS ? pis_.nextGoal() : nullptr)
             goals_.push_back(roadmaps_->add(goal));
         if (goals_.empty())
         {
@@ -100,38 +115,137 @@ namespace ompl_certificates
         return ob::PlannerStatus::UNKNOWN;
     }
 
+    void DRRTstar::growRoadmaps(const ob::PlannerTerminationCondition &condition)
+    {
+        const std::uint64_t more = effort(roadmapSize_) / 2;  // The round before the first growth counts, too.
+        std::uint64_t vertices = 0;
+        for (const auto &roadmap : roadmaps_->getRoadmaps())
+        {
+            const std::uint64_t room = maxRoadmapSize_ - std::min(maxRoadmapSize_, roadmap->size());
+            roadmap->grow(static_cast<TeamRoadmaps::Vertex>(std::min(more, room)), condition);
+            vertices += roadmap->size();
+        }
+        vertices_ = vertices;
+    }
+
+    bool DRRTstar::connect(const Configuration &start, const Configuration &goal,
+                           const ob::PlannerTerminationCondition &condition)
+    {
+        const auto iterations = static_cast<unsigned int>(
+            std::min<std::uint64_t>(effort(ROBOT_ITERATIONS), std::numeric_limits<unsigned int>::max()));
+        for (unsigned int robot = 0; robot < start.size(); ++robot)
+            if (!roadmaps_->getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
+            {
+                stuckRobot_ = checker_->getTeam().getRobot(robot).getName();
+                return false;
+            }
+        return true;
+    }
+
+    bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
+    {
+        std::vector<ProductTree::Goal> goals;
+        for (const Configuration &goal : goals_)
+            if (std::any_of(starts_.begin(), starts_.end(),
+                            [&](const Configuration &start) { return connect(start, goal, condition); }))
+                goals.push_back({goal, {}});
+        if (goals.empty() || condition)
+            return false;
+        stuckRobot_.clear();
+        for (ProductTree::Goal &goal : goals)
+            for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
+                goal.distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]));
+        tree_->setGoals(std::move(goals));
+        return true;
+    }
+
+    void DRRTstar::searchByPriorities(const ob::PlannerTerminationCondition &condition)
+    {
+        for (const ProductTree::Goal &goal : tree_->getGoals())
+            for (const Configuration &start : starts_)
+                while (const auto path = PrioritizedSearch(*roadmaps_, start, goal.configuration, goal.distances)
+                                             .search(ORDERS, condition))
+                    if (confirm(*path))
+                    {
+                        tree_->insert(*path);
+                        take(*path, condition);
+                        return;
+                    }
+    }
+
+    void DRRTstar::searchTree(const ob::PlannerTerminationCondition &condition)
+    {
+        const std::uint64_t most = effort(TREE_ITERATIONS);
+        std::uint64_t left = most;
+        while (tree_->grow(left, treeCost_, condition))
+        {
+            const Path path = tree_->getPath();
+            if (!confirm(path))
+                continue;
+            treeCost_ = tree_->getCost();
+            take(path, condition);
+        }
+        iterations_ += most - left;
+    }
+
+    void DRRTstar::take(const Path &path, const ob::PlannerTerminationCondition &condition)
+    {
+        og::PathGeometric geometric = toGeometric(path);
+        report(geometric);
+        shorten(std::move(geometric), condition);
+    }
+
+    void DRRTstar::shorten(og::PathGeometric path, const ob::PlannerTerminationCondition &condition)
+    {
+        if (smoothing_ && simplifier_->simplify(path, effort(ATTEMPTS), condition))
+            report(path);
+    }
+
     bool DRRTstar::confirm(const Path &path)
     {
-        const Team &team = checker_->getTeam();
-        ob::State *from = si_->allocState(), *to = si_->allocState(), *at = si_->allocState();
+        og::PathGeometric geometric = toGeometric(path);
         bool holds = true;
         for (std::size_t step = 0; step + 1 < path.size(); ++step)
-        {
-            const Configuration &a = path[step], &b = path[step + 1];
-            roadmaps_->copyTo(a, from);
-            roadmaps_->copyTo(b, to);
-            if (si_->checkMotion(from, to))
-                continue;
-            // The team's resolution is finer than that of a robot: what it shows is taken from the roadmaps.
-            holds = false;
-            tree_->cut(b);
-            const unsigned int segments = si_->getStateSpace()->validSegmentCount(from, to);
-            for (unsigned int sample = 0; sample <= segments; ++sample)
+            if (!si_->checkMotion(geometric.getState(static_cast<unsigned int>(step)),
+                                  geometric.getState(static_cast<unsigned int>(step + 1))))
             {
-                si_->getStateSpace()->interpolate(from, to, static_cast<double>(sample) / segments, at);
-                for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-                {
-                    if (!checker_->isRobotFree(i, team.getRobotState(at, i)))
-                        roadmaps_->refute(i, a[i], b[i]);
-                    for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
-                        if (!checker_->isPairFree(i, team.getRobotState(at, i), j, team.getRobotState(at, j)))
-                            roadmaps_->refute(i, a[i], b[i], j, a[j], b[j]);
-                }
+                holds = false;
+                refute(path[step], path[step + 1]);
+                tree_->cut(path[step], path[step + 1]);
             }
-        }
-        for (ob::State *state : {from, to, at})
-            si_->freeState(state);
         return holds;
+    }
+
+    void DRRTstar::refute(const Configuration &from, const Configuration &to)
+    {
+        // The team's samples are not those of a robot's own motion.
+        const Team &team = checker_->getTeam();
+        og::PathGeometric step = toGeometric({from, to});
+        step.interpolate(si_->getStateSpace()->validSegmentCount(step.getState(0), step.getState(1)) + 1);
+        bool isFound = false;
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            for (const ob::State *state : step.getStates())
+            {
+                const ob::State *own = team.getRobotState(state, i);
+                if (!checker_->isRobotFree(i, own))
+                {
+                    roadmaps_->refute(i, from[i], to[i]);
+                    isFound = true;
+                }
+                for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
+                    if (!checker_->isPairFree(i, own, j, team.getRobotState(state, j)))
+                    {
+                        roadmaps_->refute(i, from[i], to[i], j, from[j], to[j]);
+                        isFound = true;
+                    }
+            }
+        // A motion that is not proved, though all its samples are free: without one of its edges, the search goes another way.
+        for (unsigned int i = 0; i < team.getRobotCount() && !isFound; ++i)
+            if (from[i] != to[i])
+            {
+                roadmaps_->refute(i, from[i], to[i]);
+                isFound = true;
+            }
     }
 
     og::PathGeometric DRRTstar::toGeometric(const Path &path) const
@@ -150,75 +264,12 @@ namespace ompl_certificates
     void DRRTstar::report(const og::PathGeometric &path)
     {
         const ob::Cost cost = path.cost(objective_);
-        if (!objective_->isCostBetterThan(cost, bestCost_))
+        if (best_ && !objective_->isCostBetterThan(cost, getBestCost()))
             return;
         best_ = std::make_shared<og::PathGeometric>(path);
-        bestCost_ = cost;
-        OMPL_INFORM("%s: a solution of cost %.4f in round %u", getName().c_str(), cost.value(), rounds_);
+        bestCost_ = cost.value();
         if (const auto intermediate = pdef_->getIntermediateSolutionCallback())
-        {
-            const auto &kept = best_->as<og::PathGeometric>()->getStates();
-            const std::vector<const ob::State *> states(kept.begin(), kept.end());
-            intermediate(this, states, cost);
-        }
-    }
-
-    bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
-    {
-        const unsigned int iterations = ROBOT_ITERATIONS << std::min(rounds_, 20U);
-        std::vector<ProductTree::Goal> goals;
-        for (const Configuration &goal : goals_)
-        {
-            std::vector<std::vector<double>> distances;
-            for (unsigned int robot = 0; robot < goal.size(); ++robot)
-            {
-                distances.push_back(
-                    roadmaps_->getRoadmap(robot).connect(starts_.front()[robot], goal[robot], iterations, condition));
-                if (distances.back().empty())
-                    break;
-            }
-            if (distances.size() == goal.size() && !distances.back().empty())
-                goals.push_back({goal, distances});
-        }
-        if (goals.empty())
-            return false;
-        // What was connected first may have found edges blocked, and added vertices.
-        for (ProductTree::Goal &goal : goals)
-            for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
-                goal.distances[robot] = roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]);
-        tree_->setGoals(std::move(goals));
-        return true;
-    }
-
-    void DRRTstar::search(const ob::PlannerTerminationCondition &condition)
-    {
-        if (!best_ && std::getenv("NOPRIO") == nullptr)
-            for (const ProductTree::Goal &goal : tree_->getGoals())
-                while (const auto path = PrioritizedSearch(*roadmaps_, starts_.front(), goal.configuration,
-                                                           goal.distances).search(ORDERS, condition))
-                    if (confirm(*path))
-                    {
-                        tree_->insert(*path);
-                        break;
-                    }
-        unsigned int iterations = TREE_ITERATIONS << std::min(rounds_, 20U);
-        while (tree_->grow(iterations, treeCost_, condition))
-        {
-            const Path path = tree_->getPath();
-            if (!confirm(path))
-                continue;
-            treeCost_ = tree_->getCost();
-            og::PathGeometric geometric = toGeometric(path);
-            report(geometric);
-            if (smoothing_ && simplifier_->simplify(geometric, SMOOTHING << std::min(rounds_, 20U), condition))
-                report(geometric);
-        }
-        if (best_ && smoothing_)
-        {
-            og::PathGeometric geometric = *best_->as<og::PathGeometric>();
-            if (simplifier_->simplify(geometric, SMOOTHING << std::min(rounds_, 20U), condition))
-                report(geometric);
-        }
+            intermediate(this, {best_->getStates().begin(), best_->getStates().end()}, cost);
     }
 
     ob::PlannerStatus DRRTstar::solve(const ob::PlannerTerminationCondition &condition)
@@ -226,7 +277,7 @@ namespace ompl_certificates
         checkValidity();
         if (!roadmaps_)
         {
-            roadmaps_ = std::make_unique<TeamRoadmaps>(*checker_);
+            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
             simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
@@ -235,31 +286,28 @@ namespace ompl_certificates
             return status;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
-        while (!condition)
+        const auto isDone = [&] { return condition || (best_ && objective_->isSatisfied(getBestCost())); };
+        for (; !isDone(); ++rounds_)
         {
             if (rounds_ > 0)
-                roadmaps_->grow(static_cast<TeamRoadmaps::Vertex>(roadmapSize_ << std::min(rounds_ - 1, 20U)), condition);
-            const auto t0 = ompl::time::now();
-            const bool ok = !condition && connect(condition);
-            const auto t1 = ompl::time::now();
-            if (ok)
-                search(condition);
-            if (std::getenv("DBG"))
-            {
-                std::size_t checked = 0, size = 0;
-                for (const auto &r : roadmaps_->getRoadmaps())
-                    checked += r->getCheckedMotions(), size += r->size();
-                std::fprintf(stderr, "round %u vertices %zu checked %zu pairs %zu tree %zu connect %d %.4f search %.4f cost %g tree %g\n", rounds_, size, checked, roadmaps_->getCheckedPairMotions(), tree_->size(), ok, ompl::time::seconds(t1 - t0), ompl::time::seconds(ompl::time::now() - t1), bestCost_.value(), treeCost_.value());
-            }
-            ++rounds_;
-            if (best_ && objective_->isSatisfied(bestCost_))
-                break;
+                growRoadmaps(condition);
+            if (!connect(condition))
+                continue;
+            searchByPriorities(condition);
+            searchTree(condition);
+            if (best_)
+                shorten(*best_, condition);
         }
         if (!best_)
+        {
+            if (!stuckRobot_.empty())
+                OMPL_ERROR("%s: robot '%s' found no way from its start to its goal even alone, among %llu vertices",
+                           getName().c_str(), stuckRobot_.c_str(), static_cast<unsigned long long>(vertices_));
             return ob::PlannerStatus::TIMEOUT;
+        }
         ob::PlannerSolution solution(best_);
         solution.setPlannerName(getName());
-        solution.setOptimized(objective_, bestCost_, objective_->isSatisfied(bestCost_));
+        solution.setOptimized(objective_, getBestCost(), objective_->isSatisfied(getBestCost()));
         pdef_->addSolutionPath(solution);
         return ob::PlannerStatus::EXACT_SOLUTION;
     }
@@ -267,10 +315,13 @@ namespace ompl_certificates
     void DRRTstar::getPlannerData(ob::PlannerData &data) const
     {
         Planner::getPlannerData(data);
-        if (!best_)
+        if (!tree_)
             return;
-        const auto &states = best_->as<og::PathGeometric>()->getStates();
-        for (std::size_t i = 0; i + 1 < states.size(); ++i)
-            data.addEdge(ob::PlannerDataVertex(states[i]), ob::PlannerDataVertex(states[i + 1]));
+        tree_->visitEdges([&](const ob::State *from, const ob::State *to)
+                          { data.addEdge(ob::PlannerDataVertex(from), ob::PlannerDataVertex(to)); });
+        for (const ob::State *start : tree_->getStarts())
+            data.addStartVertex(ob::PlannerDataVertex(start));
+        for (const ob::State *goal : tree_->getReachedGoals())
+            data.addGoalVertex(ob::PlannerDataVertex(goal));
     }
 }

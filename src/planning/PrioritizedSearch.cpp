@@ -53,6 +53,7 @@ namespace ompl_certificates
         for (; orders > 0 && !condition; --orders)
         {
             moves_.assign(1, {});
+            durations_.assign(1, 0.0);
             const auto failed =
                 std::find_if(order.begin(), order.end(), [&](unsigned int robot) { return !plan(robot, condition); });
             if (failed != order.end())
@@ -96,13 +97,17 @@ namespace ompl_certificates
     {
         const std::vector<Move> allStay = moves_.back();
         if (path.size() > moves_.size())
+        {
             moves_.resize(path.size(), allStay);
+            durations_.resize(path.size(), 0.0);
+        }
         const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
         for (std::size_t step = 0; step < moves_.size(); ++step)
             if (step + 1 < path.size())
             {
                 const Roadmap::Edge *edge = roadmap.findEdge(path[step], path[step + 1]);
                 moves_[step].push_back({roadmap.getSwept(edge->motion), robot, path[step], edge});
+                durations_[step] = std::max(durations_[step], edge->length);
             }
             else
                 moves_[step].push_back(stayOf(robot));
@@ -144,7 +149,8 @@ namespace ompl_certificates
             }
             for (const Roadmap::Edge &edge : roadmap.getEdges(node.vertex))
             {
-                const double length = node.length + edge.length;
+                const double length =
+                    node.length + std::max(edge.length, durations_[std::min<std::size_t>(node.step, last)]);
                 // After all others have arrived there is nothing to wait for.
                 if (!std::isfinite(distances[edge.to]) || (edge.to == node.vertex && node.step >= last))
                     continue;

@@ -57,6 +57,8 @@ namespace ompl_certificates
         const std::vector<std::vector<double>> &distances_;
         /** \brief What the planned robots do in each step, until all have arrived; the last entry is how they stay */
         std::vector<std::vector<Move>> moves_;
+        /** \brief How long each of these steps takes: as long as the longest edge */
+        std::vector<double> durations_;
     };
 }
 

@@ -22,8 +22,7 @@ namespace ompl_certificates
         constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max() - 1;
     }
 
-    ProductTree::ProductTree(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
-                             TeamRoadmaps &roadmaps)
+    ProductTree::ProductTree(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective, TeamRoadmaps &roadmaps)
       : si_(std::move(si))
       , objective_(std::move(objective))
       , roadmaps_(roadmaps)
@@ -34,7 +33,8 @@ namespace ompl_certificates
       , target_(si_->allocState())
     {
         const auto stateOf = [this](Number number) { return number == TARGET ? target_ : nodes_[number].state; };
-        near_->setDistanceFunction([this, stateOf](Number a, Number b) { return si_->distance(stateOf(a), stateOf(b)); });
+        near_->setDistanceFunction([this, stateOf](Number a, Number b)
+                                   { return si_->distance(stateOf(a), stateOf(b)); });
     }
 
     ProductTree::~ProductTree()
@@ -80,7 +80,7 @@ namespace ompl_certificates
         return best == NONE ? objective_->infiniteCost() : nodes_[best].cost;
     }
 
-    bool ProductTree::grow(unsigned int &iterations, ob::Cost bound, const ob::PlannerTerminationCondition &condition)
+    bool ProductTree::grow(std::uint64_t &iterations, ob::Cost bound, const ob::PlannerTerminationCondition &condition)
     {
         while (!objective_->isCostBetterThan(getCost(), bound))
         {
@@ -303,16 +303,34 @@ namespace ompl_certificates
         return path;
     }
 
-    void ProductTree::cut(const Configuration &configuration)
+    void ProductTree::cut(const Configuration &from, const Configuration &to)
     {
-        const auto entry = numbers_.find(configuration);
-        if (entry == numbers_.end())
+        const auto parent = numbers_.find(from), child = numbers_.find(to);
+        if (parent == numbers_.end() || child == numbers_.end() || nodes_[child->second].parent != parent->second)
             return;
-        const Number node = entry->second;
-        auto &siblings = nodes_[nodes_[node].parent].children;
+        const Number node = child->second;
+        auto &siblings = nodes_[parent->second].children;
         siblings.erase(std::find(siblings.begin(), siblings.end(), node));
         remove(node);
         last_ = NONE;
+    }
+
+    std::vector<const ob::State *> ProductTree::getStarts() const
+    {
+        std::vector<const ob::State *> starts;
+        for (const auto &entry : numbers_)
+            if (nodes_[entry.second].parent == NONE)
+                starts.push_back(nodes_[entry.second].state);
+        return starts;
+    }
+
+    std::vector<const ob::State *> ProductTree::getReachedGoals() const
+    {
+        std::vector<const ob::State *> goals;
+        for (const Goal &goal : goals_)
+            if (const auto entry = numbers_.find(goal.configuration); entry != numbers_.end())
+                goals.push_back(nodes_[entry->second].state);
+        return goals;
     }
 
     void ProductTree::remove(Number node)

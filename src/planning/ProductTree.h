@@ -58,7 +58,7 @@ namespace ompl_certificates
         /** \brief Iterate until a better path is found, or \e condition becomes true
             \param iterations at most that many; counted down
             \return whether the tree has a path of lower cost than \e bound */
-        bool grow(unsigned int &iterations, ompl::base::Cost bound,
+        bool grow(std::uint64_t &iterations, ompl::base::Cost bound,
                   const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Add a path that begins at a start */
@@ -67,14 +67,20 @@ namespace ompl_certificates
         /** \brief The best path to a goal; empty if there is none */
         TeamRoadmaps::Path getPath() const;
 
-        /** \brief Remove a vertex and all that follow it */
-        void cut(const Configuration &configuration);
+        /** \brief Remove an edge, if it is one of the tree, and all that follows it */
+        void cut(const Configuration &from, const Configuration &to);
 
         /** \brief The number of vertices */
         std::size_t size() const
         {
             return numbers_.size();
         }
+
+        /** \brief The states of the starts */
+        std::vector<const ompl::base::State *> getStarts() const;
+
+        /** \brief The states of the goals that the tree has reached */
+        std::vector<const ompl::base::State *> getReachedGoals() const;
 
         /** \brief Call \e visit for each edge with the states of its ends */
         template <typename Visitor>

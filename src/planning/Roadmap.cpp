@@ -17,11 +17,11 @@ namespace ompl_certificates
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
 
-    Roadmap::Roadmap(const TeamValidityChecker &checker, unsigned int robot)
-      : checker_(checker)
+    Roadmap::Roadmap(const CertificateMotionValidator &validator, unsigned int robot)
+      : validator_(validator)
       , robot_(robot)
-      , space_(checker.getTeam().getRobotSpace(robot))
-      , si_(makeRobotSpaceInformation(checker, robot))
+      , space_(validator.getChecker().getTeam().getRobotSpace(robot))
+      , si_(makeRobotSpaceInformation(validator, robot))
       , sampler_(space_.allocStateSampler())
       , near_(std::make_unique<ompl::NearestNeighborsGNATNoThreadSafety<Vertex>>())
       , sample_(space_.allocState())
@@ -89,7 +89,7 @@ namespace ompl_certificates
         {
             ++checkedMotions_;
             const ob::State *a = states_[from], *b = states_[edge.to];
-            data.knowledge = checker_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
+            data.knowledge = validator_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
             if (data.knowledge == Knowledge::FREE)
                 data.swept = sweptBy(a, b);
         }
@@ -98,7 +98,7 @@ namespace ompl_certificates
 
     Ball Roadmap::sweptBy(const ob::State *from, const ob::State *to) const
     {
-        const Robot &robot = checker_.getTeam().getRobot(robot_);
+        const Robot &robot = validator_.getChecker().getTeam().getRobot(robot_);
         const std::size_t bodies = robot.getBodies().size();
         std::vector<Pose> poses(bodies);
         std::vector<MotionBound> bounds(bodies);
@@ -124,7 +124,7 @@ namespace ompl_certificates
         while (count > 0 && !condition)
         {
             sampler_->sampleUniform(sample);
-            if (!checker_.isRobotFree(robot_, sample))
+            if (!validator_.getChecker().isRobotFree(robot_, sample))
                 continue;
             add(sample);
             --count;
@@ -178,17 +178,18 @@ namespace ompl_certificates
         return isFreeSoFar;
     }
 
-    std::vector<double> Roadmap::connect(Vertex start, Vertex goal, unsigned int iterations,
-                                         const ob::PlannerTerminationCondition &condition)
+    bool Roadmap::connect(Vertex start, Vertex goal, unsigned int iterations,
+                          const ob::PlannerTerminationCondition &condition)
     {
         while (!condition)
         {
-            std::vector<double> distances = distancesTo(goal);
-            if (std::isfinite(distances[start]) ? isPathFree(start, distances)
-                                                : !plan(start, goal, iterations, condition))
-                return std::isfinite(distances[start]) ? distances : std::vector<double>();
+            const std::vector<double> distances = distancesTo(goal);
+            if (!std::isfinite(distances[start]))
+                return plan(start, goal, iterations, condition);
+            if (isPathFree(start, distances))
+                return true;
         }
-        return {};
+        return false;
     }
 
     bool Roadmap::plan(Vertex start, Vertex goal, unsigned int iterations,

@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_PLANNING_ROADMAP_
 
 #include "ompl_certificates/geometry/Ball.h"
-#include "ompl_certificates/validity/TeamValidityChecker.h"
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <cstdint>
 #include <memory>
@@ -38,8 +38,8 @@ namespace ompl_certificates
             double length;
         };
 
-        /** \brief An empty roadmap for robot number \e robot of \e checker's team */
-        Roadmap(const TeamValidityChecker &checker, unsigned int robot);
+        /** \brief An empty roadmap for robot number \e robot of the team */
+        Roadmap(const CertificateMotionValidator &validator, unsigned int robot);
         ~Roadmap();
 
         Roadmap(const Roadmap &) = delete;
@@ -102,9 +102,9 @@ namespace ompl_certificates
 
         /** \brief Find a free path between two vertices. If the roadmap has none, RRTConnect looks for one with at most
             \e iterations, and its path becomes part of the roadmap.
-            \return the distances of all vertices to \e goal, as distancesTo(); empty if there is no path */
-        std::vector<double> connect(Vertex start, Vertex goal, unsigned int iterations,
-                                    const ompl::base::PlannerTerminationCondition &condition);
+            \return whether there is a path */
+        bool connect(Vertex start, Vertex goal, unsigned int iterations,
+                     const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief The lengths of the shortest paths from all vertices to \e goal along motions that are not known to be blocked;
             infinite where there is none. Cost: that of Dijkstra's algorithm. */
@@ -137,7 +137,7 @@ namespace ompl_certificates
 
         Ball sweptBy(const ompl::base::State *from, const ompl::base::State *to) const;
 
-        const TeamValidityChecker &checker_;
+        const CertificateMotionValidator &validator_;
         const unsigned int robot_;
         const ompl::base::StateSpace &space_;
         ompl::base::SpaceInformationPtr si_;

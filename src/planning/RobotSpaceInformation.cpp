@@ -12,14 +12,15 @@ namespace ompl_certificates
         class RobotMotionValidator : public ob::MotionValidator
         {
         public:
-            RobotMotionValidator(ob::SpaceInformation *si, const TeamValidityChecker &checker, unsigned int robot)
-              : MotionValidator(si), checker_(checker), robot_(robot)
+            RobotMotionValidator(ob::SpaceInformation *si, const CertificateMotionValidator &validator,
+                                 unsigned int robot)
+              : MotionValidator(si), validator_(validator), robot_(robot)
             {
             }
 
             bool checkMotion(const ob::State *s1, const ob::State *s2) const override
             {
-                return checker_.isRobotMotionFree(robot_, s1, s2);
+                return validator_.isRobotMotionFree(robot_, s1, s2);
             }
 
             bool checkMotion(const ob::State * /*s1*/, const ob::State * /*s2*/,
@@ -29,17 +30,18 @@ namespace ompl_certificates
             }
 
         private:
-            const TeamValidityChecker &checker_;
+            const CertificateMotionValidator &validator_;
             const unsigned int robot_;
         };
     }
 
-    ob::SpaceInformationPtr makeRobotSpaceInformation(const TeamValidityChecker &checker, unsigned int robot)
+    ob::SpaceInformationPtr makeRobotSpaceInformation(const CertificateMotionValidator &validator, unsigned int robot)
     {
+        const TeamValidityChecker &checker = validator.getChecker();
         auto si = std::make_shared<ob::SpaceInformation>(checker.getTeam().getRobot(robot).getStateSpace());
         si->setStateValidityChecker([&checker, robot](const ob::State *state)
                                     { return checker.isRobotFree(robot, state); });
-        si->setMotionValidator(std::make_shared<RobotMotionValidator>(si.get(), checker, robot));
+        si->setMotionValidator(std::make_shared<RobotMotionValidator>(si.get(), validator, robot));
         si->setup();
         return si;
     }

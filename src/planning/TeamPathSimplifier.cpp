@@ -13,8 +13,8 @@ namespace ompl_certificates
 
     namespace
     {
-        /** A change must lower the cost by that part of it, so that rounding is no progress. */
-        constexpr double LEAST_GAIN = 1e-9;
+        /** A change must lower the cost by that part of it, so that many tiny gains do not fill the path with corners. */
+        constexpr double LEAST_GAIN = 1e-5;
 
         /** A path is as good as it gets when that many attempts in a row, for each knot, were in vain. */
         constexpr std::uint64_t VAIN_ATTEMPTS = 50;
@@ -45,26 +45,37 @@ namespace ompl_certificates
         Attempt(const Attempt &) = delete;
         Attempt &operator=(const Attempt &) = delete;
 
-        /** Whether all robots may move at even paces from start to end, or some of them */
-        bool evenAll()
+        /** Let all robots move at even paces from start to end, or as fast as they can; if not all, then one by one */
+        bool paceAll()
         {
-            std::vector<Change> changes;
+            bool isBetter = false;
+            for (const Pace pace : {EVEN, FAST})
+            {
+                std::vector<Change> changes;
+                for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+                    changes.push_back({robot, paced(pace, robot, 0.0, paths_.getDuration())});
+                isBetter = accept(std::move(changes), 0.0, paths_.getDuration()) || isBetter;
+            }
+            if (isBetter)
+                return true;
             for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
-                changes.push_back({robot, even(robot, 0.0, paths_.getDuration())});
-            return accept(std::move(changes), 0.0, paths_.getDuration());
+                isBetter =
+                    takeShortcut(robot, 0.0, paths_.getDuration()) ||
+                    accept({{robot, paced(EVEN, robot, 0.0, paths_.getDuration())}}, 0.0, paths_.getDuration()) ||
+                    isBetter;
+            return isBetter;
         }
 
         /** A change at random */
         bool tryOne()
         {
-            const auto robot =
-                static_cast<unsigned int>(random_.uniformInt(0, static_cast<int>(team_.getRobotCount()) - 1));
+            const unsigned int robot = pickRobot();
             const double choice = random_.uniform01();
             if (choice < 0.4)
                 return moveCorner(robot);
             const auto [first, last] = interval(robot);
             if (choice < 0.6)
-                return accept({{robot, even(robot, first, last)}}, first, last);
+                return accept({{robot, paced(choice < 0.5 ? EVEN : FAST, robot, first, last)}}, first, last);
             if (choice < 0.9)
                 return takeShortcut(robot, first, last);
             return takeTeamShortcut(first, last);
@@ -93,6 +104,13 @@ namespace ompl_certificates
         using Knot = TimedPaths::Knot;
         using Knots = std::vector<Knot>;
 
+        /** How a robot goes its way between two times: as slowly as it may, or at unit speed and then it waits */
+        enum Pace
+        {
+            EVEN,
+            FAST
+        };
+
         /** New knots of a robot */
         struct Change
         {
@@ -100,15 +118,27 @@ namespace ompl_certificates
             Knots knots;
         };
 
+        std::size_t pick(std::size_t count)
+        {
+            return static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(count) - 1));
+        }
+
+        unsigned int pickRobot()
+        {
+            return static_cast<unsigned int>(pick(team_.getRobotCount()));
+        }
+
         /** Part of the path: from corner to corner of a robot's way, or between any two times */
         std::pair<double, double> interval(unsigned int robot)
         {
-            const Knots &knots = paths_.getKnots(robot);
+            // Times that are corners already make no new ones.
             const auto time = [&]
             {
-                if (random_.uniform01() < 0.5)
+                const double choice = random_.uniform01();
+                if (choice < 0.1)
                     return random_.uniformReal(0.0, paths_.getDuration());
-                return knots[static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(knots.size()) - 1))].time;
+                const auto other = choice < 0.5 ? robot : pickRobot();
+                return paths_.getKnots(other)[pick(paths_.getKnots(other).size())].time;
             };
             const double a = time(), b = time();
             return {std::min(a, b), std::max(a, b)};
@@ -129,8 +159,8 @@ namespace ompl_certificates
             return result;
         }
 
-        /** The knots of a robot that goes the same way, at an even pace between two times */
-        Knots even(unsigned int robot, double first, double last) const
+        /** The knots of a robot that goes the same way between two times at another pace */
+        Knots paced(Pace pace, unsigned int robot, double first, double last) const
         {
             const ob::StateSpace &space = team_.getRobotSpace(robot);
             Knots middle;
@@ -144,11 +174,15 @@ namespace ompl_certificates
                         middle.push_back({length, knot.state});
                         previous = knot;
                     }
-            length += space.distance(previous.state.get(), paths_.at(robot, last).state.get());
+            const Knot end = paths_.at(robot, last);
+            length += space.distance(previous.state.get(), end.state.get());
             const auto isAtEnd = [&](const Knot &knot) { return !(knot.time < length); };
             middle.erase(std::find_if(middle.begin(), middle.end(), isAtEnd), middle.end());
+            const double duration = pace == EVEN ? last - first : std::min(length, last - first);
             for (Knot &knot : middle)
-                knot.time = first + (last - first) * (knot.time / length);
+                knot.time = first + duration * (knot.time / length);
+            if (duration < last - first)
+                middle.push_back({first + duration, end.state});
             return replaced(robot, first, last, middle);
         }
 
@@ -173,7 +207,7 @@ namespace ompl_certificates
             const Knots &knots = paths_.getKnots(robot);
             if (knots.size() < 3)
                 return false;
-            const auto index = static_cast<std::size_t>(random_.uniformInt(1, static_cast<int>(knots.size()) - 2));
+            const std::size_t index = 1 + pick(knots.size() - 2);
             const Knot &previous = knots[index - 1], &next = knots[index + 1];
             const ob::StateSpace &space = team_.getRobotSpace(robot);
             const double scale = std::pow(10.0, random_.uniformReal(-4.0, 0.0));
@@ -235,7 +269,8 @@ namespace ompl_certificates
 
         bool isValid(double begin, double end)
         {
-            return visitMotions(begin, end, [this](const ob::State *from, const ob::State *to)
+            return visitMotions(begin, end,
+                                [this](const ob::State *from, const ob::State *to)
                                 { return si_.isValid(to) && si_.checkMotion(from, to); });
         }
 
@@ -264,7 +299,7 @@ namespace ompl_certificates
         if (path.getStateCount() < 2)
             return false;
         Attempt attempt(*this, path, random_);
-        bool isSimpler = attempt.evenAll();
+        bool isSimpler = attempt.paceAll();
         std::uint64_t inVain = 0;
         for (; attempts > 0 && !condition && inVain < VAIN_ATTEMPTS * attempt.countKnots(); --attempts)
             if (attempt.tryOne())

@@ -7,9 +7,9 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
-    TeamRoadmaps::TeamRoadmaps(const TeamValidityChecker &checker) : checker_(checker)
+    TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator) : validator_(validator)
     {
-        const auto &robots = checker.getTeam().getRobots();
+        const auto &robots = validator.getChecker().getTeam().getRobots();
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
         {
@@ -19,7 +19,7 @@ namespace ompl_certificates
             if (alike == owners.end())
             {
                 owners.push_back(robot);
-                roadmaps_.push_back(std::make_unique<Roadmap>(checker, robot));
+                roadmaps_.push_back(std::make_unique<Roadmap>(validator, robot));
             }
         }
     }
@@ -28,7 +28,8 @@ namespace ompl_certificates
     {
         Configuration configuration;
         for (unsigned int robot = 0; robot < getRobotCount(); ++robot)
-            configuration.push_back(getRoadmap(robot).add(checker_.getTeam().getRobotState(state, robot)));
+            configuration.push_back(
+                getRoadmap(robot).add(validator_.getChecker().getTeam().getRobotState(state, robot)));
         return configuration;
     }
 
@@ -71,8 +72,8 @@ namespace ompl_certificates
             pairMotions_.try_emplace(keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge), false);
         if (isNew)
             entry->second =
-                checker_.isPairMotionFree(first, one.getState(firstFrom), one.getState(firstEdge.to), second,
-                                          other.getState(secondFrom), other.getState(secondEdge.to));
+                validator_.isPairMotionFree(first, one.getState(firstFrom), one.getState(firstEdge.to), second,
+                                            other.getState(secondFrom), other.getState(secondEdge.to));
         return entry->second;
     }
 
@@ -112,7 +113,7 @@ namespace ompl_certificates
     void TeamRoadmaps::copyTo(const Configuration &configuration, ob::State *state) const
     {
         for (unsigned int robot = 0; robot < getRobotCount(); ++robot)
-            checker_.getTeam().getRobotSpace(robot).copyState(state->as<ob::CompoundState>()->components[robot],
-                                                              getRoadmap(robot).getState(configuration[robot]));
+            validator_.getChecker().getTeam().getRobotSpace(robot).copyState(
+                state->as<ob::CompoundState>()->components[robot], getRoadmap(robot).getState(configuration[robot]));
     }
 }

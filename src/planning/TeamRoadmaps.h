@@ -27,7 +27,7 @@ namespace ompl_certificates
         /** \brief Configurations of the team, one after each step */
         using Path = std::vector<Configuration>;
 
-        explicit TeamRoadmaps(const TeamValidityChecker &checker);
+        explicit TeamRoadmaps(const CertificateMotionValidator &validator);
 
         unsigned int getRobotCount() const
         {
@@ -104,7 +104,7 @@ namespace ompl_certificates
         PairMotion keyOf(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
                          Vertex secondFrom, const Roadmap::Edge &secondEdge) const;
 
-        const TeamValidityChecker &checker_;
+        const CertificateMotionValidator &validator_;
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
         std::vector<unsigned int> roadmapOf_;
         /** \brief Whether the robots stay apart */

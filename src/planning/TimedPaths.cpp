@@ -1,5 +1,7 @@
 #include "TimedPaths.h"
 
+#include "ompl_certificates/team/TeamObjective.h"
+
 #include <algorithm>
 
 namespace ompl_certificates
@@ -9,10 +11,11 @@ namespace ompl_certificates
     TimedPaths::TimedPaths(const Team &team, const ompl::geometric::PathGeometric &path)
       : team_(team), knots_(team.getRobotCount())
     {
+        const auto &space = *team.getStateSpace()->as<ob::CompoundStateSpace>();
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
         {
             const ob::State *whole = path.getState(i);
-            const double step = i > 0 ? team.getStateSpace()->distance(path.getState(i - 1), whole) : 0.0;
+            const double step = i > 0 ? motionDuration(space, path.getState(i - 1), whole) : 0.0;
             if (i > 0 && !(step > 0.0))
                 continue;
             duration_ += step;
@@ -104,10 +107,12 @@ namespace ompl_certificates
             const auto &knots = knots_[robot];
             const auto next = firstFrom(knots, time);
             if (next == knots.end() || next->time == time || next == knots.begin())
-                team_.getRobotSpace(robot).copyState(own, next == knots.end() ? knots.back().state.get() : next->state.get());
+                team_.getRobotSpace(robot).copyState(own, next == knots.end() ? knots.back().state.get()
+                                                                              : next->state.get());
             else
                 team_.getRobotSpace(robot).interpolate((next - 1)->state.get(), next->state.get(),
-                                                       (time - (next - 1)->time) / (next->time - (next - 1)->time), own);
+                                                       (time - (next - 1)->time) / (next->time - (next - 1)->time),
+                                                       own);
         }
     }
 }

@@ -76,6 +76,31 @@ namespace ompl_certificates
         return valid;
     }
 
+    bool CertificateMotionValidator::isRobotMotionFree(unsigned int robot, const ob::State *from,
+                                                       const ob::State *to) const
+    {
+        if (mode_ == DISCRETE)
+            return checker_->isRobotMotionFree(robot, from, to);
+        const TeamCheck &check = checker_->getTeamCheck();
+        const TeamCheck::Scope context(check);
+        return ContinuousMotionCheck(check, *context, {Subject::ROBOT, robot, robot, 0}, {from}, {to}).isFree();
+    }
+
+    bool CertificateMotionValidator::isPairMotionFree(unsigned int first, const ob::State *firstFrom,
+                                                      const ob::State *firstTo, unsigned int second,
+                                                      const ob::State *secondFrom, const ob::State *secondTo) const
+    {
+        if (first > second)
+            return isPairMotionFree(second, secondFrom, secondTo, first, firstFrom, firstTo);
+        if (mode_ == DISCRETE)
+            return checker_->isPairMotionFree(first, firstFrom, firstTo, second, secondFrom, secondTo);
+        const TeamCheck &check = checker_->getTeamCheck();
+        const TeamCheck::Scope context(check);
+        return ContinuousMotionCheck(check, *context, check.getPair(first, second), {firstFrom, secondFrom},
+                                     {firstTo, secondTo})
+            .isFree();
+    }
+
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {

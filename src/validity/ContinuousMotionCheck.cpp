@@ -18,6 +18,18 @@ namespace ompl_certificates
       : MotionCheck(check, context, s1, s2)
     {
         orient();
+        makeCells();
+    }
+
+    ContinuousMotionCheck::ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject,
+                                                 States from, States to)
+      : MotionCheck(check, context, subject, from, to)
+    {
+        makeCells();
+    }
+
+    void ContinuousMotionCheck::makeCells()
+    {
         constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / CELLS;
         cells_ = CELLS * static_cast<int>(std::min(std::max(countSegments(), 1U), mostSegments));
     }

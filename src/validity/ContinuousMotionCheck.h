@@ -20,6 +20,11 @@ namespace ompl_certificates
         ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                               const ompl::base::State *s2);
 
+        /** \brief Checks one subject alone; see MotionCheck. Cells are those of the subject's own spaces, and time runs
+            from \e from. */
+        ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+                              States to);
+
         /** \brief Whether all of the motion is proved free */
         bool isFree();
 
@@ -34,6 +39,8 @@ namespace ompl_certificates
         }
 
     private:
+        void makeCells();
+
         /** \brief Chooses the state from which time runs */
         void orient();
 
@@ -49,7 +56,7 @@ namespace ompl_certificates
         bool settleRest();
 
         bool reversed_{false};
-        int cells_;
+        int cells_{0};
     };
 }
 

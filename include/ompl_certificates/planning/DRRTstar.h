@@ -3,43 +3,63 @@
 
 #include "ompl_certificates/planning/TeamPathSimplifier.h"
 
+#include <atomic>
 #include <memory>
 #include <ompl/base/Planner.h>
 
 namespace ompl_certificates
 {
+    class CertificateMotionValidator;
     class ProductTree;
     class TeamRoadmaps;
 
-    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product.
+    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product, where each
+        robot moves along an edge of its roadmap in each step, or waits.
 
-        Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the
-        obstacles serves all. The roadmaps grow in rounds. After each round a prioritized search looks for a path of the
-        team in them, and a tree in their tensor product (dRRT*) improves it.
+        Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the obstacles
+        serves all. Edges are checked when they are needed, and edges of two robots against each other once. The
+        planner works in rounds:
 
-        Needs a TeamStateSpace and a TeamValidityChecker.
+        - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its goal
+          in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
+        - A prioritized search plans robot by robot around those planned before.
+        - A tree in the tensor product (dRRT*) looks for the first solution where priorities fail, and for better ones.
+        - A TeamPathSimplifier shortens what was found robot by robot; see setSmoothing().
+
+        It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until the
+        cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of checking.
+
+        Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. All motions that it returns are
+        valid for the motion validator.
 
         @par External documentation
-        R. Shome, K. Solovey, A. Dobson, D. Halperin, K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal
-        multi-robot motion planning, 2020. */
+        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration of
+        implicit roadmaps in multi-robot motion planning, 2016; R. Shome, K. Solovey, A. Dobson, D. Halperin,
+        K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal multi-robot motion planning, 2020. */
     class DRRTstar : public ompl::base::Planner
     {
     public:
+        /** \brief A planner for the team of \e si */
         explicit DRRTstar(const ompl::base::SpaceInformationPtr &si);
         ~DRRTstar() override;
 
+        /** \throws ompl::Exception if the space is no TeamStateSpace, or the validity checker no TeamValidityChecker */
         void setup() override;
 
         void clear() override;
 
+        /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the search
+            before, unless clear() was called. If a robot finds no way even alone, an error names it. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
+        /** \brief The tree in the tensor product, with starts and goals */
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
-        /** \brief The number of samples of each roadmap in the first round; each later round doubles it */
-        void setRoadmapSize(unsigned int samples)
+        /** \brief The number of vertices by which each roadmap grows first; each later round doubles it. Parameter
+            roadmap_size. */
+        void setRoadmapSize(unsigned int vertices)
         {
-            roadmapSize_ = samples;
+            roadmapSize_ = vertices;
         }
 
         /** \brief See setRoadmapSize() */
@@ -48,10 +68,34 @@ namespace ompl_certificates
             return roadmapSize_;
         }
 
+        /** \brief The number of vertices at which a roadmap stops to grow. Parameter max_roadmap_size. */
+        void setMaxRoadmapSize(unsigned int vertices)
+        {
+            maxRoadmapSize_ = vertices;
+        }
+
+        /** \brief See setMaxRoadmapSize() */
+        unsigned int getMaxRoadmapSize() const
+        {
+            return maxRoadmapSize_;
+        }
+
+        /** \brief Whether the best path is shortened robot by robot; the default. Parameter smoothing. */
+        void setSmoothing(bool smoothing)
+        {
+            smoothing_ = smoothing;
+        }
+
+        /** \brief See setSmoothing() */
+        bool getSmoothing() const
+        {
+            return smoothing_;
+        }
+
         /** \brief The cost of the best solution so far; infinite if there is none */
         ompl::base::Cost getBestCost() const
         {
-            return bestCost_;
+            return ompl::base::Cost(bestCost_);
         }
 
     private:
@@ -62,36 +106,63 @@ namespace ompl_certificates
             \return what is wrong, or UNKNOWN */
         ompl::base::PlannerStatus takeInput(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Find out which goals each robot can reach alone
-            \return whether there is a start and a goal that all can */
+        /** \brief Let the roadmaps grow for this round */
+        void growRoadmaps(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Find out which goals can be reached by each robot alone, and give them to the tree
+            \return whether there is one */
         bool connect(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Look for better paths in the roadmaps as they are */
-        void search(const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Whether each robot can go alone from a start to a goal. If not, notes which one cannot. */
+        bool connect(const Configuration &start, const Configuration &goal,
+                     const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Look for a path by priorities */
+        void searchByPriorities(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Look for better paths with the tree */
+        void searchTree(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Report a path, and shorten it */
+        void take(const Path &path, const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Shorten a path, and report it if that makes it the best */
+        void shorten(ompl::geometric::PathGeometric path, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Check a path of the roadmaps as a path of the team; remove what does not hold
             \return whether all of it holds */
         bool confirm(const Path &path);
 
-        /** \brief Keep a path if it is the best so far */
-        void report(const ompl::geometric::PathGeometric &path);
+        /** \brief Find out which robots or pairs make a step invalid, and remember it */
+        void refute(const Configuration &from, const Configuration &to);
 
         /** \brief A path of the roadmaps as one of the team */
         ompl::geometric::PathGeometric toGeometric(const Path &path) const;
 
+        /** \brief Keep a path if it is the best so far */
+        void report(const ompl::geometric::PathGeometric &path);
+
+        /** \brief How much work the present round may do: \e first, doubled in each round */
+        std::uint64_t effort(unsigned int first) const;
+
         std::shared_ptr<TeamValidityChecker> checker_;
+        std::shared_ptr<const CertificateMotionValidator> validator_;
         std::unique_ptr<TeamRoadmaps> roadmaps_;
         std::unique_ptr<ProductTree> tree_;
         std::unique_ptr<TeamPathSimplifier> simplifier_;
         std::vector<Configuration> starts_, goals_;
         ompl::base::OptimizationObjectivePtr objective_;
-        ompl::base::PathPtr best_;
-        ompl::base::Cost bestCost_;
-        /** \brief The cost of the best path of the tree */
+        std::shared_ptr<ompl::geometric::PathGeometric> best_;
+        /** \brief The cost of the best path of the tree, before it was shortened */
         ompl::base::Cost treeCost_;
-        unsigned int roadmapSize_{20};
-        unsigned int rounds_{0};
+        /** \brief The robot that found no way alone in this round */
+        std::string stuckRobot_;
+        unsigned int roadmapSize_{20}, maxRoadmapSize_{100000};
         bool smoothing_{true};
+        unsigned int rounds_{0};
+        /** \brief What progress properties tell: other threads may ask. */
+        std::atomic<double> bestCost_;
+        std::atomic<std::uint64_t> iterations_{0}, vertices_{0};
     };
 }
 

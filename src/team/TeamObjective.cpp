@@ -1,0 +1,120 @@
+#include "ompl_certificates/team/TeamObjective.h"
+
+#include "ompl_certificates/team/TeamPathLength.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        const ob::State *componentOf(const ob::State *state, unsigned int robot)
+        {
+            return state->as<ob::CompoundState>()->components[robot];
+        }
+
+        const ob::CompoundStateSpace &compoundSpaceOf(const ob::SpaceInformation &si)
+        {
+            const auto *space = dynamic_cast<const ob::CompoundStateSpace *>(si.getStateSpace().get());
+            if (!space)
+                throw ompl::Exception(si.getStateSpace()->getName(),
+                                      "is not a CompoundStateSpace: there are no robots to look at");
+            return *space;
+        }
+    }
+
+    TeamObjective::TeamObjective(const ob::SpaceInformationPtr &si, Kind kind)
+      : TeamObjective(si, kind, std::vector<ob::ScopedState<>>())
+    {
+        if (kind == SUM_OF_ARRIVAL_TIMES)
+            throw ompl::Exception("The sum of arrival times needs the goal");
+    }
+
+    TeamObjective::TeamObjective(const ob::SpaceInformationPtr &si, Kind kind, const ob::ScopedState<> &goal)
+      : TeamObjective(si, kind, std::vector<ob::ScopedState<>>{goal})
+    {
+    }
+
+    TeamObjective::TeamObjective(const ob::SpaceInformationPtr &si, Kind kind, std::vector<ob::ScopedState<>> goal)
+      : OptimizationObjective(si), kind_(kind), goal_(std::move(goal))
+    {
+        for (const ob::StateSpacePtr &space : compoundSpaceOf(*si).getSubspaces())
+            spaces_.push_back(space.get());
+        description_ = kind == MAKESPAN         ? "Makespan"
+                       : kind == SUM_OF_LENGTHS ? "Sum of lengths"
+                                                : "Sum of arrival times";
+    }
+
+    double TeamObjective::distance(unsigned int robot, const ob::State *from, const ob::State *to) const
+    {
+        return spaces_[robot]->distance(componentOf(from, robot), componentOf(to, robot));
+    }
+
+    bool TeamObjective::hasArrived(unsigned int robot, const ob::State *state) const
+    {
+        return spaces_[robot]->equalStates(componentOf(state, robot), componentOf(goal_.front().get(), robot));
+    }
+
+    ob::Cost TeamObjective::stateCost(const ob::State * /*state*/) const
+    {
+        return identityCost();
+    }
+
+    ob::Cost TeamObjective::motionCost(const ob::State *from, const ob::State *to) const
+    {
+        double sum = 0.0, longest = 0.0;
+        unsigned int away = 0;
+        for (unsigned int robot = 0; robot < spaces_.size(); ++robot)
+        {
+            const double length = distance(robot, from, to);
+            sum += length;
+            longest = std::max(longest, length);
+            if (kind_ == SUM_OF_ARRIVAL_TIMES && !(hasArrived(robot, from) && hasArrived(robot, to)))
+                ++away;
+        }
+        return ob::Cost(kind_ == SUM_OF_LENGTHS ? sum : kind_ == MAKESPAN ? longest : away * longest);
+    }
+
+    ob::Cost TeamObjective::motionCostHeuristic(const ob::State *from, const ob::State *to) const
+    {
+        if (kind_ != SUM_OF_ARRIVAL_TIMES)
+            return motionCost(from, to);
+        // Who moves is on its way.
+        double sum = 0.0;
+        for (unsigned int robot = 0; robot < spaces_.size(); ++robot)
+            sum += distance(robot, from, to);
+        return ob::Cost(sum);
+    }
+
+    double motionDuration(const ob::CompoundStateSpace &space, const ob::State *from, const ob::State *to)
+    {
+        double longest = 0.0;
+        for (unsigned int robot = 0; robot < space.getSubspaceCount(); ++robot)
+            longest =
+                std::max(longest, space.getSubspace(robot)->distance(componentOf(from, robot), componentOf(to, robot)));
+        return longest;
+    }
+
+    std::vector<std::string> objectiveNames()
+    {
+        return {"length", "sum", "makespan", "arrival"};
+    }
+
+    ob::OptimizationObjectivePtr makeObjective(const std::string &name, const ob::SpaceInformationPtr &si,
+                                               const ob::ScopedState<> &goal)
+    {
+        if (name == "length")
+            return std::make_shared<TeamPathLength>(si);
+        if (name == "sum")
+            return std::make_shared<TeamObjective>(si, TeamObjective::SUM_OF_LENGTHS, goal);
+        if (name == "makespan")
+            return std::make_shared<TeamObjective>(si, TeamObjective::MAKESPAN, goal);
+        if (name == "arrival")
+            return std::make_shared<TeamObjective>(si, TeamObjective::SUM_OF_ARRIVAL_TIMES, goal);
+        throw ompl::Exception("There is no objective '" + name +
+                              "'; the objectives are length, sum, makespan, arrival");
+    }
+}
