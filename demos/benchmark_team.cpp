@@ -41,8 +41,9 @@ namespace
         for (const std::string &name : demos::methodNames())
             options.methods += (options.methods.empty() ? "" : ",") + name;
         app.add_option("SCENE", options.scenes, "Scene files: YAML, or .cfg files of OMPL.app")->required();
-        app.add_option("--planners", options.planners, "Planners: names of OMPL's classes, separated by commas")
-            ->default_str("those of a .cfg file, else RRTConnect");
+        app.add_option("--planners", options.planners,
+                       "Planners: DRRTstar and names of OMPL's classes, separated by commas")
+            ->default_str("those of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
         demos::addPlannerList(app);
         app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
         app.add_option("--nearest", options.nearest, "What planners look for near states in")

@@ -1,7 +1,7 @@
 // Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a
 // report.
 //
-//     plan_team scene.yaml --planner RRTConnect --simplify --seed 1 --picture plan.svg --report plan.json
+//     plan_team scene.yaml --time 2 --seed 1 --picture plan.svg --report plan.json
 
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
@@ -17,10 +17,12 @@
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/validity/CertificateFile.h"
 
 #include <cstdio>
 #include <iostream>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -36,6 +38,7 @@ namespace
         std::string method{"shared"};
         std::string motion{"discrete"};
         std::string nearest{"kdtree"};
+        std::string objective{"length"};
         double seconds{0.0};
         std::uint64_t iterations{0};
         std::uint32_t seed{1};
@@ -48,10 +51,11 @@ namespace
     void declare(CLI::App &app, Options &options)
     {
         app.add_option("SCENE", options.scene, "Scene file: YAML, or a .cfg file of OMPL.app")->required();
-        app.add_option("--planner", options.planner,
-                       "Planner: the name of OMPL's class. Where a .cfg file has the same planner, its parameters are "
-                       "used")
-            ->default_str("the first of a .cfg file, else RRTConnect");
+        app.add_option(
+               "--planner", options.planner,
+               "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters are "
+               "used")
+            ->default_str("the first of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
         demos::addPlannerList(app);
         app.add_option("--method", options.method, "How checks are saved")
             ->check(demos::oneOf(demos::methodNames()))
@@ -61,6 +65,11 @@ namespace
             ->capture_default_str();
         app.add_option("--nearest", options.nearest, "What the planner looks for near states in")
             ->check(demos::oneOf(demos::nearestNames()))
+            ->capture_default_str();
+        app.add_option("--objective", options.objective,
+                       "What planners that optimize lower: the length of the path in the team's space, the sum of the "
+                       "robots' lengths, the makespan, or the sum of their arrival times")
+            ->check(demos::oneOf(objectiveNames()))
             ->capture_default_str();
         auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
                          ->check(demos::positiveNumber())
@@ -78,7 +87,7 @@ namespace
             ->check(demos::positiveNumber());
         app.add_option("--planner-param", options.parameters, "Parameters of the planner: NAME=VALUE ...");
         app.add_flag("--simplify", options.simplify,
-                     "Shorten and smooth the solution with OMPL's simplifier before it is written");
+                     "Shorten the solution before it is written: with OMPL's simplifier, then robot by robot");
         auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
         app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
@@ -132,6 +141,18 @@ namespace
                                                   " has no certificates");
     }
 
+    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const Options &options)
+    {
+        ob::ScopedState<> goal(setup.getStateSpace());
+        goal = setup.getGoal()->as<ob::GoalState>()->getState();
+        return makeObjective(options.objective, setup.getSpaceInformation(), goal);
+    }
+
+    double costOf(TeamSetup &setup, const Options &options)
+    {
+        return setup.getSolutionPath().cost(objectiveOf(setup, options)).value();
+    }
+
     /** Plan, and fill in what of the report is known by then */
     void plan(TeamSetup &setup, const Options &options, PlanReport &report)
     {
@@ -150,7 +171,14 @@ namespace
                         limit.getFraction(), cost.empty() || cost == "inf" ? text : text + ("  cost " + cost)};
                 },
                 options.quiet);
+            setup.getProblemDefinition()->setIntermediateSolutionCallback(
+                [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
+                {
+                    if (report.firstSolutionSeconds < 0.0)
+                        report.firstSolutionSeconds = limit.getSeconds();
+                });
             const ob::PlannerStatus status = setup.solve(limit.condition());
+            setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
         }
@@ -160,19 +188,19 @@ namespace
             report.nearestSeconds = clock->getSeconds();
         report.checks = setup.getStatistics().getCounts();
         if (report.solved)
-            report.cost = setup.getSolutionPath().length();
+            report.cost = costOf(setup, options);
         const std::string iterations = demos::progressOf(planner, "iterations");
         report.iterations = iterations.empty() ? limit.getEvaluations() : std::stoull(iterations);
         report.certificates = setup.getTeamChecker()->getCertificateCount();
     }
 
     /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
-    void simplify(TeamSetup &setup, PlanReport &report)
+    void simplify(TeamSetup &setup, const Options &options, PlanReport &report)
     {
         if (!report.solved)
             return;
         setup.simplifySolution(ob::PlannerTerminationCondition(demos::interrupted));
-        report.simplifiedCost = setup.getSolutionPath().length();
+        report.simplifiedCost = costOf(setup, options);
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }
 
@@ -199,6 +227,8 @@ namespace
                         setup.getProblemDefinition()->getSolutionDifference());
         else
             std::printf("  not solved\n");
+        if (report.firstSolutionSeconds >= 0.0)
+            std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
         std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
                     number(report.treeEdges), number(report.iterations));
         std::printf("  robot poses   %llu:", number(checks.robotPoses));
@@ -298,6 +328,9 @@ namespace
                                {"--report", options.report},
                                {"--save-certificates", options.savedCertificates}},
                               {options.scene});
+        // With the default objective, planners keep their own ways: PRM ends with its first solution.
+        if (options.objective != "length")
+            setup->setOptimizationObjective(objectiveOf(*setup, options));
         setup->setNearestStructure(nearestStructureOf(options.nearest));
         setup->setup();
         setup->getStatistics().reset();
@@ -314,6 +347,7 @@ namespace
         report.planner = choice.planner;
         report.method = options.method;
         report.motion = options.motion;
+        report.objective = options.objective;
         report.seed = options.seed;
         demos::catchInterrupts();
         plan(*setup, options, report);
@@ -324,7 +358,7 @@ namespace
         setup->getPlanner()->getPlannerData(tree);
         report.setTree(tree);
         if (options.simplify)
-            simplify(*setup, report);
+            simplify(*setup, options, report);
 
         if (!options.quiet)
         {

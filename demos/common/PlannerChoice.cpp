@@ -62,7 +62,10 @@ namespace demos
                 chosen.push_back({name, name, {}, ""});
         }
         if (names.empty())
-            chosen = known.empty() ? std::vector<PlannerChoice>{{"RRTConnect", "RRTConnect", {}, ""}} : known;
+        {
+            const std::string usual = file.scene.getMembers().size() > 1 ? "DRRTstar" : "RRTConnect";
+            chosen = known.empty() ? std::vector<PlannerChoice>{{usual, usual, {}, ""}} : known;
+        }
         std::set<std::string> titles;
         for (PlannerChoice &choice : chosen)
         {

@@ -14,7 +14,7 @@ namespace demos
     /** \brief A planner and its parameters, as a command line or a .cfg file of OMPL.app chooses it */
     struct PlannerChoice
     {
-        /** \brief The name of OMPL's class */
+        /** \brief DRRTstar, or the name of OMPL's class */
         std::string planner;
 
         /** \brief What tells it from others in tables and logs */
@@ -28,7 +28,8 @@ namespace demos
     };
 
     /** \brief The planners of these names, with the parameters that \e file has for them, which may give one several
-        times. Without names those of the file, else RRTConnect. Titles that are taken get a number.
+        times. Without names those of the file, else DRRTstar for two or more robots, RRTConnect for
+        one. Titles that are taken get a number.
         \throws ompl::Exception that names the file, the section and the key if the file has a planner that is unknown */
     std::vector<PlannerChoice> choosePlanners(const ompl_certificates::SceneFile &file,
                                               const std::vector<std::string> &names);

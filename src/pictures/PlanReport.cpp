@@ -68,6 +68,7 @@ namespace ompl_certificates
         json["planner"] = planner;
         json["method"] = method;
         json["motion"] = motion;
+        json["objective"] = objective;
         json["seed"] = seed;
         json["solved"] = solved;
         json["approximate"] = approximate;
@@ -95,6 +96,7 @@ namespace ompl_certificates
         json["seconds"] = {{"total", totalSeconds},
                            {"checking", checkingSeconds},
                            {"nearest", knownOrNull(nearestSeconds)},
+                           {"first_solution", knownOrNull(firstSolutionSeconds)},
                            {"simplifying", knownOrNull(simplifyingSeconds)}};
         // Names come from users: what is not UTF-8 is replaced, not an error at the end of a long run.
         return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

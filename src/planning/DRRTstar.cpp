@@ -41,6 +41,8 @@ namespace ompl_certificates
                                             "1:1000000");
         Planner::declareParam<unsigned int>("max_roadmap_size", this, &DRRTstar::setMaxRoadmapSize,
                                             &DRRTstar::getMaxRoadmapSize, "1:10000000");
+        Planner::declareParam<bool>("share_roadmaps", this, &DRRTstar::setSharesRoadmaps, &DRRTstar::getSharesRoadmaps,
+                                    "0,1");
         Planner::declareParam<bool>("smoothing", this, &DRRTstar::setSmoothing, &DRRTstar::getSmoothing, "0,1");
         addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(bestCost_); });
         addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations_); });
@@ -126,6 +128,12 @@ namespace ompl_certificates
             vertices += roadmap->size();
         }
         vertices_ = vertices;
+    }
+
+    bool DRRTstar::isAtLimit() const
+    {
+        return std::all_of(roadmaps_->getRoadmaps().begin(), roadmaps_->getRoadmaps().end(),
+                           [this](const auto &roadmap) { return roadmap->size() >= maxRoadmapSize_; });
     }
 
     bool DRRTstar::connect(const Configuration &start, const Configuration &goal,
@@ -277,7 +285,7 @@ namespace ompl_certificates
         checkValidity();
         if (!roadmaps_)
         {
-            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_);
+            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
             simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
@@ -292,7 +300,11 @@ namespace ompl_certificates
             if (rounds_ > 0)
                 growRoadmaps(condition);
             if (!connect(condition))
+            {
+                if (isAtLimit())
+                    break;
                 continue;
+            }
             searchByPriorities(condition);
             searchTree(condition);
             if (best_)

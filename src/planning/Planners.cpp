@@ -2,6 +2,8 @@
 
 #include "Suggestion.h"
 
+#include "ompl_certificates/planning/DRRTstar.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -112,6 +114,8 @@ namespace ompl_certificates
                 {"BiRLRT", {make<og::BiRLRT>, "RLRT from both ends"}},
                 {"BiTRRT", {make<og::BiTRRT>, "TRRT from both ends"}},
                 {"CForest", {make<og::CForest>, "RRT* in several threads that share their best paths"}},
+                {"DRRTstar",
+                 {make<DRRTstar>, "dRRT*, for teams: a roadmap for each robot, and a search in their product"}},
                 {"EST", {make<og::EST>, "a tree that grows where it has few neighbors"}},
                 {"FMT", {make<og::FMT>, "FMT*: one batch of samples, solved by dynamic programming"}},
                 {"InformedRRTstar", {make<og::InformedRRTstar>, "RRT* that samples only where a better path may be"}},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -16,8 +17,9 @@ namespace ompl_certificates
         /** A change must lower the cost by that part of it, so that many tiny gains do not fill the path with corners. */
         constexpr double LEAST_GAIN = 1e-5;
 
-        /** A path is as good as it gets when that many attempts in a row, for each knot, were in vain. */
-        constexpr std::uint64_t VAIN_ATTEMPTS = 50;
+        /** A path is as good as it gets when that many attempts for each corner lower its cost by less than that part. */
+        constexpr std::uint64_t ATTEMPTS = 20;
+        constexpr double LEAST_PROGRESS = 1e-3;
     }
 
     /** A path, and the changes that are tried on it */
@@ -79,14 +81,6 @@ namespace ompl_certificates
             if (choice < 0.9)
                 return takeShortcut(robot, first, last);
             return takeTeamShortcut(first, last);
-        }
-
-        std::uint64_t countKnots() const
-        {
-            std::uint64_t knots = 0;
-            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
-                knots += paths_.getKnots(robot).size();
-            return knots;
         }
 
         og::PathGeometric getPath(const ob::SpaceInformationPtr &si) const
@@ -300,17 +294,23 @@ namespace ompl_certificates
             return false;
         Attempt attempt(*this, path, random_);
         bool isSimpler = attempt.paceAll();
-        std::uint64_t inVain = 0;
-        for (; attempts > 0 && !condition && inVain < VAIN_ATTEMPTS * attempt.countKnots(); --attempts)
-            if (attempt.tryOne())
-            {
-                isSimpler = true;
-                inVain = 0;
-            }
-            else
-                ++inVain;
+        for (; attempts > 0 && !condition; --attempts)
+            isSimpler = attempt.tryOne() || isSimpler;
         if (isSimpler)
             path = attempt.getPath(si_);
         return isSimpler;
+    }
+
+    bool TeamPathSimplifier::simplify(og::PathGeometric &path, const ob::PlannerTerminationCondition &condition)
+    {
+        const double first = path.cost(objective_).value();
+        for (double cost = first; !condition;)
+        {
+            simplify(path, ATTEMPTS * path.getStateCount() * checker_->getTeam().getRobotCount(), condition);
+            const double before = std::exchange(cost, path.cost(objective_).value());
+            if (cost >= (1.0 - LEAST_PROGRESS) * before)
+                break;
+        }
+        return path.cost(objective_).value() < first;
     }
 }

@@ -7,14 +7,15 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
-    TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator) : validator_(validator)
+    TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator, bool shares) : validator_(validator)
     {
         const auto &robots = validator.getChecker().getTeam().getRobots();
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
         {
-            const auto alike = std::find_if(owners.begin(), owners.end(),
-                                            [&](unsigned int owner) { return robots[owner]->isLike(*robots[robot]); });
+            const auto alike =
+                std::find_if(owners.begin(), owners.end(),
+                             [&](unsigned int owner) { return shares && robots[owner]->isLike(*robots[robot]); });
             roadmapOf_.push_back(static_cast<unsigned int>(alike - owners.begin()));
             if (alike == owners.end())
             {

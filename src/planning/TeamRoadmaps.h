@@ -27,7 +27,8 @@ namespace ompl_certificates
         /** \brief Configurations of the team, one after each step */
         using Path = std::vector<Configuration>;
 
-        explicit TeamRoadmaps(const CertificateMotionValidator &validator);
+        /** \brief Empty roadmaps, one for all robots that are alike, or one for each robot */
+        TeamRoadmaps(const CertificateMotionValidator &validator, bool shares);
 
         unsigned int getRobotCount() const
         {

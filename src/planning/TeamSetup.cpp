@@ -1,8 +1,12 @@
 #include "ompl_certificates/planning/TeamSetup.h"
 
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/TeamPathSimplifier.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <functional>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <ompl/util/Time.h>
@@ -35,16 +39,24 @@ namespace ompl_certificates
         }
         const auto start = ompl::time::now();
         og::PathGeometric &solution = getSolutionPath();
+        const ob::OptimizationObjectivePtr objective = pdef_->hasOptimizationObjective()
+                                                           ? pdef_->getOptimizationObjective()
+                                                           : std::make_shared<TeamPathLength>(si_);
+        const auto isBetter = [&](const og::PathGeometric &path)
+        { return !objective->isCostBetterThan(solution.cost(objective), path.cost(objective)); };
         og::PathGeometric simplified = solution;
         psk_->simplify(simplified, condition);
-        if (simplified.check())
+        if (simplified.check() && isBetter(simplified))
             solution = simplified;
         else
-            simplifyInSteps(solution, condition);
+            simplifyInSteps(solution, isBetter, condition);
+        TeamPathSimplifier(si_, objective).simplify(solution, condition);
         simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
     }
 
-    void TeamSetup::simplifyInSteps(og::PathGeometric &path, const ob::PlannerTerminationCondition &condition)
+    void TeamSetup::simplifyInSteps(og::PathGeometric &path,
+                                    const std::function<bool(const og::PathGeometric &)> &isBetter,
+                                    const ob::PlannerTerminationCondition &condition)
     {
         const std::vector<std::function<void(og::PathGeometric &)>> steps{
             [this](og::PathGeometric &p) { psk_->reduceVertices(p); },
@@ -57,7 +69,7 @@ namespace ompl_certificates
                 return;
             og::PathGeometric next = path;
             step(next);
-            if (next.check() && next.length() <= path.length())
+            if (next.check() && isBetter(next))
                 path = next;
         }
     }
@@ -67,6 +79,17 @@ namespace ompl_certificates
         if (configured_)
             throw ompl::Exception("Choose the structure for near states before setup()");
         nearestStructure_ = structure;
+    }
+
+    void TeamSetup::choosePlanner()
+    {
+        // Other goals are left to OMPL's choice.
+        if (planner_ || pa_ || !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
+            return;
+        if (getTeam().getRobotCount() > 1)
+            planner_ = std::make_shared<DRRTstar>(si_);
+        else
+            planner_ = std::make_shared<og::RRTConnect>(si_);
     }
 
     void TeamSetup::chooseObjective()
@@ -85,6 +108,7 @@ namespace ompl_certificates
 
     void TeamSetup::setup()
     {
+        choosePlanner();
         if (!planner_ || !planner_->isSetup())
             chooseObjective();
         SimpleSetup::setup();

@@ -5,6 +5,7 @@
 #include "support/ForgivenLeaks.h"
 #include "support/Teams.h"
 
+#include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -90,6 +91,7 @@ namespace
                               {"BiRLRT", make<og::BiRLRT>},
                               {"BiTRRT", make<og::BiTRRT>},
                               {"CForest", make<og::CForest>},
+                              {"DRRTstar", make<DRRTstar>},
                               {"EST", make<og::EST>},
                               {"FMT", make<og::FMT>},
                               {"InformedRRTstar", make<og::InformedRRTstar>},

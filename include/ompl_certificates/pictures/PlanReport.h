@@ -24,6 +24,9 @@ namespace ompl_certificates
         /** \brief How motions were checked: discrete or continuous */
         std::string motion{"discrete"};
 
+        /** \brief The name of the objective that costs are of; see makeObjective() */
+        std::string objective{"length"};
+
         /** \brief The seed of OMPL's random numbers */
         std::uint64_t seed{0};
 
@@ -66,6 +69,9 @@ namespace ompl_certificates
         /** \brief The time spent in looking for near states, in seconds; negative if it was not measured, which is null in
             JSON. See timeNearest(). */
         double nearestSeconds{-1.0};
+
+        /** \brief The time until the first solution, in seconds; negative if the planner did not tell, which is null in JSON */
+        double firstSolutionSeconds{-1.0};
 
         /** \brief The time of simplifying the solution, which is not part of totalSeconds, in seconds; negative if it was
             not simplified, which is null in JSON */

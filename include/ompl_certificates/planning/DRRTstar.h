@@ -49,7 +49,8 @@ namespace ompl_certificates
         void clear() override;
 
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the search
-            before, unless clear() was called. If a robot finds no way even alone, an error names it. */
+            before, unless clear() was called. If a robot finds no way even alone, an error names it; then planning also ends
+            when the roadmaps have grown to their limit. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
@@ -80,6 +81,19 @@ namespace ompl_certificates
             return maxRoadmapSize_;
         }
 
+        /** \brief Whether robots that are alike share a roadmap; the default. If not, each has its own: to measure what sharing
+            saves. Parameter share_roadmaps. Before setup(). */
+        void setSharesRoadmaps(bool share)
+        {
+            sharesRoadmaps_ = share;
+        }
+
+        /** \brief See setSharesRoadmaps() */
+        bool getSharesRoadmaps() const
+        {
+            return sharesRoadmaps_;
+        }
+
         /** \brief Whether the best path is shortened robot by robot; the default. Parameter smoothing. */
         void setSmoothing(bool smoothing)
         {
@@ -108,6 +122,9 @@ namespace ompl_certificates
 
         /** \brief Let the roadmaps grow for this round */
         void growRoadmaps(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Whether all roadmaps have grown to their limit */
+        bool isAtLimit() const;
 
         /** \brief Find out which goals can be reached by each robot alone, and give them to the tree
             \return whether there is one */
@@ -158,7 +175,7 @@ namespace ompl_certificates
         /** \brief The robot that found no way alone in this round */
         std::string stuckRobot_;
         unsigned int roadmapSize_{20}, maxRoadmapSize_{100000};
-        bool smoothing_{true};
+        bool sharesRoadmaps_{true}, smoothing_{true};
         unsigned int rounds_{0};
         /** \brief What progress properties tell: other threads may ask. */
         std::atomic<double> bestCost_;

@@ -18,14 +18,14 @@ namespace ompl_certificates
         std::function<void()> after{};
     };
 
-    /** \brief The names of all planners of makePlanner(): OMPL's classes, sorted */
+    /** \brief The names of all planners of makePlanner(), sorted: OMPL's classes, and DRRTstar */
     std::vector<std::string> plannerNames();
 
     /** \brief What the planner of that name is, in half a line
         \throws ompl::Exception like makePlanner() */
     std::string plannerDescription(const std::string &name);
 
-    /** \brief OMPL's geometric planner of that class name, such as RRTConnect
+    /** \brief DRRTstar, or OMPL's geometric planner of that class name, such as RRTConnect
         \throws ompl::Exception if there is none; the message suggests a similar name, or lists all */
     ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
                                        const SolveHooks &hooks = {});

@@ -25,11 +25,15 @@ namespace ompl_certificates
             \throws ompl::Exception if it is another one */
         TeamPathSimplifier(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
 
-        /** \brief Try \e attempts changes of a valid path; fewer if \e condition becomes true, or if it seems that none will
-            help any more
+        /** \brief Try \e attempts changes of a valid path; fewer if \e condition becomes true
             \return whether the path has a lower cost now */
         bool simplify(ompl::geometric::PathGeometric &path, std::uint64_t attempts,
                       const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Try changes of a valid path as long as they help: until some 20 for each of its corners lower the cost by
+            less than a thousandth, or \e condition becomes true
+            \return whether the path has a lower cost now */
+        bool simplify(ompl::geometric::PathGeometric &path, const ompl::base::PlannerTerminationCondition &condition);
 
     private:
         class Attempt;

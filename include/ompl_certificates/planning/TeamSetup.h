@@ -4,13 +4,15 @@
 #include "ompl_certificates/neighbors/PlannerNeighbors.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
+#include <functional>
 #include <ompl/geometric/SimpleSetup.h>
 #include <string>
 
 namespace ompl_certificates
 {
     /** \brief ompl::geometric::SimpleSetup for a team. Its validity checker and motion validator are in place, the
-        planner's tree is in a PlannerKdTree, and the default objective is the team's path length.
+        planner's tree is in a PlannerKdTree, and the default objective is the team's path length. Without setPlanner(),
+        a DRRTstar plans for two or more robots, and RRTConnect for one.
 
         All of OMPL's geometric planners for one space and one problem run in it. setup() gives the problem the
         planner's defaultObjective(), unless setOptimizationObjective() gave it another. An ompl::tools::Benchmark sets
@@ -35,8 +37,8 @@ namespace ompl_certificates
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
 
-        /** \brief Simplify the solution with OMPL's PathSimplifier, for at most \e duration seconds (0: as long as it
-            finds something to do). Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions
+        /** \brief Simplify the solution with OMPL's PathSimplifier, then robot by robot with a TeamPathSimplifier, for at most
+            \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises. Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions
             that were never checked by themselves. This keeps the last path that the motion validator accepts. */
         void simplifySolution(double duration = 0.0);
 
@@ -62,9 +64,13 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Simplify \e path step by step; undo a step whose path is invalid or longer. */
+        /** \brief Simplify \e path step by step; undo a step whose path is invalid or not better. */
         void simplifyInSteps(ompl::geometric::PathGeometric &path,
+                             const std::function<bool(const ompl::geometric::PathGeometric &)> &isBetter,
                              const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Choose a planner for the number of robots, unless the user gave one. */
+        void choosePlanner();
 
         /** \brief Give the problem the planner's default objective, unless the user gave it one. */
         void chooseObjective();

@@ -1,0 +1,168 @@
+// Planners for teams at equal time: success, time to the first solution, cost at the end, and the checks.
+//
+//     teams demos/scenes/*.yaml --planners DRRTstar,RRTConnect,RRTstar,BITstar --time 10 --seeds 20
+//     teams --kind boxes --robots 8 --instances 100 --planners DRRTstar --time 1 --first
+
+#include "common/Options.h"
+#include "generators/TeamScenes.h"
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/Planners.h"
+#include "ompl_certificates/scene/SceneFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+#include <ompl/util/Time.h>
+
+using namespace ompl_certificates;
+namespace ob = ompl::base;
+
+namespace
+{
+    struct Options
+    {
+        std::vector<std::string> scenes;
+        std::vector<std::string> planners{"DRRTstar", "RRTConnect", "RRT", "BKPIECE1", "KPIECE1", "BITstar"};
+        std::vector<std::string> methods{"shared"};
+        std::string kind;
+        std::vector<std::size_t> robots;
+        double seconds{5.0};
+        unsigned int seeds{5}, instances{1};
+        bool onlyFirst{false}, separate{false};
+    };
+
+    /** One plan */
+    struct Run
+    {
+        double first{std::numeric_limits<double>::infinity()}, cost{std::numeric_limits<double>::infinity()};
+        double questions{0.0}, pairs{0.0};
+        bool isValid{true};
+    };
+
+    Run plan(const Options &options, const Scene &scene, const std::string &planner, Method method, std::uint32_t seed)
+    {
+        ompl::RNG::setSeed(seed);
+        const TeamSetupPtr setup = scene.makeSetup(method);
+        setup->setPlanner(makePlanner(planner, setup->getSpaceInformation()));
+        if (options.separate && planner == "DRRTstar")
+            setup->getPlanner()->params().setParam("share_roadmaps", "0");
+        setup->setup();
+        setup->getStatistics().reset();
+        Run run;
+        const ompl::time::point start = ompl::time::now();
+        const auto elapsed = [&start] { return ompl::time::seconds(ompl::time::now() - start); };
+        setup->getProblemDefinition()->setIntermediateSolutionCallback(
+            [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
+            { run.first = std::min(run.first, elapsed()); });
+        setup->solve(ob::PlannerTerminationCondition(
+            [&] { return elapsed() > options.seconds || (options.onlyFirst && std::isfinite(run.first)); }));
+        if (setup->haveExactSolutionPath())
+        {
+            run.first = std::min(run.first, elapsed());
+            run.cost = setup->getSolutionPath().length();
+            run.isValid = setup->getSolutionPath().check();
+        }
+        else
+            run.first = std::numeric_limits<double>::infinity();
+        const CheckCounts counts = setup->getStatistics().getCounts();
+        run.questions = static_cast<double>(counts.asked);
+        run.pairs = static_cast<double>(counts.pairPoses);
+        return run;
+    }
+
+    double medianOf(const std::vector<Run> &runs, double Run::*field)
+    {
+        std::vector<double> values;
+        for (const Run &run : runs)
+            values.push_back(run.*field);
+        std::sort(values.begin(), values.end());
+        return values[values.size() / 2];
+    }
+
+    /** A number, or a dash where half of the runs have none */
+    std::string text(double value, const char *format)
+    {
+        char digits[32];
+        std::snprintf(digits, sizeof(digits), format, value);
+        return std::isfinite(value) ? digits : "–";
+    }
+
+    void printRow(const std::string &name, std::size_t robots, const std::string &planner, Method method,
+                  const std::vector<Run> &runs)
+    {
+        const auto solved = std::count_if(runs.begin(), runs.end(), [](const Run &run) { return std::isfinite(run.cost); });
+        double worst = 0.0;
+        for (const Run &run : runs)
+            worst = std::max(worst, run.first);
+        std::printf("| %s | %zu | %s | %s | %td of %zu | %s | %s | %s | %.0f | %.0f |\n", name.c_str(), robots,
+                    planner.c_str(), nameOf(method).c_str(), solved, runs.size(),
+                    text(medianOf(runs, &Run::first), "%.4f").c_str(), text(worst, "%.3f").c_str(),
+                    text(medianOf(runs, &Run::cost), "%.5g").c_str(), medianOf(runs, &Run::questions),
+                    medianOf(runs, &Run::pairs));
+        std::fflush(stdout);
+        if (!std::all_of(runs.begin(), runs.end(), [](const Run &run) { return run.isValid; }))
+            throw ompl::Exception(name, planner + " gave a path that is not valid");
+    }
+
+    /** A row for each planner and method; run i plans for scene i, and again from the first one */
+    void compare(const Options &options, const std::string &name, const std::vector<Scene> &scenes)
+    {
+        for (const std::string &planner : options.planners)
+            for (const std::string &method : options.methods)
+            {
+                std::vector<Run> runs;
+                for (const Scene &scene : scenes)
+                    for (std::uint32_t seed = 1; seed <= options.seeds; ++seed)
+                        runs.push_back(plan(options, scene, planner, methodOf(method), seed));
+                printRow(name, scenes.front().getMembers().size(), planner, methodOf(method), runs);
+            }
+    }
+
+    int run(const Options &options)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        std::puts("| scene | R | planner | method | solved | first solution (s) | slowest (s) | cost | obstacle questions "
+                  "| robot pairs |");
+        std::puts("|---|---|---|---|---|---|---|---|---|---|");
+        for (const std::string &file : options.scenes)
+        {
+            const Scene scene = loadScene(file);
+            scene.validate();
+            for (const std::size_t robots : options.robots.empty() ? std::vector<std::size_t>{scene.getMembers().size()}
+                                                                   : options.robots)
+                if (robots <= scene.getMembers().size())
+                    compare(options, scene.getName(), {scene.withFirstRobots(robots)});
+        }
+        if (!options.kind.empty())
+            for (const std::size_t robots : options.robots)
+            {
+                std::vector<Scene> scenes;
+                for (std::uint32_t seed = 1; seed <= options.instances; ++seed)
+                    scenes.push_back(generators::teamScene(options.kind, robots, seed));
+                compare(options, options.kind, scenes);
+            }
+        return 0;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    CLI::App app("Planners for teams at equal time", "teams");
+    Options options;
+    app.add_option("SCENES", options.scenes, "Scene files")->check(CLI::ExistingFile);
+    benchmarks::addList(app, "--planners", options.planners, "Planners, separated by commas");
+    benchmarks::addMethods(app, options.methods);
+    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see generate_scene --help");
+    benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
+    app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(CLI::PositiveNumber);
+    benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each scene, from seeds 1, 2, ...");
+    benchmarks::addPositive(app, "--instances", options.instances, "Generated scenes of each size, from seeds 1, 2, ...");
+    app.add_flag("--first", options.onlyFirst, "End each plan with its first solution");
+    app.add_flag("--separate-roadmaps", options.separate, "DRRTstar with a roadmap for each robot");
+    app.footer("Medians are over all runs; an unsolved one takes for ever. Questions are robots' poses for which the "
+               "obstacles were asked, pairs those that were checked. Returns 2 for bad input.");
+    return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
+}

@@ -1,0 +1,312 @@
+#include "support/CrowdProblem.h"
+
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/team/TeamObjective.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalRegion.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    std::shared_ptr<DRRTstar> plannerFor(TeamSetup &setup)
+    {
+        auto planner = std::make_shared<DRRTstar>(setup.getSpaceInformation());
+        setup.setPlanner(planner);
+        return planner;
+    }
+
+    /** Any solution will do */
+    void stopAtFirst(TeamSetup &setup)
+    {
+        auto objective = std::make_shared<TeamObjective>(setup.getSpaceInformation(), TeamObjective::MAKESPAN);
+        objective->setCostThreshold(objective->infiniteCost());
+        setup.setOptimizationObjective(objective);
+    }
+
+    std::vector<std::vector<double>> realsOf(og::PathGeometric &path)
+    {
+        std::vector<std::vector<double>> reals(path.getStateCount());
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+            path.getSpaceInformation()->getStateSpace()->copyToReals(reals[i], path.getState(i));
+        return reals;
+    }
+
+    /** Two discs in a corridor that is too narrow to pass, with a niche in its middle */
+    TeamSetupPtr corridor()
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        for (const char *name : {"left", "right"})
+            team->addRobot(RigidRobot::disc(name, 0.4, cubeBounds(2, 3.0)));
+        const std::vector<PlacedBody> walls{{Body::box(6.0, 2.4), planarPose(0.0, -1.7, 0.0)},
+                                            {Body::box(2.4, 2.4), planarPose(-1.8, 1.7, 0.0)},
+                                            {Body::box(2.4, 2.4), planarPose(1.8, 1.7, 0.0)},
+                                            {Body::box(1.2, 1.4), planarPose(0.0, 2.2, 0.0)}};
+        auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(walls, 2));
+        ob::ScopedState<> start(team), goal(team);
+        start = std::vector<double>{-2.0, 0.0, 2.0, 0.0};
+        goal = std::vector<double>{2.0, 0.0, -2.0, 0.0};
+        setup->setStartAndGoalStates(start, goal);
+        return setup;
+    }
+
+    class DRRTstarTest : public testing::Test
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        }
+
+        void TearDown() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+        }
+    };
+
+    /** What OMPL is told to print */
+    class Messages : public ompl::msg::OutputHandler
+    {
+    public:
+        Messages()
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+            ompl::msg::useOutputHandler(this);
+        }
+
+        ~Messages() override
+        {
+            ompl::msg::restorePreviousOutputHandler();
+        }
+
+        void log(const std::string &text, ompl::msg::LogLevel level, const char * /*file*/, int /*line*/) override
+        {
+            if (level >= ompl::msg::LOG_WARN)
+                text_ += text + "\n";
+        }
+
+        const std::string &getText() const
+        {
+            return text_;
+        }
+
+    private:
+        std::string text_;
+    };
+}
+
+TEST_F(DRRTstarTest, SolvesCrowdsAmongBoxes)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(30); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 8, 5.0, 6);
+        plannerFor(*setup);
+        stopAtFirst(*setup);
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        og::PathGeometric &path = setup->getSolutionPath();
+        EXPECT_TRUE(path.check());
+        EXPECT_TRUE(setup->getStateSpace()->equalStates(path.getStates().back(),
+                                                        setup->getGoal()->as<ob::GoalState>()->getState()));
+    }
+}
+
+TEST_F(DRRTstarTest, ProvesAllMotionsInContinuousMode)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(10); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 6, 5.0, 6, Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
+        plannerFor(*setup);
+        stopAtFirst(*setup);
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(setup->getSolutionPath().check());
+        EXPECT_TRUE(isFreeAtFineResolution(*setup, setup->getSolutionPath()));
+    }
+}
+
+TEST_F(DRRTstarTest, FindsEqualPathsUnderAllMethods)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
+    {
+        std::vector<std::vector<double>> first;
+        for (const Method method : allMethods())
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + nameOf(method));
+            ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+            const auto setup = crowd(seed, 5, 4.0, 4, method);
+            plannerFor(*setup);
+            setup->setup();
+            ASSERT_EQ(setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+            const auto path = realsOf(setup->getSolutionPath());
+            if (first.empty())
+                first = path;
+            EXPECT_EQ(path, first);
+        }
+    }
+}
+
+TEST_F(DRRTstarTest, LetsRobotsMakeWayWherePrioritiesFail)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = corridor();
+    plannerFor(*setup);
+    stopAtFirst(*setup);
+    ASSERT_EQ(setup->solve(30.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(setup->getSolutionPath().check());
+}
+
+TEST_F(DRRTstarTest, UsesEveryStartAndGoal)
+{
+    // One robot is walled in at the first start, and cannot leave towards the first goal.
+    auto team = std::make_shared<TeamStateSpace>();
+    for (const char *name : {"a", "b"})
+        team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 3.0)));
+    const std::vector<PlacedBody> walls{{Body::box(0.2, 6.0)}};
+    TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{-2.0, 1.0, 2.0, 1.0};
+    setup.addStartState(start);
+    start = std::vector<double>{2.0, -1.0, 2.0, 1.0};
+    setup.addStartState(start);
+    auto goals = std::make_shared<ob::GoalStates>(setup.getSpaceInformation());
+    goal = std::vector<double>{-2.0, -2.0, -2.0, 2.0};
+    goals->addState(goal);
+    goal = std::vector<double>{2.0, -2.0, 2.0, 2.0};
+    goals->addState(goal);
+    setup.setGoal(goals);
+    plannerFor(setup);
+    stopAtFirst(setup);
+    ASSERT_EQ(setup.solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(setup.getStateSpace()->equalStates(setup.getSolutionPath().getState(0), start.get()) ||
+                setup.getStateSpace()->equalStates(setup.getSolutionPath().getStates().back(), goal.get()));
+    ob::PlannerData data(setup.getSpaceInformation());
+    setup.getPlannerData(data);
+    EXPECT_EQ(data.numStartVertices(), 2U);
+    EXPECT_EQ(data.numGoalVertices(), 1U);
+    EXPECT_GE(data.numEdges(), 1U);
+}
+
+TEST_F(DRRTstarTest, NamesTheRobotThatFindsNoWay)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    for (const char *name : {"free", "walled_in"})
+        team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 3.0)));
+    const std::vector<PlacedBody> walls{{Body::box(0.2, 6.0)}};
+    TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{2.0, -1.0, -2.0, 1.0};
+    goal = std::vector<double>{2.0, 1.0, 2.0, 2.0};
+    setup.setStartAndGoalStates(start, goal);
+    plannerFor(setup)->setMaxRoadmapSize(200);
+    const Messages messages;
+    EXPECT_EQ(setup.solve(10.0), ob::PlannerStatus::TIMEOUT);
+    EXPECT_NE(messages.getText().find("'walled_in' found no way"), std::string::npos) << messages.getText();
+    EXPECT_EQ(messages.getText().find("'free'"), std::string::npos) << messages.getText();
+    EXPECT_LT(setup.getLastPlanComputationTime(), 5.0) << "goes on though the roadmap is at its limit";
+}
+
+TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)
+{
+    const Messages messages;
+    const auto setup = crowd(1, 3, 4.0, 0);
+    const auto status = [&](const ob::GoalPtr &goal)
+    {
+        TeamSetup other(std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace()),
+                        std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+        other.getProblemDefinition()->addStartState(setup->getProblemDefinition()->getStartState(0));
+        other.setGoal(goal);
+        plannerFor(other);
+        return other.solve(0.1);
+    };
+    // All at one place
+    auto overlapping = std::make_shared<ob::GoalStates>(setup->getSpaceInformation());
+    ob::ScopedState<> state(setup->getStateSpace());
+    state = std::vector<double>{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    overlapping->addState(state);
+    EXPECT_EQ(status(overlapping), ob::PlannerStatus::INVALID_GOAL);
+
+    struct NotSampled : ob::GoalRegion
+    {
+        using GoalRegion::GoalRegion;
+
+        double distanceGoal(const ob::State * /*state*/) const override
+        {
+            return 1.0;
+        }
+    };
+    EXPECT_EQ(status(std::make_shared<NotSampled>(setup->getSpaceInformation())),
+              ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE);
+
+    TeamSetup invalid(std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace()),
+                      std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    invalid.setStartAndGoalStates(state, state);
+    plannerFor(invalid);
+    EXPECT_EQ(invalid.solve(0.1), ob::PlannerStatus::INVALID_START);
+
+    const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
+    EXPECT_THROW(DRRTstar(si).setup(), ompl::Exception);
+    const auto stock = std::make_shared<ob::SpaceInformation>(setup->getStateSpace());
+    stock->setStateValidityChecker([](const ob::State *) { return true; });
+    EXPECT_THROW(DRRTstar(stock).setup(), ompl::Exception);
+}
+
+TEST_F(DRRTstarTest, GetsBetterWithTimeAndStartsAgainAfterClear)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = crowd(3, 4, 4.0, 4);
+    const auto planner = plannerFor(*setup);
+    std::vector<double> costs;
+    setup->setup();
+    setup->getProblemDefinition()->setIntermediateSolutionCallback(
+        [&](const ob::Planner *, const std::vector<const ob::State *> &states, ob::Cost cost)
+        {
+            EXPECT_GE(states.size(), 2U);
+            costs.push_back(cost.value());
+        });
+    EXPECT_TRUE(std::isinf(planner->getBestCost().value()));
+    ASSERT_EQ(setup->solve(evaluations(500)), ob::PlannerStatus::EXACT_SOLUTION);
+    const double first = planner->getBestCost().value();
+    EXPECT_DOUBLE_EQ(setup->getSolutionPath().length(), first);
+    ASSERT_EQ(setup->solve(evaluations(5000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_LE(planner->getBestCost().value(), first);
+    EXPECT_DOUBLE_EQ(setup->getSolutionPath().length(), planner->getBestCost().value());
+    EXPECT_TRUE(setup->getSolutionPath().check());
+    ASSERT_GE(costs.size(), 2U);
+    EXPECT_TRUE(std::is_sorted(costs.rbegin(), costs.rend()));
+    EXPECT_EQ(planner->getPlannerProgressProperties().count("best cost REAL"), 1U);
+
+    setup->clear();
+    EXPECT_TRUE(std::isinf(planner->getBestCost().value()));
+    ob::PlannerData data(setup->getSpaceInformation());
+    planner->getPlannerData(data);
+    EXPECT_EQ(data.numVertices(), 0U);
+    EXPECT_EQ(setup->solve(evaluations(0)), ob::PlannerStatus::TIMEOUT);
+    EXPECT_EQ(setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST_F(DRRTstarTest, PlansForOneRobotAndForAnyMotionValidator)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = crowd(5, 1, 4.0, 6);
+    const auto planner = plannerFor(*setup);
+    setup->getSpaceInformation()->setMotionValidator(
+        std::make_shared<ob::DiscreteMotionValidator>(setup->getSpaceInformation()));
+    planner->setSmoothing(false);
+    ASSERT_EQ(setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(setup->getSolutionPath().check());
+}

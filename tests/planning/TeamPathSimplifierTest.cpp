@@ -1,0 +1,138 @@
+#include "support/CrowdProblem.h"
+
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/TeamPathSimplifier.h"
+#include "ompl_certificates/team/TeamObjective.h"
+#include "ompl_certificates/team/TeamPathLength.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    class TeamPathSimplifierTest : public testing::Test
+    {
+    protected:
+        void SetUp() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        }
+
+        void TearDown() override
+        {
+            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+        }
+    };
+
+    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const std::string &name)
+    {
+        ob::ScopedState<> goal(setup.getStateSpace());
+        goal = setup.getGoal()->as<ob::GoalState>()->getState();
+        return makeObjective(name, setup.getSpaceInformation(), goal);
+    }
+}
+
+TEST_F(TeamPathSimplifierTest, LowersEveryCostAndKeepsPathsValid)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(10); ++seed)
+        for (const std::string &name : objectiveNames())
+        {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + name);
+            ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+            const auto setup = crowd(seed, 4, 4.0, 5);
+            setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+            ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+            const auto objective = objectiveOf(*setup, name);
+            og::PathGeometric path = setup->getSolutionPath();
+            const double before = path.cost(objective).value();
+            TeamPathSimplifier simplifier(setup->getSpaceInformation(), objective);
+            EXPECT_TRUE(simplifier.simplify(path, 300, ob::plannerNonTerminatingCondition()));
+            EXPECT_LT(path.cost(objective).value(), before);
+            EXPECT_TRUE(path.check());
+            const auto &space = setup->getStateSpace();
+            og::PathGeometric &old = setup->getSolutionPath();
+            EXPECT_TRUE(space->equalStates(path.getState(0), old.getState(0)));
+            EXPECT_TRUE(space->equalStates(path.getStates().back(), old.getStates().back()));
+        }
+}
+
+TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("low", 0.2, cubeBounds(2, 5.0)));
+    team->addRobot(RigidRobot::disc("high", 0.2, cubeBounds(2, 5.0)));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    setup.getSpaceInformation()->setup();
+    og::PathGeometric path(setup.getSpaceInformation());
+    ob::ScopedState<> state(team);
+    // One goes around a corner while the other one waits, then the other one does.
+    for (const auto &reals : {std::vector<double>{-4.0, -4.0, -4.0, 1.0},
+                              {-4.0, -1.0, -4.0, 1.0},
+                              {4.0, -1.0, -4.0, 1.0},
+                              {4.0, -1.0, -4.0, 4.0},
+                              {4.0, -1.0, 4.0, 4.0}})
+    {
+        state = reals;
+        path.append(state.get());
+    }
+    TeamPathSimplifier simplifier(setup.getSpaceInformation(),
+                                  std::make_shared<TeamPathLength>(setup.getSpaceInformation()));
+    EXPECT_TRUE(simplifier.simplify(path, ob::plannerNonTerminatingCondition()));
+    EXPECT_NEAR(path.length(), std::sqrt(2.0 * (64.0 + 9.0)), 0.02);
+    EXPECT_FALSE(simplifier.simplify(path, 0, ob::plannerNonTerminatingCondition()));
+}
+
+TEST_F(TeamPathSimplifierTest, LeavesPathsAloneThatItCannotShorten)
+{
+    const auto setup = crowd(1, 2, 4.0, 0);
+    setup->getSpaceInformation()->setup();
+    TeamPathSimplifier simplifier(setup->getSpaceInformation(), objectiveOf(*setup, "length"));
+    og::PathGeometric path(setup->getSpaceInformation());
+    EXPECT_FALSE(simplifier.simplify(path, ob::plannerNonTerminatingCondition()));
+    path.append(setup->getProblemDefinition()->getStartState(0));
+    EXPECT_FALSE(simplifier.simplify(path, 100, ob::plannerNonTerminatingCondition()));
+    EXPECT_EQ(path.getStateCount(), 1U);
+
+    const auto stock = std::make_shared<ob::SpaceInformation>(setup->getStateSpace());
+    EXPECT_THROW(TeamPathSimplifier(stock, objectiveOf(*setup, "length")), ompl::Exception);
+}
+
+TEST_F(TeamPathSimplifierTest, IsPartOfATeamSetupsSimplifier)
+{
+    for (const std::string &name : objectiveNames())
+    {
+        SCOPED_TRACE(name);
+        ompl::RNG::setSeed(2);
+        const auto setup = crowd(2, 3, 4.0, 4);
+        const auto objective = objectiveOf(*setup, name);
+        setup->setOptimizationObjective(objective);
+        setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const double before = setup->getSolutionPath().cost(objective).value();
+        setup->simplifySolution(5.0);
+        EXPECT_LT(setup->getSolutionPath().cost(objective).value(), before);
+        EXPECT_TRUE(setup->getSolutionPath().check());
+    }
+}
+
+TEST(TeamSetup, ChoosesAPlannerForTheNumberOfRobots)
+{
+    const auto team = crowd(1, 3, 4.0, 2);
+    team->setup();
+    EXPECT_EQ(team->getPlanner()->getName(), "DRRTstar");
+    const auto one = crowd(1, 1, 4.0, 2);
+    one->setup();
+    EXPECT_EQ(one->getPlanner()->getName(), "RRTConnect");
+    const auto chosen = crowd(1, 3, 4.0, 2);
+    chosen->setPlanner(std::make_shared<og::RRTConnect>(chosen->getSpaceInformation()));
+    chosen->setup();
+    EXPECT_EQ(chosen->getPlanner()->getName(), "RRTConnect");
+}

@@ -1,0 +1,70 @@
+#include "support/Teams.h"
+
+#include "ompl_certificates/team/TeamObjective.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    ob::ScopedState<> stateOf(const ob::StateSpacePtr &space, const std::vector<double> &reals)
+    {
+        ob::ScopedState<> state(space);
+        state = reals;
+        return state;
+    }
+}
+
+TEST(TeamObjective, AddsUpWhatRobotsDo)
+{
+    const ob::StateSpacePtr team = teamOfDiscs();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    // Lengths 3, 4 and 0; the last robot is at its goal already.
+    const auto from = stateOf(team, {0.0, 0.0, 1.0, 0.0, 2.0, 2.0}), to = stateOf(team, {3.0, 0.0, 1.0, 4.0, 2.0, 2.0});
+    const auto cost = [&](const std::string &name)
+    { return makeObjective(name, si, to)->motionCost(from.get(), to.get()).value(); };
+    EXPECT_DOUBLE_EQ(cost("length"), 5.0);
+    EXPECT_DOUBLE_EQ(cost("sum"), 7.0);
+    EXPECT_DOUBLE_EQ(cost("makespan"), 4.0);
+    EXPECT_DOUBLE_EQ(cost("arrival"), 8.0);
+    EXPECT_DOUBLE_EQ(motionDuration(*team->as<ob::CompoundStateSpace>(), from.get(), to.get()), 4.0);
+    // A robot that stays away from its goal is on its way.
+    const auto elsewhere = stateOf(team, {3.0, 0.0, 1.0, 4.0, -2.0, 2.0});
+    EXPECT_DOUBLE_EQ(makeObjective("arrival", si, elsewhere)->motionCost(from.get(), to.get()).value(), 12.0);
+}
+
+TEST(TeamObjective, HeuristicsAreLowerBoundsOfDetours)
+{
+    const ob::StateSpacePtr team = mixedTeam();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    const auto sampler = team->allocStateSampler();
+    ob::ScopedState<> from(team), between(team), to(team);
+    for (unsigned int i = 0; i < scaled(1000); ++i)
+    {
+        for (ob::ScopedState<> *state : {&from, &between, &to})
+            sampler->sampleUniform(state->get());
+        for (const std::string &name : objectiveNames())
+        {
+            const auto objective = makeObjective(name, si, to);
+            const double detour = objective->motionCost(from.get(), between.get()).value() +
+                                  objective->motionCost(between.get(), to.get()).value();
+            EXPECT_LE(objective->motionCostHeuristic(from.get(), to.get()).value(), detour * (1.0 + 1e-12)) << name;
+        }
+    }
+}
+
+TEST(TeamObjective, RefusesWhatItCannotMeasure)
+{
+    const ob::StateSpacePtr team = teamOfDiscs();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    EXPECT_THROW(TeamObjective(si, TeamObjective::SUM_OF_ARRIVAL_TIMES), ompl::Exception);
+    EXPECT_THROW(makeObjective("best", si, ob::ScopedState<>(team)), ompl::Exception);
+    const auto plain = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(2));
+    EXPECT_THROW(TeamObjective(plain, TeamObjective::MAKESPAN), ompl::Exception);
+}
