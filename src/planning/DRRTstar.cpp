@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -26,6 +27,9 @@ namespace ompl_certificates
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to shorten the
             path. Each later round does twice as much. */
         constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
+
+        /** How often RRTConnect may iterate for the whole team, before all else; larger teams than that have little hope */
+        constexpr unsigned int TEAM_ITERATIONS = 10, LARGEST_TEAM = 4;
 
         /** The number of goal states that are taken from a goal region */
         constexpr std::size_t MOST_GOALS = 10;
@@ -115,6 +119,24 @@ namespace ompl_certificates
             return ob::PlannerStatus::INVALID_GOAL;
         }
         return ob::PlannerStatus::UNKNOWN;
+    }
+
+    void DRRTstar::planTogether(const ob::PlannerTerminationCondition &condition)
+    {
+        auto problem = std::make_shared<ob::ProblemDefinition>(si_);
+        for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
+            problem->addStartState(pdef_->getStartState(i));
+        problem->setGoal(pdef_->getGoal());
+        og::RRTConnect planner(si_);
+        planner.setProblemDefinition(problem);
+        planner.setup();
+        unsigned int left = TEAM_ITERATIONS;
+        const ob::PlannerTerminationCondition enough([&left] { return left == 0 || left-- == 0; });
+        if (planner.solve(ob::plannerOrTerminationCondition(condition, enough)) != ob::PlannerStatus::EXACT_SOLUTION)
+            return;
+        const og::PathGeometric path = *problem->getSolutionPath()->as<og::PathGeometric>();
+        report(path);
+        shorten(path, condition);
     }
 
     void DRRTstar::growRoadmaps(const ob::PlannerTerminationCondition &condition)
@@ -294,6 +316,8 @@ namespace ompl_certificates
             return status;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
+        if (rounds_ == 0 && roadmaps_->getRobotCount() <= LARGEST_TEAM)
+            planTogether(condition);
         const auto isDone = [&] { return condition || (best_ && objective_->isSatisfied(getBestCost())); };
         for (; !isDone(); ++rounds_)
         {

@@ -17,8 +17,8 @@ namespace ompl_certificates
         robot moves along an edge of its roadmap in each step, or waits.
 
         Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the obstacles
-        serves all. Edges are checked when they are needed, and edges of two robots against each other once. The
-        planner works in rounds:
+        serves all. Edges are checked when they are needed, and edges of two robots against each other once. After a few
+        iterations of RRTConnect for a whole team of up to four, which solve what is easy, the planner works in rounds:
 
         - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its goal
           in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
@@ -119,6 +119,9 @@ namespace ompl_certificates
         /** \brief Take the starts and goals that are new
             \return what is wrong, or UNKNOWN */
         ompl::base::PlannerStatus takeInput(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief Let RRTConnect try its luck with the whole team: it solves what is easy for few robots at once. */
+        void planTogether(const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Let the roadmaps grow for this round */
         void growRoadmaps(const ompl::base::PlannerTerminationCondition &condition);
