@@ -12,10 +12,11 @@
 #include "common/PlannerList.h"
 #include "common/ProgressBar.h"
 
+#include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/pictures/PlanAnimation.h"
+#include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/pictures/PathFile.h"
-#include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/validity/CertificateFile.h"
@@ -44,7 +45,7 @@ namespace
         std::uint32_t seed{1};
         std::string range;
         std::vector<std::string> parameters;
-        std::string picture, path, report, loadedCertificates, savedCertificates;
+        std::string picture, animation, path, report, loadedCertificates, savedCertificates;
         bool simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
 
@@ -92,6 +93,8 @@ namespace
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
         app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
             ->needs(picture);
+        app.add_option("--animation", options.animation,
+                       "Write a picture in which the robots follow the solution (SVG, for browsers)");
         app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
         app.add_option("--report", options.report, "Write a report (JSON)");
         app.add_option("--load-certificates", options.loadedCertificates,
@@ -100,7 +103,7 @@ namespace
                        "Write what is known of the obstacles in the end, for a later run");
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.footer(
-            "Of picture, path and report one may be -, for standard output; all else is then printed to standard "
+            "Of picture, animation, path and report one may be -, for standard output; all else is then printed to standard "
             "error.\nReturns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a "
             "file that could not be written.");
     }
@@ -294,8 +297,12 @@ namespace
         attempt(options.report, [&](const std::string &file) { demos::writeOutput(file, report.toJson()); });
         // An approximate path looks like any other in a file, and would be taken for a solution.
         if (report.solved)
+        {
             attempt(options.path,
                     [&](const std::string &file) { demos::writeOutput(file, toCsv(setup.getSolutionPath())); });
+            attempt(options.animation, [&](const std::string &file)
+                    { demos::writeOutput(file, PlanAnimation(scene, setup.getSolutionPath()).toSvg()); });
+        }
         attempt(options.picture,
                 [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
         if (!failures.empty())
@@ -324,6 +331,7 @@ namespace
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
         demos::prepareOutputs({{"--picture", options.picture},
+                               {"--animation", options.animation},
                                {"--path", options.path},
                                {"--report", options.report},
                                {"--save-certificates", options.savedCertificates}},
@@ -366,8 +374,10 @@ namespace
                 std::puts("interrupted: this is what was found so far");
             print(report, *setup);
         }
-        if (!options.quiet && !options.path.empty() && !report.solved)
-            std::printf("no path was written to %s\n", options.path.c_str());
+        if (!options.quiet && !report.solved)
+            for (const auto &[what, name] : {std::pair{"path", options.path}, {"animation", options.animation}})
+                if (!name.empty())
+                    std::printf("no %s was written to %s\n", what, name.c_str());
         std::fflush(stdout);
         write(options, scene, *setup, report, tree);
         return report.solved ? demos::SOLVED : demos::NOT_SOLVED;

@@ -42,17 +42,17 @@ namespace ompl_certificates
             return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
         }
 
-        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain. Leaves out
-            those that are straight to within \e tolerance (an area). Fewer than three if the points span no area. */
-        std::vector<Eigen::Vector3d> outlineOf(std::vector<Eigen::Vector3d> points, double tolerance)
+        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain, with some that
+            are straight up to rounding */
+        std::vector<Eigen::Vector3d> monotoneChain(std::vector<Eigen::Vector3d> points)
         {
             std::sort(points.begin(), points.end(),
                       [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
                       { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
             std::vector<Eigen::Vector3d> chain;
-            const auto append = [&chain, tolerance](const Eigen::Vector3d &point, std::size_t fixed)
+            const auto append = [&chain](const Eigen::Vector3d &point, std::size_t fixed)
             {
-                while (chain.size() > fixed && cross2(chain[chain.size() - 2], chain.back(), point) <= tolerance)
+                while (chain.size() > fixed && cross2(chain[chain.size() - 2], chain.back(), point) <= 0.0)
                     chain.pop_back();
                 chain.push_back(point);
             };
@@ -65,12 +65,34 @@ namespace ompl_certificates
             return chain;
         }
 
+        /** The corners of the hull of points of the plane, counter-clockwise. Leaves out those that are straight to within
+            \e tolerance (an area). Fewer than three if the points span no area. */
+        std::vector<Eigen::Vector3d> outlineOf(const std::vector<Eigen::Vector3d> &points, double tolerance)
+        {
+            const auto isStraight = [tolerance](const auto &before, const auto &corner, const auto &after)
+            { return cross2(before, corner, after) <= tolerance; };
+            // Not within the chain: by x, the points of an edge that is vertical up to rounding are in any order, and the
+            // edge's end may come between two others, straight to within the tolerance.
+            std::vector<Eigen::Vector3d> corners;
+            for (const Eigen::Vector3d &point : monotoneChain(points))
+            {
+                while (corners.size() > 1 && isStraight(corners[corners.size() - 2], corners.back(), point))
+                    corners.pop_back();
+                corners.push_back(point);
+            }
+            while (corners.size() > 2 && isStraight(corners[corners.size() - 2], corners.back(), corners.front()))
+                corners.pop_back();
+            while (corners.size() > 2 && isStraight(corners.back(), corners[0], corners[1]))
+                corners.erase(corners.begin());
+            return corners;
+        }
+
         ConvexHull planarHull(std::vector<Eigen::Vector3d> points, double tolerance)
         {
             for (auto &point : points)
                 point.z() = 0.0;
             ConvexHull hull;
-            hull.vertices = outlineOf(std::move(points), tolerance);
+            hull.vertices = outlineOf(points, tolerance);
             const auto &chain = hull.vertices;
             if (chain.size() < 3)
                 throw ompl::Exception("The points of a polygon span no area");

@@ -47,17 +47,6 @@ namespace ompl_certificates
             }
         }
 
-        /** A closed line through \e corners, simplified in two halves */
-        MeshOutline::Loop simplified(MeshOutline::Loop corners, double tolerance)
-        {
-            corners.push_back(corners.front());
-            const std::size_t half = corners.size() / 2;
-            MeshOutline::Loop result;
-            simplify(corners, 0, half, tolerance, result);
-            simplify(corners, half, corners.size() - 1, tolerance, result);
-            return result;
-        }
-
         /** The sides of cells between inside and outside, each with the inside to its left. At most two of the
             directions +x, +y, -x, -y leave each corner. */
         class Sides
@@ -114,6 +103,16 @@ namespace ompl_certificates
             int width_;
             std::vector<std::uint8_t> directions_;
         };
+    }
+
+    MeshOutline::Loop MeshOutline::simplified(Loop corners, double tolerance)
+    {
+        corners.push_back(corners.front());
+        const std::size_t half = corners.size() / 2;
+        Loop result;
+        simplify(corners, 0, half, tolerance, result);
+        simplify(corners, half, corners.size() - 1, tolerance, result);
+        return result;
     }
 
     MeshOutline::MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side)

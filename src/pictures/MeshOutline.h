@@ -15,6 +15,9 @@ namespace ompl_certificates
         /** \brief A closed line */
         using Loop = std::vector<Eigen::Vector2d>;
 
+        /** \brief A loop through fewer of \e corners, not empty, that stays within \e tolerance of their loop */
+        static Loop simplified(Loop corners, double tolerance);
+
         /** \brief An empty grid over the rectangle from \e low to \e high, with square cells of the given side */
         MeshOutline(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double side);
 

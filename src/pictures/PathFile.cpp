@@ -1,6 +1,7 @@
 #include "ompl_certificates/pictures/PathFile.h"
 
 #include "certificates/WholeFile.h"
+#include "ompl_certificates/team/PathTimes.h"
 
 #include <charconv>
 #include <ompl/base/SpaceInformation.h>
@@ -81,7 +82,8 @@ namespace ompl_certificates
         std::string text = "length";
         for (const std::string &name : coordinateNames(*si.getStateSpace()))
             text += ',' + quoted(name);
-        text += '\n';
+        text += ",time\n";
+        const std::vector<double> times = stateTimes(path);
         double length = 0.0;
         std::vector<double> reals;
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
@@ -92,7 +94,7 @@ namespace ompl_certificates
             si.getStateSpace()->copyToReals(reals, path.getState(i));
             for (const double real : reals)
                 text += ',' + digitsOf(real);
-            text += '\n';
+            text += ',' + digitsOf(times[i]) + '\n';
         }
         return text;
     }

@@ -1,7 +1,5 @@
 #include "SceneView.h"
 
-#include "MeshOutline.h"
-
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -12,6 +10,12 @@ namespace ompl_certificates
     {
         /** The number of points of a circle; a whole outline has at most two circles */
         constexpr int CIRCLE_POINTS = 64;
+
+        /** The radius of a round shape; a point would be invisible */
+        double radiusOf(const Shape &shape, double scale)
+        {
+            return std::max(shape.getRadius(), shape.getKind() == Shape::Kind::BALL ? 1.5 / scale : 0.0);
+        }
 
         /** Points of a circle about \e center in the plane of \e x and \e y, whose length is its radius */
         void addCircle(const Eigen::Vector3d &center, const Eigen::Vector3d &x, const Eigen::Vector3d &y,
@@ -41,8 +45,16 @@ namespace ompl_certificates
         return corner_ + scale_ * Eigen::Vector2d(point.x() - left_, top_ - point[up_]);
     }
 
-    void SceneView::drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const ZInterval &zInterval,
-                             int levels) const
+    SceneView SceneView::aroundOrigin(double radius) const
+    {
+        ompl::base::RealVectorBounds bounds(3);
+        bounds.setLow(-radius);
+        bounds.setHigh(radius);
+        return SceneView(bounds, up_, Eigen::Vector2d::Constant(-scale_ * radius), scale_);
+    }
+
+    std::vector<std::vector<MeshOutline::Loop>> SceneView::outlinesOf(const TriangleMesh &mesh, const Pose &pose,
+                                                                      const ZInterval &zInterval, int levels) const
     {
         // From above the higher is nearer, from the side what has the smaller y.
         const int depth = 3 - up_;
@@ -62,7 +74,7 @@ namespace ompl_certificates
         const Eigen::Vector2d edge(8.0, 8.0), low = box.min().head<2>().cwiseMax(corner_ - edge) - 0.1 * edge,
                                               high = box.max().head<2>().cwiseMin(corner_ + size_ + edge) + 0.1 * edge;
         if ((high - low).minCoeff() <= 0.0)
-            return;
+            return {};
         MeshOutline outline(low, high, (high - low).maxCoeff() > 150.0 ? 0.5 : 0.25);
         for (const TriangleMesh::Triangle &triangle : mesh.getTriangles())
         {
@@ -73,9 +85,49 @@ namespace ompl_certificates
             if (lowest <= zInterval.high && highest >= zInterval.low)
                 outline.add(corners);
         }
+        std::vector<std::vector<MeshOutline::Loop>> outlines;
         for (int level = 0; level < levels; ++level)
-            svg.area(outline.trace(box.min().z() + box.sizes().z() * level / levels - (level == 0 ? 1.0 : 0.0)),
-                     level == 0 ? "" : "fill-opacity='0.1' stroke-width='0.3'");
+            outlines.push_back(
+                outline.trace(box.min().z() + box.sizes().z() * level / levels - (level == 0 ? 1.0 : 0.0)));
+        return outlines;
+    }
+
+    MeshOutline::Loop SceneView::outlineOf(const Shape &shape, const Pose &pose) const
+    {
+        std::vector<Eigen::Vector3d> points;
+        const double radius = radiusOf(shape, scale_);
+        if (const ConvexHull *hull = shape.getHull())
+            for (const Eigen::Vector3d &vertex : hull->vertices)
+                points.push_back(pose * vertex);
+        else
+            for (const double end : {-0.5, 0.5})
+            {
+                const Eigen::Vector3d center = pose * Eigen::Vector3d(0.0, 0.0, end * shape.getSize().z());
+                // The ends of a capsule appear as circles, those of a cylinder as its rims.
+                const bool round = shape.getKind() != Shape::Kind::CYLINDER;
+                const Eigen::Matrix3d frame = round ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(pose.linear());
+                addCircle(center, radius * frame.col(0), radius * frame.col(round ? up_ : 1), points);
+            }
+        for (Eigen::Vector3d &point : points)
+        {
+            const Eigen::Vector2d seen = project(point);
+            point = {seen.x(), seen.y(), 0.0};
+        }
+        MeshOutline::Loop outline;
+        for (const Eigen::Vector3d &corner : convexHull(points, 2).vertices)
+            outline.emplace_back(corner.x(), corner.y());
+        return outline;
+    }
+
+    std::vector<MeshOutline::Loop> SceneView::outlineOf(const Body::Part &part, const Pose &pose) const
+    {
+        const Pose partPose = pose * part.pose;
+        if (const TriangleMesh *mesh = part.shape.getMesh())
+        {
+            const auto outlines = outlinesOf(*mesh, partPose, ZInterval(), 1);
+            return outlines.empty() ? std::vector<MeshOutline::Loop>() : outlines.front();
+        }
+        return {outlineOf(part.shape, partPose)};
     }
 
     void SceneView::draw(SvgWriter &svg, const Body &body, const Pose &pose, const ZInterval &zInterval,
@@ -84,42 +136,19 @@ namespace ompl_certificates
         for (const Body::Part &part : body.getParts())
         {
             const Pose partPose = pose * part.pose;
-            const Shape &shape = part.shape;
-            if (shape.getKind() == Shape::Kind::BALL)
+            if (part.shape.getKind() == Shape::Kind::BALL)
+                svg.circle(project(partPose.translation()), scale_ * radiusOf(part.shape, scale_));
+            else if (const TriangleMesh *mesh = part.shape.getMesh())
             {
-                // A point would be invisible.
-                svg.circle(project(partPose.translation()), std::max(1.5, scale_ * shape.getRadius()));
-                continue;
-            }
-            if (const TriangleMesh *mesh = shape.getMesh())
-            {
-                drawMesh(svg, *mesh, partPose, zInterval, levels);
-                continue;
-            }
-            std::vector<Eigen::Vector3d> points;
-            if (const ConvexHull *hull = shape.getHull())
-                for (const Eigen::Vector3d &vertex : hull->vertices)
-                    points.push_back(partPose * vertex);
-            else
-                for (const double end : {-0.5, 0.5})
+                std::string attributes;
+                for (const auto &outline : outlinesOf(*mesh, partPose, zInterval, levels))
                 {
-                    const Eigen::Vector3d center = partPose * Eigen::Vector3d(0.0, 0.0, end * shape.getSize().z());
-                    // The ends of a capsule appear as circles, those of a cylinder as its rims.
-                    const bool round = shape.getKind() == Shape::Kind::CAPSULE;
-                    const Eigen::Matrix3d frame =
-                        round ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(partPose.linear());
-                    addCircle(center, shape.getRadius() * frame.col(0), shape.getRadius() * frame.col(round ? up_ : 1),
-                              points);
+                    svg.area(outline, attributes);
+                    attributes = "fill-opacity='0.1' stroke-width='0.3'";
                 }
-            for (Eigen::Vector3d &point : points)
-            {
-                const Eigen::Vector2d seen = project(point);
-                point = {seen.x(), seen.y(), 0.0};
             }
-            std::vector<Eigen::Vector2d> outline;
-            for (const Eigen::Vector3d &corner : convexHull(points, 2).vertices)
-                outline.emplace_back(corner.x(), corner.y());
-            svg.polygon(outline);
+            else
+                svg.polygon(outlineOf(part.shape, partPose));
         }
     }
 }

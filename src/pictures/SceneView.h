@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PICTURES_SCENE_VIEW_
 #define OMPL_CERTIFICATES_PICTURES_SCENE_VIEW_
 
+#include "MeshOutline.h"
 #include "SvgWriter.h"
 #include "ompl_certificates/geometry/Body.h"
 
@@ -38,6 +39,13 @@ namespace ompl_certificates
         /** \brief Where \e point of the workspace is in the picture */
         Eigen::Vector2d project(const Eigen::Vector3d &point) const;
 
+        /** \brief A view of the same kind for what is within \e radius of the workspace's origin, which is at the origin of
+            the picture */
+        SceneView aroundOrigin(double radius) const;
+
+        /** \brief The closed lines around what is seen of a part of a body at \e pose; inner lines are holes */
+        std::vector<MeshOutline::Loop> outlineOf(const Body::Part &part, const Pose &pose) const;
+
         /** \brief Draw the outline of \e body at \e pose, each shape separately
             \param zInterval of planar meshes only the triangles that overlap it are drawn
             \param levels how many outlines a mesh gets: the whole, then parts nearer and nearer to the viewer */
@@ -45,8 +53,12 @@ namespace ompl_certificates
                   int levels = 1) const;
 
     private:
-        void drawMesh(SvgWriter &svg, const TriangleMesh &mesh, const Pose &pose, const ZInterval &zInterval,
-                      int levels) const;
+        /** \brief Outlines of a mesh: the whole, then parts nearer and nearer to the viewer. None if it is out of view. */
+        std::vector<std::vector<MeshOutline::Loop>> outlinesOf(const TriangleMesh &mesh, const Pose &pose,
+                                                               const ZInterval &zInterval, int levels) const;
+
+        /** \brief The outline of a shape that is not a mesh, hence convex */
+        MeshOutline::Loop outlineOf(const Shape &shape, const Pose &pose) const;
 
         int up_;
         double left_, top_;

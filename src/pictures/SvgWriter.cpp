@@ -1,5 +1,7 @@
 #include "SvgWriter.h"
 
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cstdio>
 
 namespace ompl_certificates
@@ -7,24 +9,57 @@ namespace ompl_certificates
     namespace
     {
         /** A hundredth of a pixel is enough */
-        std::string number(double value)
+        constexpr int DIGITS = 2;
+
+        std::string number(double value, int digits = DIGITS)
         {
             char text[64];
-            std::snprintf(text, sizeof(text), "%.2f", value);
+            std::snprintf(text, sizeof(text), "%.*f", digits, value);
             return text;
         }
 
-        std::string pair(const Eigen::Vector2d &point)
+        std::string pair(const Eigen::Vector2d &point, int digits = DIGITS)
         {
-            return number(point.x()) + "," + number(point.y());
+            return number(point.x(), digits) + "," + number(point.y(), digits);
         }
 
-        std::string points(const std::vector<Eigen::Vector2d> &points)
+        std::string points(const std::vector<Eigen::Vector2d> &points, int digits = DIGITS)
         {
             std::string text;
             for (const auto &point : points)
-                text += (text.empty() ? "" : " ") + pair(point);
+                text += (text.empty() ? "" : " ") + pair(point, digits);
             return text;
+        }
+
+        std::string loops(const std::vector<std::vector<Eigen::Vector2d>> &polygons, int digits = DIGITS)
+        {
+            std::string text;
+            for (const auto &polygon : polygons)
+                text += "M" + points(polygon, digits) + "Z";
+            return text;
+        }
+
+        std::string degrees(double angle)
+        {
+            return number(angle * boost::math::constants::radian<double>());
+        }
+
+        /** The values of a list as those of an animation, where semicolons part them */
+        template <typename Values, typename Text>
+        std::string listOf(const Values &values, const Text &textOf)
+        {
+            std::string list;
+            for (const auto &value : values)
+                list += (list.empty() ? "" : ";") + textOf(value);
+            return list;
+        }
+
+        /** The attributes of an animation that is repeated for ever; times to about a ten-thousandth of a second */
+        std::string timing(const std::vector<double> &times, double seconds)
+        {
+            const auto fraction = [](double time) { return number(time, 5); };
+            return " dur='" + number(seconds) + "s' repeatCount='indefinite' keyTimes='" + listOf(times, fraction) +
+                   "'";
         }
 
         /** \e text with XML's special characters escaped and control characters replaced */
@@ -47,6 +82,26 @@ namespace ompl_certificates
     void SvgWriter::beginGroup(const std::string &attributes)
     {
         body_ += "<g " + attributes + ">\n";
+    }
+
+    void SvgWriter::beginMovingGroup(const SvgMotion &motion, double seconds)
+    {
+        // In a picture y goes down, and so positive angles turn right.
+        const auto angle = [](double left) { return degrees(-left); };
+        beginGroup("transform='translate(" + pair(motion.positions.front()) + ") rotate(" +
+                   angle(motion.angles.front()) + ")'");
+        if (motion.times.size() < 2)
+            return;
+        const auto animate = [&](const std::string &attributes, const std::string &values)
+        {
+            body_ += "<animateTransform attributeName='transform' " + attributes + timing(motion.times, seconds) +
+                     " values='" + values + "'/>\n";
+        };
+        // The first replaces the group's own transform, the second adds to the first.
+        animate("type='translate'",
+                listOf(motion.positions, [](const Eigen::Vector2d &position) { return pair(position); }));
+        if (std::any_of(motion.angles.begin(), motion.angles.end(), [](double turned) { return turned != 0.0; }))
+            animate("type='rotate' additive='sum'", listOf(motion.angles, angle));
     }
 
     void SvgWriter::endGroup()
@@ -75,10 +130,17 @@ namespace ompl_certificates
     {
         if (polygons.empty())
             return;
-        body_ += "<path fill-rule='evenodd' stroke-linejoin='round' " + attributes + " d='";
-        for (const auto &polygon : polygons)
-            body_ += "M" + points(polygon) + "Z";
-        body_ += "'/>\n";
+        body_ += "<path fill-rule='evenodd' stroke-linejoin='round' " + attributes + " d='" + loops(polygons) + "'/>\n";
+    }
+
+    void SvgWriter::changingArea(const std::vector<double> &times,
+                                 const std::vector<std::vector<std::vector<Eigen::Vector2d>>> &areas, double seconds)
+    {
+        // There are many of them, and they soon pass.
+        const auto rough = [](const std::vector<std::vector<Eigen::Vector2d>> &area) { return loops(area, 1); };
+        body_ += "<path fill-rule='evenodd' stroke-linejoin='round' d='" + rough(areas.front()) +
+                 "'><animate attributeName='d' calcMode='discrete'" + timing(times, seconds) + " values='" +
+                 listOf(areas, rough) + "'/></path>\n";
     }
 
     void SvgWriter::line(const std::vector<Eigen::Vector2d> &corners, const std::string &attributes)

@@ -1,6 +1,6 @@
 #include "TimedPaths.h"
 
-#include "ompl_certificates/team/TeamObjective.h"
+#include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
 
@@ -11,11 +11,10 @@ namespace ompl_certificates
     TimedPaths::TimedPaths(const Team &team, const ompl::geometric::PathGeometric &path)
       : team_(team), knots_(team.getRobotCount())
     {
-        const auto &space = *team.getStateSpace()->as<ob::CompoundStateSpace>();
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
         {
             const ob::State *whole = path.getState(i);
-            const double step = i > 0 ? motionDuration(space, path.getState(i - 1), whole) : 0.0;
+            const double step = i > 0 ? motionTime(*team.getStateSpace(), path.getState(i - 1), whole) : 0.0;
             if (i > 0 && !(step > 0.0))
                 continue;
             duration_ += step;

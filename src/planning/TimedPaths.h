@@ -21,7 +21,7 @@ namespace ompl_certificates
             std::shared_ptr<ompl::base::State> state;
         };
 
-        /** \brief The robots' paths in that of a team. A motion takes its motionDuration(). \e team must outlive them. */
+        /** \brief The robots' paths in that of a team. A motion takes its motionTime(). \e team must outlive them. */
         TimedPaths(const Team &team, const ompl::geometric::PathGeometric &path);
 
         /** \brief When the path ends; it begins at 0 */

@@ -89,15 +89,6 @@ namespace ompl_certificates
         return ob::Cost(sum);
     }
 
-    double motionDuration(const ob::CompoundStateSpace &space, const ob::State *from, const ob::State *to)
-    {
-        double longest = 0.0;
-        for (unsigned int robot = 0; robot < space.getSubspaceCount(); ++robot)
-            longest =
-                std::max(longest, space.getSubspace(robot)->distance(componentOf(from, robot), componentOf(to, robot)));
-        return longest;
-    }
-
     std::vector<std::string> objectiveNames()
     {
         return {"length", "sum", "makespan", "arrival"};

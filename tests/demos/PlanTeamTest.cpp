@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -63,19 +64,25 @@ namespace
 TEST_F(PlanTeam, writesWhatIsAskedFor)
 {
     ASSERT_EQ(plan({scene(), "--path", folder_ / "path.csv", "--picture", folder_ / "plan.svg", "--picture-tree",
-                    "--picture-certificates"}),
+                    "--picture-certificates", "--animation", folder_ / "moving.svg"}),
               0)
         << errors_;
     EXPECT_EQ(errors_, "");
     EXPECT_NE(contentOf(folder_ / "plan.svg").find("</svg>"), std::string::npos);
+    EXPECT_EQ(contentOf(folder_ / "plan.svg").find("<animate"), std::string::npos);
+    EXPECT_NE(contentOf(folder_ / "moving.svg").find("<animate"), std::string::npos);
 
     const auto path = tableOf(contentOf(folder_ / "path.csv"));
     ASSERT_GE(path.size(), 2u);
-    ASSERT_EQ(path.front().size(), 7u);
+    ASSERT_EQ(path.front().size(), 8u);
     EXPECT_EQ(path.front()[0], 0.0);
     EXPECT_EQ(path.front()[1], 1.0);
     EXPECT_EQ(path.front()[5], 4.0);
     EXPECT_DOUBLE_EQ(path.back()[0], report_.at("cost").get<double>());
+    // The length counts both robots, the time the one that moves farther.
+    EXPECT_EQ(path.front()[7], 0.0);
+    EXPECT_LE(path.back()[7], path.back()[0]);
+    EXPECT_GE(path.back()[7], path.back()[0] / std::sqrt(2.0));
 
     EXPECT_EQ(report_.at("planner"), "RRTConnect");
     EXPECT_EQ(report_.at("method"), "shared");
@@ -132,11 +139,11 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
     ASSERT_EQ(path.wait(), 0) << path.errors();
     const std::string names = path.output().substr(0, path.output().find('\n'));
     EXPECT_EQ(names.find("length,"), 0u) << names;
-    EXPECT_EQ(std::count(names.begin(), names.end(), ','), 6) << names;
+    EXPECT_EQ(std::count(names.begin(), names.end(), ','), 7) << names;
     const auto rows = tableOf(path.output());
     ASSERT_GE(rows.size(), 2u);
     for (const auto &row : rows)
-        EXPECT_EQ(row.size(), 7u);
+        EXPECT_EQ(row.size(), 8u);
     // The summary
     EXPECT_NE(path.errors().find("solved"), std::string::npos) << path.errors();
     EXPECT_EQ(folder_.list().size(), 2u) << "there is no file named -";
@@ -146,9 +153,12 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
     EXPECT_EQ(report.errors(), "");
     EXPECT_TRUE(nlohmann::json::parse(report.output()).at("solved").get<bool>());
 
-    Program picture("plan_team", {scene(), "--picture", "-", "--quiet"});
-    ASSERT_EQ(picture.wait(), 0);
-    EXPECT_NE(picture.output().find("</svg>"), std::string::npos);
+    for (const std::string option : {"--picture", "--animation"})
+    {
+        Program picture("plan_team", {scene(), option, "-", "--quiet"});
+        ASSERT_EQ(picture.wait(), 0);
+        EXPECT_NE(picture.output().find("</svg>"), std::string::npos) << option;
+    }
 }
 
 TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)
@@ -229,11 +239,14 @@ TEST_F(PlanTeam, anotherSeedGrowsAnotherTree)
 
 TEST_F(PlanTeam, returnsOneIfNothingIsFound)
 {
-    EXPECT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--path", folder_ / "path.csv"}), 1);
+    EXPECT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3", "--path", folder_ / "path.csv", "--animation",
+                    folder_ / "plan.svg"}),
+              1);
     EXPECT_FALSE(report_.at("solved").get<bool>());
     EXPECT_TRUE(report_.at("approximate").get<bool>());
     EXPECT_TRUE(report_.at("cost").is_null());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "path.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "plan.svg"));
 }
 
 TEST_F(PlanTeam, setsParametersOfThePlanner)
@@ -329,6 +342,8 @@ namespace
             {{"@/scene.yaml", "--planner", "PRM", "--planner-param", "max_nearest_neighbors=8x"}, "8x"},
             {{"@/scene.yaml", "--picture-tree"}, "--picture"},
             {{"@/scene.yaml", "--picture", "@/none/plan.svg"}, "--picture"},
+            {{"@/scene.yaml", "--animation", "@/none/plan.svg"}, "--animation"},
+            {{"@/scene.yaml", "--picture", "@/a.svg", "--animation", "@/a.svg"}, "is named by --picture, too"},
             {{"@/scene.yaml", "--path", "@"}, "--path"},
             {{"@/scene.yaml", "--report", "@/scene.yaml"}, "--report"},
             {{"@/scene.yaml", "--report", "@/out", "--path", "@/out"}, "--report"},

@@ -244,6 +244,41 @@ TEST(ConvexHull, GoesAroundAPolygonCounterClockwise)
     EXPECT_DOUBLE_EQ(hull.signedDistance({1.0, 0.25, 0.0}), -0.25);
 }
 
+TEST(ConvexHull, KeepsTheCornersOfEdgesThatAreVerticalUpToRounding)
+{
+    // By x such points are in any order. A corner must not be taken for one between two others.
+    for (const Points &points : {Points{{-1.0 - 4e-16, 0.3, 0}, {-1.0, -1.0, 0}, {-1.0 + 4e-16, 1.0, 0}, {1, 0, 0}},
+                                 Points{{1.0 + 4e-16, 0.3, 0}, {1.0, -1.0, 0}, {1.0 - 4e-16, 1.0, 0}, {-1, 0, 0}}})
+    {
+        const ConvexHull hull = convexHull(points, 2);
+        EXPECT_EQ(hull.vertices.size(), 3U) << "the point on the edge is none";
+        for (const auto &point : points)
+            EXPECT_LE(hull.signedDistance(point), 1e-9);
+    }
+    // Prisms seen from above: their corners come twice.
+    for (unsigned int seed = 0; seed < scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        Points points;
+        for (const auto &corner : boxCorners())
+            for (const double along : {1.0, random.uniform(-1.0, 1.0)})
+                points.emplace_back(corner.x() + random.uniform(-1e-15, 1e-15),
+                                    along * corner.y() + random.uniform(-1e-15, 1e-15), corner.z());
+        for (const unsigned int dimension : {2U, 3U})
+        {
+            const ConvexHull hull = convexHull(points, dimension);
+            if (dimension == 2)
+            {
+                EXPECT_EQ(hull.vertices.size(), 4U);
+            }
+            for (const auto &point : points)
+                EXPECT_LE(hull.signedDistance(dimension == 2 ? Eigen::Vector3d(point.x(), point.y(), 0.0) : point),
+                          1e-9);
+        }
+    }
+}
+
 TEST(ConvexHull, RefusesWhatSpansNothing)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

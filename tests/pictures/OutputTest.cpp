@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
 #include "support/Folder.h"
+#include "support/Svg.h"
 
 #include <algorithm>
 #include <csignal>
@@ -67,32 +68,6 @@ namespace ompl_certificates
             for (const auto &[from, to] : edges)
                 data.addEdge(index[from], index[to]);
             return treeDigest(data);
-        }
-
-        /** Whether every element is closed, in the right order, and every quote too */
-        bool isWellFormed(const std::string &xml)
-        {
-            std::vector<std::string> open;
-            for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at))
-            {
-                const std::size_t end = xml.find('>', at);
-                if (end == std::string::npos)
-                    return false;
-                const std::string tag = xml.substr(at + 1, end - at - 1);
-                at = end;
-                if (tag.find('<') != std::string::npos || std::count(tag.begin(), tag.end(), '\'') % 2 != 0)
-                    return false;
-                const std::string name = tag.substr(0, tag.find_first_of(" />", 1));
-                if (tag.front() == '?' || tag.back() == '/')
-                    continue;
-                if (tag.front() != '/')
-                    open.push_back(name);
-                else if (open.empty() || "/" + open.back() != name)
-                    return false;
-                else
-                    open.pop_back();
-            }
-            return open.empty() && xml.find("nan") == std::string::npos && xml.find("inf'") == std::string::npos;
         }
 
         Scene sceneOf(const std::string &name)
@@ -280,7 +255,7 @@ namespace ompl_certificates
         std::istringstream text(readWholeFile(file("path.csv")));
         std::string line;
         std::getline(text, line);
-        EXPECT_EQ(line, "length,disc_1.x,disc_1.y,disc_2.x,disc_2.y,disc_3.x,disc_3.y");
+        EXPECT_EQ(line, "length,disc_1.x,disc_1.y,disc_2.x,disc_2.y,disc_3.x,disc_3.y,time");
         std::vector<std::vector<double>> rows;
         while (std::getline(text, line))
         {
@@ -289,11 +264,13 @@ namespace ompl_certificates
             rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
         }
         ASSERT_EQ(rows.size(), 2u);
-        ASSERT_EQ(rows[0].size(), 7u);
+        ASSERT_EQ(rows[0].size(), 8u);
         EXPECT_EQ(rows[0][0], 0.0);
         EXPECT_EQ(rows[0][1], 1.0 / 3.0);
         EXPECT_EQ(rows[1][0], path.length());
         EXPECT_EQ(rows[1][2], start[1]);
+        EXPECT_EQ(rows[0][7], 0.0);
+        EXPECT_DOUBLE_EQ(rows[1][7], 2.5);
     }
 
     TEST(PathFile, NamesTheCoordinatesOfAllRobots)
@@ -317,7 +294,7 @@ namespace ompl_certificates
         const std::string table = toCsv(ompl::geometric::PathGeometric(setup->getSpaceInformation()));
         EXPECT_EQ(table,
                   "length,scout.x,scout.y,\"a, b.x\",\"a, b.y\",\"a, b.yaw\",truck.car.x,truck.car.y,"
-                  "truck.car.yaw,truck.trailer.yaw\n");
+                  "truck.car.yaw,truck.trailer.yaw,time\n");
 
         const TeamSetupPtr drones = sceneOf("drones_3d.yaml").makeSetup();
         drones->setup();
@@ -339,7 +316,7 @@ namespace ompl_certificates
             const Scene scene = sceneOf(name + ".yaml");
             ScenePicture picture(scene);
             const std::string plain = picture.toSvg();
-            EXPECT_TRUE(isWellFormed(plain));
+            EXPECT_TRUE(test::isWellFormed(plain));
 
             const TeamSetupPtr setup = scene.makeSetup();
             setup->setup();
@@ -355,7 +332,7 @@ namespace ompl_certificates
                                      {{1.0, 1.0, 0.0}, -2.0},
                                      {{1.0, 1.0, 0.0}, std::numeric_limits<double>::infinity()}});
             const std::string full = picture.toSvg();
-            EXPECT_TRUE(isWellFormed(full));
+            EXPECT_TRUE(test::isWellFormed(full));
             EXPECT_GT(full.size(), plain.size());
             for (const auto &member : scene.getMembers())
                 EXPECT_NE(full.find(">" + member.robot->getName() + "<"), std::string::npos);
@@ -372,7 +349,7 @@ namespace ompl_certificates
             "goal: [2, 2]}]",
             "names");
         const std::string svg = ScenePicture(scene).toSvg();
-        EXPECT_TRUE(isWellFormed(svg));
+        EXPECT_TRUE(test::isWellFormed(svg));
         EXPECT_NE(svg.find("&lt;a&gt; &amp; 'b'"), std::string::npos);
     }
 

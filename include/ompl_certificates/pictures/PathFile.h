@@ -12,8 +12,8 @@ namespace ompl_certificates
     std::vector<std::string> coordinateNames(const ompl::base::StateSpace &space);
 
     /** \brief A path as a table of comma-separated values: a line with the names of the columns, and a line for each state
-        with the length of the path up to there, in the space's distance, and its coordinates, all in full precision. See
-        docs/plan-team.md. */
+        with the length of the path up to there, in the space's distance, its coordinates, and its time by stateTimes(), all in
+        full precision. See docs/plan-team.md. */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
 
     /** \brief Write toCsv() to \e file; see writeWholeFile()

@@ -47,23 +47,11 @@ namespace ompl_certificates
         /** \brief The poses of a robot's bodies */
         using BodyPoses = std::vector<Pose>;
 
-        /** \brief The poses of each robot at a state of the team */
-        std::vector<BodyPoses> posesOf(const ompl::base::State *state) const;
-
-        /** \brief Require that \e space is the space of the scene's robots */
-        void requireTeam(const ompl::base::StateSpacePtr &space) const;
-
         void drawTreeAndPath(SvgWriter &svg, const SceneView &view) const;
-        void drawStartsAndGoals(SvgWriter &svg, const SceneView &view) const;
-
-        /** \brief Draw everything in one view; \e id tells it from other views */
-        void drawView(SvgWriter &svg, const SceneView &view, const std::string &id) const;
-
-        /** \brief Draw the legend, and return its lower right corner. */
-        Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner) const;
+        void drawStarts(SvgWriter &svg, const SceneView &view) const;
+        void drawCertificates(SvgWriter &svg, const SceneView &view) const;
 
         Scene scene_;
-        std::vector<BodyPoses> starts_, goals_;
 
         /** For each robot: the line that its first body follows, and poses at regular intervals */
         std::vector<std::vector<Eigen::Vector3d>> lines_;

@@ -64,11 +64,6 @@ namespace ompl_certificates
         std::vector<ompl::base::ScopedState<>> goal_;
     };
 
-    /** \brief The length of the longest robot's way from one state of a team to another: how long the motion takes at unit
-        speed. \e space is a CompoundStateSpace of the robots' spaces. */
-    double motionDuration(const ompl::base::CompoundStateSpace &space, const ompl::base::State *from,
-                          const ompl::base::State *to);
-
     /** \brief The names that programs give to objectives: length (TeamPathLength), sum, makespan and arrival */
     std::vector<std::string> objectiveNames();
 

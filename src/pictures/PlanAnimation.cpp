@@ -1,0 +1,161 @@
+#include "ompl_certificates/pictures/PlanAnimation.h"
+
+#include "RobotMotion.h"
+#include "SceneDrawing.h"
+#include "certificates/WholeFile.h"
+#include "ompl_certificates/team/PathTimes.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** How long the robots rest at their goals before all begins anew, in seconds */
+        constexpr double REST = 1.0;
+
+        /** How often the outline of a body that turns in space changes in a second */
+        constexpr double FRAMES_PER_SECOND = 12.0;
+
+        /** An outline changes when one of its points may have moved that far since it last did, in pixels. */
+        constexpr double SMALLEST_CHANGE = 0.5;
+
+        /** How far lines of a changing outline may be from where they are, in pixels */
+        constexpr double OUTLINE_TOLERANCE = 0.2;
+
+        /** How far a body may be from where it is, as a fraction of the scene's extent: less than a tenth of a pixel */
+        constexpr double TOLERANCE = 1e-4;
+
+        double extentOf(const ob::RealVectorBounds &bounds)
+        {
+            double extent = 0.0;
+            for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+                extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
+            return extent;
+        }
+
+        double angleOf(const Pose &pose)
+        {
+            return std::atan2(pose(1, 0), pose(0, 0));
+        }
+    }
+
+    PlanAnimation::PlanAnimation(const Scene &scene, const ompl::geometric::PathGeometric &path) : scene_(scene)
+    {
+        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
+        if (path.getStateCount() == 0)
+            throw ompl::Exception(scene.getSource(), "a path without states cannot be animated");
+        const std::vector<double> times = stateTimes(path);
+        end_ = times.back();
+        for (const Scene::Member &member : scene_.getMembers())
+        {
+            std::vector<const ob::State *> states;
+            for (unsigned int i = 0; i < path.getStateCount(); ++i)
+                states.push_back(path.getState(i)->as<ob::CompoundState>()->components[motions_.size()]);
+            motions_.push_back(std::make_shared<const RobotMotion>(*member.robot, states, times,
+                                                                   TOLERANCE * extentOf(scene_.getBounds())));
+        }
+    }
+
+    void PlanAnimation::setDuration(double seconds)
+    {
+        if (!(seconds > 0.0) || !std::isfinite(seconds))
+            throw ompl::Exception(scene_.getSource(), "an animation must last a positive time, not " +
+                                                          std::to_string(seconds) + " seconds");
+        seconds_ = seconds;
+    }
+
+    double PlanAnimation::fractionOf(double time) const
+    {
+        return end_ > 0.0 ? time / end_ * seconds_ / (seconds_ + REST) : 0.0;
+    }
+
+    void PlanAnimation::drawTurning(SvgWriter &svg, const SceneView &view, std::size_t robot, std::size_t body) const
+    {
+        const Body &shape = scene_.getMembers()[robot].robot->getBodies()[body];
+        const double smallestTurn = SMALLEST_CHANGE / (view.getScale() * shape.getBoundingRadius());
+        std::vector<double> times;
+        std::vector<Eigen::Quaterniond> rotations;
+        const auto frames = static_cast<int>(std::ceil(seconds_ * FRAMES_PER_SECOND));
+        for (int frame = 0; frame <= frames; ++frame)
+        {
+            const double time = end_ * frame / frames;
+            const Eigen::Quaterniond rotation = motions_[robot]->rotationAt(body, time);
+            if (frame > 0 && rotation.angularDistance(rotations.back()) < smallestTurn)
+                continue;
+            times.push_back(fractionOf(time));
+            rotations.push_back(rotation);
+        }
+        if (shape.isBall() || rotations.size() == 1)
+            return view.draw(svg, shape, Pose(rotations.front()));
+        for (const Body::Part &part : shape.getParts())
+        {
+            std::vector<std::vector<MeshOutline::Loop>> outlines;
+            for (const Eigen::Quaterniond &rotation : rotations)
+            {
+                outlines.push_back(view.outlineOf(part, Pose(rotation)));
+                for (MeshOutline::Loop &loop : outlines.back())
+                    loop = MeshOutline::simplified(loop, OUTLINE_TOLERANCE);
+            }
+            svg.changingArea(times, outlines, seconds_ + REST);
+        }
+    }
+
+    void PlanAnimation::drawBody(SvgWriter &svg, const SceneView &view, std::size_t robot, std::size_t body) const
+    {
+        const bool spatial = scene_.getDimension() == 3;
+        SvgMotion motion;
+        const auto add = [&](double fraction, const Pose &pose)
+        {
+            const double last = motion.angles.empty() ? 0.0 : motion.angles.back();
+            motion.times.push_back(fraction);
+            motion.positions.push_back(view.project(pose.translation()));
+            // The shorter way round, as from key to key
+            motion.angles.push_back(
+                spatial ? 0.0 : last + std::remainder(angleOf(pose) - last, boost::math::constants::two_pi<double>()));
+        };
+        const auto &keys = motions_[robot]->getKeys();
+        for (const RobotMotion::Key &key : keys)
+            add(fractionOf(key.time), key.poses[body]);
+        if (keys.size() > 1)
+            add(1.0, keys.back().poses[body]);
+
+        const Body &shape = scene_.getMembers()[robot].robot->getBodies()[body];
+        const SceneView around = view.aroundOrigin(shape.getBoundingRadius());
+        svg.beginMovingGroup(motion, seconds_ + REST);
+        if (spatial)
+            drawTurning(svg, around, robot, body);
+        else
+            around.draw(svg, shape, Pose::Identity());
+        svg.endGroup();
+    }
+
+    std::string PlanAnimation::toSvg() const
+    {
+        const SceneDrawing drawing(scene_);
+        const auto draw = [&](SvgWriter &svg, const SceneView &view)
+        {
+            drawing.drawObstacles(svg, view);
+            drawing.drawGoals(svg, view);
+            for (std::size_t robot = 0; robot < motions_.size(); ++robot)
+            {
+                const std::string color = SceneDrawing::colorOf(robot);
+                svg.beginGroup("fill='" + color + "' fill-opacity='0.75' stroke='" + color + "' stroke-width='1.5'");
+                for (std::size_t body = 0; body < scene_.getMembers()[robot].robot->getBodies().size(); ++body)
+                    drawBody(svg, view, robot, body);
+                svg.endGroup();
+            }
+        };
+        return drawing.toSvg(draw, {SceneDrawing::goalSymbol()});
+    }
+
+    void PlanAnimation::write(const std::string &file) const
+    {
+        writeWholeFile(file, toSvg());
+    }
+}

@@ -1,0 +1,173 @@
+#include "SceneDrawing.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** Okabe and Ito's colors, which color-blind people can tell apart */
+        constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+
+        constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0;
+
+        void cross(SvgWriter &svg, const Eigen::Vector2d &center, double size, const std::string &attributes)
+        {
+            const Eigen::Vector2d up(size, size), down(size, -size);
+            svg.segments({{center - up, center + up}, {center - down, center + down}}, attributes);
+        }
+
+        std::string shortened(const std::string &name)
+        {
+            constexpr std::size_t longest = 26;
+            std::size_t cut = longest;
+            // Not within a character of several bytes
+            while (name.size() > longest && cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xc0u) == 0x80u)
+                --cut;
+            return name.size() > longest ? name.substr(0, cut) + "..." : name;
+        }
+    }
+
+    std::string SceneDrawing::colorOf(std::size_t robot)
+    {
+        return COLORS[robot % std::size(COLORS)];
+    }
+
+    SceneDrawing::Symbol SceneDrawing::goalSymbol()
+    {
+        return {"goal", [](SvgWriter &svg, const Eigen::Vector2d &center)
+                { cross(svg, center, 5.0, "stroke='#555' stroke-width='2.2'"); }};
+    }
+
+    void SceneDrawing::drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses)
+    {
+        for (std::size_t k = 0; k < poses.size(); ++k)
+            view.draw(svg, robot.getBodies()[k], poses[k]);
+    }
+
+    void SceneDrawing::requireTeam(const ob::StateSpacePtr &space) const
+    {
+        const auto *team = dynamic_cast<const TeamStateSpace *>(space.get());
+        bool same = team && team->getRobotCount() == scene_.getMembers().size();
+        for (unsigned int i = 0; same && i < team->getRobotCount(); ++i)
+            same = team->getRobots()[i] == scene_.getMembers()[i].robot;
+        if (!same)
+            throw ompl::Exception(scene_.getSource(), "the path or tree was not planned for this scene's team");
+    }
+
+    std::vector<BodyPoses> SceneDrawing::posesOf(const ob::State *state) const
+    {
+        std::vector<BodyPoses> poses;
+        for (const Scene::Member &member : scene_.getMembers())
+        {
+            const auto *component = state->as<ob::CompoundState>()->components[poses.size()];
+            poses.emplace_back(member.robot->getBodies().size());
+            member.robot->computePoses(component, poses.back().data());
+        }
+        return poses;
+    }
+
+    std::vector<BodyPoses> SceneDrawing::getStarts() const
+    {
+        return scene_.getMembers().empty() ? std::vector<BodyPoses>()
+                                           : posesOf(scene_.makeStart(scene_.makeTeam()).get());
+    }
+
+    std::vector<BodyPoses> SceneDrawing::getGoals() const
+    {
+        return scene_.getMembers().empty() ? std::vector<BodyPoses>()
+                                           : posesOf(scene_.makeGoal(scene_.makeTeam()).get());
+    }
+
+    void SceneDrawing::drawObstacles(SvgWriter &svg, const SceneView &view) const
+    {
+        // In space obstacles hide each other and the robots.
+        const bool spatial = scene_.getDimension() == 3;
+        svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
+                               : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
+        const ZInterval zInterval = scene_.getZInterval();
+        for (const PlacedBody &obstacle : scene_.getObstacles())
+            view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
+        svg.endGroup();
+    }
+
+    void SceneDrawing::drawGoals(SvgWriter &svg, const SceneView &view) const
+    {
+        const std::vector<BodyPoses> goals = getGoals();
+        for (std::size_t i = 0; i < goals.size(); ++i)
+        {
+            const std::string color = colorOf(i);
+            svg.beginGroup("fill='white' fill-opacity='0.25' stroke-dasharray='4,2' stroke='" + color +
+                           "' stroke-width='1.5'");
+            drawBodies(svg, view, *scene_.getMembers()[i].robot, goals[i]);
+            svg.endGroup();
+            // One robot's goal may be another's start: the crosses have a white edge.
+            const Eigen::Vector2d center = view.project(goals[i].front().translation());
+            cross(svg, center, 7.0, "stroke='white' stroke-width='5' stroke-opacity='0.8'");
+            cross(svg, center, 6.0, "stroke='" + color + "' stroke-width='2.6'");
+        }
+    }
+
+    Eigen::Vector2d SceneDrawing::drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner,
+                                             const std::vector<Symbol> &symbols) const
+    {
+        const double left = corner.x();
+        double row = corner.y() + 0.5 * LEGEND_ROW;
+        std::size_t longest = 14;
+        const auto write = [&](const std::string &text, const std::string &fill)
+        {
+            svg.text({left + 22.0, row + 4.5}, text, "fill='" + fill + "'");
+            longest = std::max(longest, text.size());
+            row += LEGEND_ROW;
+        };
+        for (const Scene::Member &member : scene_.getMembers())
+        {
+            svg.circle({left + 7.0, row}, 6.5,
+                       "fill='" + colorOf(static_cast<std::size_t>(&member - scene_.getMembers().data())) + "'");
+            write(shortened(member.robot->getName()), "#222");
+        }
+        row += 0.5 * LEGEND_ROW;
+        for (const auto &[text, draw] : symbols)
+        {
+            draw(svg, {left + 7.0, row});
+            write(text, "#555");
+        }
+        return {left + 30.0 + 8.0 * static_cast<double>(longest), row};
+    }
+
+    std::string SceneDrawing::toSvg(const Content &content, const std::vector<Symbol> &symbols) const
+    {
+        const auto &bounds = scene_.getBounds();
+        const auto extent = [&bounds](std::size_t axis) { return bounds.high[axis] - bounds.low[axis]; };
+        const bool spatial = scene_.getDimension() == 3;
+        const double scale = (spatial ? 560.0 : 720.0) / std::max({extent(0), extent(1), spatial ? extent(2) : 0.0});
+
+        SvgWriter svg;
+        svg.text({MARGIN, MARGIN}, scene_.getName(), "font-size='18' font-weight='bold' fill='#222'");
+        Eigen::Vector2d corner(MARGIN, MARGIN + (spatial ? 38.0 : 16.0));
+        double bottom = 0.0;
+        for (const int up : spatial ? std::vector<int>{1, 2} : std::vector<int>{1})
+        {
+            const SceneView view(bounds, up, corner, scale);
+            if (spatial)
+                svg.text(corner - Eigen::Vector2d(0.0, 7.0),
+                         up == 1 ? "from above: x to the right, y up" : "from the side: x to the right, z up",
+                         "fill='#555'");
+            // Bodies may stick out of the bounds, which limit the robots' positions.
+            const Eigen::Vector2d edge(5.0, 5.0);
+            const std::string id = "view" + std::to_string(up);
+            svg.clipArea(id, view.getCorner() - edge, view.getSize() + 2.0 * edge);
+            svg.rectangle(view.getCorner(), view.getSize(), "fill='#FCFCFA' stroke='#555' stroke-width='1.2'");
+            svg.beginGroup("clip-path='url(#" + id + ")'");
+            content(svg, view);
+            svg.endGroup();
+            bottom = std::max(bottom, corner.y() + view.getSize().y());
+            corner.x() += view.getSize().x() + MARGIN;
+        }
+        const Eigen::Vector2d legend = drawLegend(svg, corner, symbols);
+        return svg.finish({legend.x(), std::max(bottom, legend.y()) + MARGIN}, scene_.getName());
+    }
+}

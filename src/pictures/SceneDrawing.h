@@ -1,0 +1,72 @@
+#ifndef OMPL_CERTIFICATES_SRC_PICTURES_SCENE_DRAWING_
+#define OMPL_CERTIFICATES_SRC_PICTURES_SCENE_DRAWING_
+
+#include "SceneView.h"
+#include "ompl_certificates/scene/Scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief The poses of a robot's bodies */
+    using BodyPoses = std::vector<Pose>;
+
+    /** \brief What all pictures of a scene have in common: views, obstacles, goals and a legend, and how a team's states are
+        read. Spatial scenes have two views, from above and from the side. */
+    class SceneDrawing
+    {
+    public:
+        /** \brief Something that is explained in the legend, and a function that draws it at a position */
+        using Symbol = std::pair<std::string, std::function<void(SvgWriter &, const Eigen::Vector2d &)>>;
+
+        /** \brief Draws what one view shows, the scene's obstacles included */
+        using Content = std::function<void(SvgWriter &, const SceneView &)>;
+
+        /** \brief \e scene must outlive this */
+        explicit SceneDrawing(const Scene &scene) : scene_(scene)
+        {
+        }
+
+        /** \brief The color of a robot */
+        static std::string colorOf(std::size_t robot);
+
+        /** \brief The symbol of goals */
+        static Symbol goalSymbol();
+
+        /** \brief Draw bodies that have their poses */
+        static void drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses);
+
+        /** \brief Require that \e space is the space of the scene's robots
+            \throws ompl::Exception if not */
+        void requireTeam(const ompl::base::StateSpacePtr &space) const;
+
+        /** \brief The poses of each robot at a state of the team */
+        std::vector<BodyPoses> posesOf(const ompl::base::State *state) const;
+
+        /** \brief The poses of each robot at its start; empty if there are no robots */
+        std::vector<BodyPoses> getStarts() const;
+
+        /** \brief The poses of each robot at its goal; empty if there are no robots */
+        std::vector<BodyPoses> getGoals() const;
+
+        /** \brief Draw the obstacles */
+        void drawObstacles(SvgWriter &svg, const SceneView &view) const;
+
+        /** \brief Draw outlines and crosses at the goals */
+        void drawGoals(SvgWriter &svg, const SceneView &view) const;
+
+        /** \brief The whole picture, as the text of an SVG file */
+        std::string toSvg(const Content &content, const std::vector<Symbol> &symbols) const;
+
+    private:
+        /** \brief Draw the legend, and return its lower right corner. */
+        Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner,
+                                   const std::vector<Symbol> &symbols) const;
+
+        const Scene &scene_;
+    };
+}
+
+#endif
