@@ -60,7 +60,8 @@ namespace generators
         private:
             std::size_t cellAt(const Eigen::Vector3i &index) const
             {
-                return static_cast<std::size_t>((index.z() * counts_.y() + index.y()) * counts_.x() + index.x());
+                const int cell = (index.z() * counts_.y() + index.y()) * counts_.x() + index.x();
+                return static_cast<std::size_t>(cell);
             }
 
             Eigen::Vector3i indexOf(std::size_t cell) const
@@ -207,6 +208,7 @@ namespace generators
         TeamPlaces places(team, obstacles, workspace, random);
         ob::ScopedState<TeamStateSpace> starts(team), goals(team);
         std::vector<Ends<Coordinates>> result;
+        result.reserve(zones.size());
         for (unsigned int i = 0; i < team->getRobotCount(); ++i)
         {
             Coordinates start = places.place(i, zones[i].start, starts);
