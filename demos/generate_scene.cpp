@@ -1,50 +1,130 @@
-// Makes scenes from a seed: the paper's discs among random polygons, carts in a maze, quadrotors in a canyon, or gears
-// among knots. The last three write their meshes next to the scene.
+// Makes scenes from a seed: the paper's discs among random polygons; carts in a maze, quadrotors in a canyon, or gears
+// among knots; and larger teams of six kinds. Scenes of meshes get these next to the scene's file.
 //
 //     generate_scene --robots 3 --seed 7 --output scene.yaml
 //     generate_scene --kind canyon --output canyon.yaml
+//     generate_scene --kind boxes --robots 16 --output boxes_16.yaml
 
 #include "common/CommandLine.h"
 #include "common/Outputs.h"
 #include "generators/MeshScenes.h"
 #include "generators/RandomPolygons.h"
+#include "generators/TeamScenes.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <sstream>
+
+namespace
+{
+    /** A kind of scene, what it is and its defaults, which of the options it takes, and how one of it is made */
+    struct Kind
+    {
+        std::string name, description;
+        std::vector<std::string> options;
+        std::function<generators::SceneTexts()> make;
+    };
+
+    /** What was given; what was not is the kind's own */
+    struct Given
+    {
+        std::optional<unsigned int> robots, obstacles;
+        std::optional<double> size, radius;
+        std::uint64_t seed{1};
+    };
+
+    std::vector<Kind> kindsOf(const Given &given)
+    {
+        std::vector<Kind> kinds;
+        const auto polygons = [&given]
+        {
+            generators::PolygonSettings settings;
+            settings.robots = given.robots.value_or(settings.robots);
+            settings.obstacles = given.obstacles.value_or(settings.obstacles);
+            settings.size = given.size.value_or(settings.size);
+            settings.radius = given.radius.value_or(settings.radius);
+            settings.seed = given.seed;
+            return generators::SceneTexts{generators::randomPolygonsYaml(settings), {}};
+        };
+        kinds.push_back({"polygons",
+                         "5 discs of radius 1 among 25 random convex polygons, size 100",
+                         {"--obstacles", "--size", "--radius"},
+                         polygons});
+        const auto addMeshes = [&](const std::string &name, const std::string &description, const auto &make)
+        {
+            const auto meshes = [&given, make]
+            {
+                generators::MeshSettings settings;
+                settings.robots = given.robots.value_or(settings.robots);
+                settings.seed = given.seed;
+                return make(settings);
+            };
+            kinds.push_back({name, description, {}, meshes});
+        };
+        addMeshes("maze", "3 carts in a maze, of meshes", generators::mazeOfMeshes);
+        addMeshes("canyon", "3 quadrotors in a canyon, of meshes", generators::canyonOfMeshes);
+        addMeshes("knots", "3 gears among knots, of meshes", generators::knotsOfMeshes);
+        for (const generators::TeamKind &team : generators::teamKinds())
+        {
+            std::ostringstream description;
+            description << team.description << ": " << team.defaults.robots << " robots, ";
+            if (team.hasObstacles)
+                description << team.defaults.obstacles << " obstacles, ";
+            description << "size " << team.defaults.size;
+            const auto make = [&given, &team]
+            {
+                return team.make({given.robots.value_or(team.defaults.robots),
+                                  given.obstacles.value_or(team.defaults.obstacles),
+                                  given.size.value_or(team.defaults.size), given.seed});
+            };
+            kinds.push_back({team.name, description.str(), {"--size"}, make});
+            if (team.hasObstacles)
+                kinds.back().options.push_back("--obstacles");
+        }
+        return kinds;
+    }
+}
 
 int main(int argc, char **argv)
 {
-    generators::PolygonSettings settings;
-    std::string kind = "polygons", output = "-";
+    Given given;
+    const std::vector<Kind> kinds = kindsOf(given);
+    std::vector<std::string> names;
+    std::string footer = "Kinds, and their defaults:\n";
+    for (const Kind &kind : kinds)
+    {
+        names.push_back(kind.name);
+        footer += "  " + kind.name + std::string(11 - kind.name.size(), ' ') + kind.description + "\n";
+    }
+    std::string name = "polygons", output = "-";
 
     CLI::App app("Make a scene", "generate_scene");
-    app.add_option("--kind", kind, "polygons: discs among random convex polygons; maze, canyon, knots: meshes")
-        ->check(demos::oneOf({"polygons", "maze", "canyon", "knots"}))
+    app.footer(footer);
+    app.add_option("--kind", name, "the kind of scene, see below")->check(demos::oneOf(names))->capture_default_str();
+    app.add_option("--robots", given.robots, "number of robots");
+    const std::vector<CLI::Option *> someKinds{
+        app.add_option("--obstacles", given.obstacles, "number of random obstacles"),
+        app.add_option("--size", given.size, "side of the square that the robots are in"),
+        app.add_option("--radius", given.radius, "radius of the discs among polygons")};
+    app.add_option("--seed", given.seed, "seed; the same settings make the same scene")->capture_default_str();
+    app.add_option("--output", output, "file to write, - for standard output (if the kind has no meshes)")
         ->capture_default_str();
-    auto *robots =
-        app.add_option("--robots", settings.robots, "number of robots")->default_str("5 of polygons, else 3");
-    const std::vector<CLI::Option *> ofPolygons{
-        app.add_option("--obstacles", settings.obstacles, "number of polygons")->capture_default_str(),
-        app.add_option("--size", settings.size, "side of the polygons' square")->capture_default_str(),
-        app.add_option("--radius", settings.radius, "radius of the discs")->capture_default_str()};
-    app.add_option("--seed", settings.seed, "seed; the same settings make the same scene")->capture_default_str();
-    app.add_option("--output", output, "file to write, - for standard output (polygons only)")->capture_default_str();
     const auto generate = [&]
     {
-        if (kind == "polygons")
-        {
-            demos::writeOutput(output, generators::randomPolygonsYaml(settings));
-            return 0;
-        }
-        for (const CLI::Option *option : ofPolygons)
-            if (option->count() > 0)
-                throw CLI::ValidationError(option->get_name(), "is for --kind polygons");
-        if (output == "-")
+        const Kind &kind =
+            *std::find_if(kinds.begin(), kinds.end(), [&](const Kind &other) { return other.name == name; });
+        for (const CLI::Option *option : someKinds)
+            if (option->count() > 0 &&
+                std::find(kind.options.begin(), kind.options.end(), option->get_name()) == kind.options.end())
+                throw CLI::ValidationError(option->get_name(), "is not for --kind " + kind.name);
+        const generators::SceneTexts scene = kind.make();
+        if (output != "-")
+            generators::writeScene(scene, output);
+        else if (scene.meshes.empty())
+            demos::writeOutput(output, scene.yaml);
+        else
             throw CLI::ValidationError("--output", "must name a file: the meshes are written next to it");
-        generators::MeshSettings ofMeshes;
-        ofMeshes.robots = robots->count() > 0 ? settings.robots : ofMeshes.robots;
-        ofMeshes.seed = settings.seed;
-        const auto make = kind == "maze"     ? generators::mazeOfMeshes
-                          : kind == "canyon" ? generators::canyonOfMeshes
-                                             : generators::knotsOfMeshes;
-        generators::writeScene(make(ofMeshes), output);
         return 0;
     };
     return demos::runProgram(app, argc, argv, generate);

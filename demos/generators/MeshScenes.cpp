@@ -1,15 +1,11 @@
 #include "generators/MeshScenes.h"
 
-#include "certificates/WholeFile.h"
-#include "generators/MeshBuilder.h"
-#include "generators/SeededRandom.h"
+#include "generators/Meshes.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -28,58 +24,10 @@ namespace generators
                 throw ompl::Exception("robots: must be from 1 to 12, not " + std::to_string(settings.robots));
         }
 
-        std::string listOf(const std::vector<double> &values)
-        {
-            std::string text;
-            char number[40];
-            for (const double value : values)
-            {
-                std::snprintf(number, sizeof(number), "%s%.10g", text.empty() ? "[" : ", ", value);
-                text += number;
-            }
-            return text + "]";
-        }
-
-        double rounded(double value, double unit)
-        {
-            return std::round(value / unit) * unit;
-        }
-
         std::string headOf(const std::string &what, const std::string &kind, const MeshSettings &settings)
         {
             return "# " + what + "\n# Made by: generate_scene --kind " + kind + " --robots " +
                    std::to_string(settings.robots) + " --seed " + std::to_string(settings.seed) + "\n";
-        }
-
-        /** A rigid robot; in the text of a shape, @ stands for what the names of mesh files begin with */
-        std::string robotOf(const std::string &name, const std::string &space, const std::string &shape,
-                            const std::vector<double> &start, const std::vector<double> &goal)
-        {
-            return "  - {name: " + name + ", type: rigid, space: " + space + ", shape: " + shape +
-                   ", start: " + listOf(start) + ", goal: " + listOf(goal) + "}\n";
-        }
-
-        std::vector<Eigen::Vector2d> circleOf(unsigned int corners, const std::function<double(unsigned int)> &radius)
-        {
-            std::vector<Eigen::Vector2d> points;
-            for (unsigned int i = 0; i < corners; ++i)
-            {
-                const double angle = 2.0 * PI * i / corners;
-                points.emplace_back(radius(i) * std::cos(angle), radius(i) * std::sin(angle));
-            }
-            return points;
-        }
-
-        /** A turn about a random axis, as a quaternion x, y, z, w */
-        std::vector<double> randomTurn(SeededRandom &random)
-        {
-            Eigen::Vector4d turn;
-            do
-                for (double &value : turn)
-                    value = random.uniform(-1.0, 1.0);
-            while (turn.norm() < 0.1 || turn.norm() > 1.0);
-            turn.normalize();
-            return {rounded(turn[0], 1e-4), rounded(turn[1], 1e-4), rounded(turn[2], 1e-4), rounded(turn[3], 1e-4)};
         }
 
         /** Places in space for balls that touch neither the obstacles nor each other */
@@ -99,7 +47,7 @@ namespace generators
                 {
                     Eigen::Vector3d point;
                     for (int axis = 0; axis < 3; ++axis)
-                        point[axis] = rounded(random_.uniform(low[axis], high[axis]), 0.01);
+                        point[axis] = rounded(random_.uniform(low[axis], high[axis]), 1e2);
                     const bool apart = std::all_of(taken_.begin(), taken_.end(),
                                                    [&](const auto &other)
                                                    { return (point - other.first).norm() > radius + other.second; });
@@ -208,27 +156,6 @@ namespace generators
             std::vector<bool> right_, above_;
         };
 
-        std::string knotMesh()
-        {
-            MeshBuilder knot;
-            knot.addTube(
-                [](double t)
-                {
-                    const double angle = 4.0 * PI * t, around = 2.0 + std::cos(1.5 * angle);
-                    return Eigen::Vector3d(around * std::cos(angle), around * std::sin(angle), std::sin(1.5 * angle));
-                },
-                0.25, 128, 10);
-            return knot.toObj();
-        }
-
-        std::string gearMesh(double reach)
-        {
-            MeshBuilder gear;
-            gear.addRing(circleOf(72, [&](unsigned int i) { return i % 6 < 3 ? reach : 1.15; }),
-                         circleOf(72, [](unsigned int) { return 0.6; }), -0.2, 0.2);
-            return gear.toObj();
-        }
-
         /** Of some places with coordinates between \e low and \e high, the one that is farthest from \e balls */
         Eigen::Vector3d lonelyPlace(const std::vector<PlacedBody> &balls, double low, double high, SeededRandom &random)
         {
@@ -239,7 +166,7 @@ namespace generators
             {
                 Eigen::Vector3d place;
                 for (double &coordinate : place)
-                    coordinate = rounded(random.uniform(low, high), 0.01);
+                    coordinate = rounded(random.uniform(low, high), 1e2);
                 double distance = std::numeric_limits<double>::infinity();
                 for (const PlacedBody &ball : balls)
                     distance = std::min(distance, (ball.pose.translation() - place).norm() -
@@ -254,14 +181,15 @@ namespace generators
         }
     }
 
-    MeshSceneTexts mazeOfMeshes(const MeshSettings &settings)
+    SceneTexts mazeOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
         constexpr unsigned int COLUMNS = 10, ROWS = 8;
+        // Carts are higher than the walls, whose tops therefore count: nothing is free inside a wall.
         constexpr double CELL = 2.0, HALF = 0.1, HEIGHT = 1.0;
         const double width = CELL * COLUMNS, height = CELL * ROWS;
-        MeshBuilder walls, cart;
+        MeshBuilder walls;
         const auto wall = [&](double x0, double y0, double x1, double y1) {
             walls.addBox({x0 - HALF, y0 - HALF, 0.0}, {x1 + HALF, y1 + HALF, HEIGHT});
         };
@@ -279,8 +207,6 @@ namespace generators
             if (cell / COLUMNS + 1 < ROWS && plan.isClosed(cell, true))
                 wall(x - CELL, y, x, y);
         }
-        // Carts are higher than the walls, whose tops therefore count: nothing is free inside a wall.
-        cart.addPrism({{-0.2, -0.2}, {0.7, -0.2}, {0.7, 0.1}, {0.1, 0.1}, {0.1, 0.6}, {-0.2, 0.6}}, 0.1, 1.2);
 
         // In the middle of a cell of its own a cart has room, however it is turned.
         std::vector<unsigned int> cells;
@@ -295,22 +221,23 @@ namespace generators
             cells.push_back(cell);
             const unsigned int row = cell / COLUMNS;
             return std::vector<double>{CELL * (cell % COLUMNS + 0.5), CELL * (row + 0.5),
-                                       rounded(0.5 * PI * random.integer(0, 3) - PI, 1e-4)};
+                                       rounded(0.5 * PI * random.integer(0, 3) - PI, 1e4)};
         };
-        MeshSceneTexts scene;
+        SceneTexts scene;
         scene.yaml = headOf("Carts in the shape of an L in a maze of upright walls.", "maze", settings) +
                      "environment:\n  min: [0, 0]\n  max: " + listOf({width, height}) +
                      "\n  obstacles:\n    - {type: mesh, file: @walls.obj}\nrobots:\n";
         for (unsigned int i = 0; i < settings.robots; ++i)
         {
             const std::vector<double> start = pose(0), goal = pose(4);
-            scene.yaml += robotOf("cart_" + std::to_string(i + 1), "SE2", "{type: mesh, file: @cart.obj}", start, goal);
+            scene.yaml +=
+                robotOf("cart_" + std::to_string(i + 1), rigidOf("SE2", "type: mesh, file: @cart.obj"), start, goal);
         }
-        scene.meshes = {{"walls.obj", walls.toObj()}, {"cart.obj", cart.toObj()}};
+        scene.meshes = {{"walls.obj", walls.toObj()}, {"cart.obj", cartMesh().toObj()}};
         return scene;
     }
 
-    MeshSceneTexts canyonOfMeshes(const MeshSettings &settings)
+    SceneTexts canyonOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
@@ -349,10 +276,10 @@ namespace generators
                                        point.z(),
                                        0.0,
                                        0.0,
-                                       rounded(std::sin(0.5 * heading), 1e-4),
-                                       rounded(std::cos(0.5 * heading), 1e-4)};
+                                       rounded(std::sin(0.5 * heading), 1e4),
+                                       rounded(std::cos(0.5 * heading), 1e4)};
         };
-        MeshSceneTexts scene;
+        SceneTexts scene;
         scene.yaml = headOf("Quadrotors in a canyon: they fly through it in both directions.", "canyon", settings) +
                      "resolution: 0.005\nenvironment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, CEILING}) +
                      "\n  obstacles:\n    - {type: mesh, file: @terrain.obj}\nrobots:\n";
@@ -366,27 +293,28 @@ namespace generators
                                    above);
             };
             const Eigen::Vector3d start = end(starts, !eastward), goal = end(goals, eastward);
-            scene.yaml += robotOf("quadrotor_" + std::to_string(i + 1), "SE3", "{type: mesh, file: @quadrotor.obj}",
-                                  state(start, 0.0), state(goal, 0.25 * PI * random.integer(0, 4)));
+            scene.yaml +=
+                robotOf("quadrotor_" + std::to_string(i + 1), rigidOf("SE3", "type: mesh, file: @quadrotor.obj"),
+                        state(start, 0.0), state(goal, 0.25 * PI * random.integer(0, 4)));
         }
         scene.meshes = {{"terrain.obj", terrain.toObj()}, {"quadrotor.obj", quadrotor.toObj()}};
         return scene;
     }
 
-    MeshSceneTexts knotsOfMeshes(const MeshSettings &settings)
+    SceneTexts knotsOfMeshes(const MeshSettings &settings)
     {
         check(settings);
         SeededRandom random(settings.seed);
         constexpr double SIZE = 40.0, KNOT_REACH = 3.3, GEAR_REACH = 1.5;
         constexpr unsigned int KNOTS = 12;
 
-        MeshSceneTexts scene;
+        SceneTexts scene;
         scene.yaml = headOf("Gears of two sizes among knots.", "knots", settings) +
                      "environment:\n  min: [0, 0, 0]\n  max: " + listOf({SIZE, SIZE, SIZE}) + "\n  obstacles:\n";
         std::vector<PlacedBody> obstacles;
         for (unsigned int i = 0; i < KNOTS; ++i)
         {
-            const double scale = rounded(random.uniform(2.0, 3.0), 0.01), reach = scale * KNOT_REACH;
+            const double scale = rounded(random.uniform(2.0, 3.0), 1e2), reach = scale * KNOT_REACH;
             const Eigen::Vector3d center = lonelyPlace(obstacles, 0.9 * reach, SIZE - 0.9 * reach, random);
             const std::vector<double> turn = randomTurn(random);
             scene.yaml += "    - {type: mesh, file: @knot.obj, scale: " + std::to_string(scale).substr(0, 4) +
@@ -414,23 +342,12 @@ namespace generators
             };
             const std::vector<double> start = state(starts, nullptr);
             const Eigen::Vector3d from(start[0], start[1], start[2]);
-            scene.yaml += robotOf("gear_" + std::to_string(i + 1), "SE3",
-                                  std::string("{type: mesh, file: @gear.obj") + (scale < 1.0 ? ", scale: 0.7}" : "}"),
-                                  start, state(goals, &from));
+            scene.yaml += robotOf(
+                "gear_" + std::to_string(i + 1),
+                rigidOf("SE3", std::string("type: mesh, file: @gear.obj") + (scale < 1.0 ? ", scale: 0.7" : "")), start,
+                state(goals, &from));
         }
-        scene.meshes = {{"knot.obj", knotMesh()}, {"gear.obj", gearMesh(GEAR_REACH)}};
+        scene.meshes = {{"knot.obj", knotMesh().toObj()}, {"gear.obj", gearMesh(GEAR_REACH).toObj()}};
         return scene;
-    }
-
-    void writeScene(const MeshSceneTexts &scene, const std::string &file)
-    {
-        const std::filesystem::path path(file);
-        const std::string stem = path.stem().string() + "_";
-        for (const auto &[name, text] : scene.meshes)
-            writeWholeFile((path.parent_path() / (stem + name)).string(), text);
-        std::string yaml = scene.yaml;
-        for (std::size_t at = yaml.find("file: @"); at != std::string::npos; at = yaml.find("file: @"))
-            yaml.replace(at + 6, 1, stem);
-        writeWholeFile(file, yaml);
     }
 }

@@ -13,7 +13,7 @@ namespace ompl_certificates
     namespace
     {
         using generators::MeshSettings;
-        using Make = generators::MeshSceneTexts (*)(const MeshSettings &);
+        using Make = generators::SceneTexts (*)(const MeshSettings &);
 
         struct Kind
         {

@@ -1,0 +1,53 @@
+#include "demos/Program.h"
+
+namespace
+{
+    const std::string SCENES = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/";
+}
+
+TEST(GenerateScene, WritesEachKind)
+{
+    const Folder folder;
+    const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+        {"paper_three_discs.yaml", {"--robots", "3"}},
+        {"maze.yaml", {"--kind", "maze"}},
+        {"teams/boxes_16.yaml", {"--kind", "boxes", "--robots", "16", "--obstacles", "10"}},
+        {"teams/discs_50.yaml", {"--kind", "discs", "--robots", "50", "--size", "40"}},
+        {"teams/drones_30.yaml", {"--kind", "drones", "--seed", "1"}},
+        {"teams/mixed_8.yaml", {"--kind", "mixed"}}};
+    for (auto [file, arguments] : cases)
+    {
+        const std::string made = folder / std::filesystem::path(file).filename().string();
+        arguments.insert(arguments.end(), {"--output", made});
+        Program program("generate_scene", arguments);
+        EXPECT_EQ(program.wait(), 0) << program.errors();
+        EXPECT_EQ(contentOf(made), contentOf(SCENES + file)) << file;
+    }
+    EXPECT_EQ(contentOf(folder / "mixed_8_gear.obj"), contentOf(SCENES + "teams/mixed_8_gear.obj"));
+
+    Program program("generate_scene", {"--kind", "window"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_EQ(program.output(), contentOf(SCENES + "teams/window_8.yaml"));
+}
+
+TEST(GenerateScene, RefusesOptionsOfOtherKinds)
+{
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--kind", "boxez"}, "did you mean boxes?"},
+        {{"--kind", "maze", "--size", "3", "--output", "maze.yaml"}, "--size: is not for --kind maze"},
+        {{"--kind", "boxes", "--radius", "1"}, "--radius: is not for --kind boxes"},
+        {{"--kind", "discs", "--obstacles", "1"}, "--obstacles: is not for --kind discs"},
+        {{"--kind", "warehouse", "--obstacles", "1"}, "--obstacles: is not for --kind warehouse"},
+        {{"--kind", "window", "--obstacles", "1"}, "--obstacles: is not for --kind window"},
+        {{"--kind", "drones", "--robots", "0"}, "robots: must be from 1 to 1000, not 0"},
+        {{"--kind", "drones", "--size", "1"}, "size: must be from 5 to 1000 in drones, not 1"},
+        {{"--kind", "discs", "--robots", "100", "--size", "5"}, "no place was found for disc_"},
+        {{"--kind", "mixed"}, "--output: must name a file"}};
+    for (const auto &[arguments, complaint] : cases)
+    {
+        Program program("generate_scene", arguments);
+        EXPECT_EQ(program.wait(), 2) << complaint;
+        EXPECT_NE(program.errors().find(complaint), std::string::npos) << program.errors();
+        EXPECT_EQ(program.output(), "");
+    }
+}
