@@ -29,7 +29,7 @@ namespace
         std::vector<std::string> methods{"shared"};
         std::string kind;
         std::vector<std::size_t> robots;
-        double seconds{5.0};
+        double seconds{5.0}, size{0.0};
         unsigned int seeds{5}, instances{1};
         bool onlyFirst{false}, separate{false};
     };
@@ -93,7 +93,8 @@ namespace
     void printRow(const std::string &name, std::size_t robots, const std::string &planner, Method method,
                   const std::vector<Run> &runs)
     {
-        const auto solved = std::count_if(runs.begin(), runs.end(), [](const Run &run) { return std::isfinite(run.cost); });
+        const auto solved =
+            std::count_if(runs.begin(), runs.end(), [](const Run &run) { return std::isfinite(run.cost); });
         double worst = 0.0;
         for (const Run &run : runs)
             worst = std::max(worst, run.first);
@@ -121,29 +122,49 @@ namespace
             }
     }
 
+    /** Generated scenes of a kind, from seeds 1, 2, ... */
+    std::vector<Scene> generated(const Options &options, std::size_t robots)
+    {
+        const auto &kinds = generators::teamKinds();
+        const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                       [&](const generators::TeamKind &one) { return one.name == options.kind; });
+        if (kind == kinds.end())
+            throw ompl::Exception("--kind", "there is no kind '" + options.kind + "'");
+        std::vector<Scene> scenes;
+        for (std::uint64_t seed = 1; seed <= options.instances; ++seed)
+        {
+            generators::TeamSettings settings = kind->defaults;
+            settings.robots = static_cast<unsigned int>(robots);
+            settings.seed = seed;
+            if (options.size > 0.0)
+                settings.size = options.size;
+            const generators::SceneTexts texts = kind->make(settings);
+            if (!texts.meshes.empty())
+                throw ompl::Exception("--kind", options.kind + " has meshes: generate_scene writes its files");
+            scenes.push_back(sceneFromYaml(texts.yaml, options.kind));
+        }
+        return scenes;
+    }
+
     int run(const Options &options)
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        std::puts("| scene | R | planner | method | solved | first solution (s) | slowest (s) | cost | obstacle questions "
-                  "| robot pairs |");
+        std::puts(
+            "| scene | R | planner | method | solved | first solution (s) | slowest (s) | cost | obstacle questions "
+            "| robot pairs |");
         std::puts("|---|---|---|---|---|---|---|---|---|---|");
         for (const std::string &file : options.scenes)
         {
             const Scene scene = loadScene(file);
             scene.validate();
-            for (const std::size_t robots : options.robots.empty() ? std::vector<std::size_t>{scene.getMembers().size()}
-                                                                   : options.robots)
+            for (const std::size_t robots :
+                 options.robots.empty() ? std::vector<std::size_t>{scene.getMembers().size()} : options.robots)
                 if (robots <= scene.getMembers().size())
                     compare(options, scene.getName(), {scene.withFirstRobots(robots)});
         }
         if (!options.kind.empty())
             for (const std::size_t robots : options.robots)
-            {
-                std::vector<Scene> scenes;
-                for (std::uint32_t seed = 1; seed <= options.instances; ++seed)
-                    scenes.push_back(generators::teamScene(options.kind, robots, seed));
-                compare(options, options.kind, scenes);
-            }
+                compare(options, options.kind, generated(options, robots));
         return 0;
     }
 }
@@ -157,12 +178,15 @@ int main(int argc, char **argv)
     benchmarks::addMethods(app, options.methods);
     app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see generate_scene --help");
     benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
+    app.add_option("--size", options.size, "The side of generated scenes")->check(CLI::PositiveNumber);
     app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(CLI::PositiveNumber);
     benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each scene, from seeds 1, 2, ...");
-    benchmarks::addPositive(app, "--instances", options.instances, "Generated scenes of each size, from seeds 1, 2, ...");
+    benchmarks::addPositive(app, "--instances", options.instances,
+                            "Generated scenes of each size, from seeds 1, 2, ...");
     app.add_flag("--first", options.onlyFirst, "End each plan with its first solution");
     app.add_flag("--separate-roadmaps", options.separate, "DRRTstar with a roadmap for each robot");
-    app.footer("Medians are over all runs; an unsolved one takes for ever. Questions are robots' poses for which the "
-               "obstacles were asked, pairs those that were checked. Returns 2 for bad input.");
+    app.footer(
+        "Medians are over all runs; an unsolved one takes for ever. Questions are robots' poses for which the "
+        "obstacles were asked, pairs those that were checked. Returns 2 for bad input.");
     return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }
