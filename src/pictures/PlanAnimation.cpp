@@ -19,6 +19,9 @@ namespace ompl_certificates
         /** How long the robots rest at their goals before all begins anew, in seconds */
         constexpr double REST = 1.0;
 
+        /** The longest duration, in seconds */
+        constexpr double LONGEST = 3600.0;
+
         /** How often the outline of a body that turns in space changes in a second */
         constexpr double FRAMES_PER_SECOND = 12.0;
 
@@ -64,9 +67,10 @@ namespace ompl_certificates
 
     void PlanAnimation::setDuration(double seconds)
     {
-        if (!(seconds > 0.0) || !std::isfinite(seconds))
-            throw ompl::Exception(scene_.getSource(), "an animation must last a positive time, not " +
-                                                          std::to_string(seconds) + " seconds");
+        if (!(seconds > 0.0 && seconds <= LONGEST))
+            throw ompl::Exception(scene_.getSource(), "an animation must last more than 0 and at most " +
+                                                          std::to_string(LONGEST) + " seconds, not " +
+                                                          std::to_string(seconds));
         seconds_ = seconds;
     }
 

@@ -86,6 +86,7 @@ namespace ompl_certificates
                 outline.add(corners);
         }
         std::vector<std::vector<MeshOutline::Loop>> outlines;
+        outlines.reserve(static_cast<std::size_t>(levels));
         for (int level = 0; level < levels; ++level)
             outlines.push_back(
                 outline.trace(box.min().z() + box.sizes().z() * level / levels - (level == 0 ? 1.0 : 0.0)));

@@ -360,7 +360,7 @@ namespace ompl_certificates
         const auto element = elementsWith(animation.toSvg(), TRANSLATE).at(0);
         EXPECT_EQ(attributeOf(element, "dur"), "5.00s");
         EXPECT_EQ(attributeOf(element, "keyTimes"), "0.00000;0.80000;1.00000");
-        for (const double seconds : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+        for (const double seconds : {0.0, -1.0, 3601.0, std::numeric_limits<double>::infinity(), std::nan("")})
             EXPECT_THROW(animation.setDuration(seconds), ompl::Exception) << seconds;
     }
 

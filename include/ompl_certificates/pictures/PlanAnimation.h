@@ -28,7 +28,7 @@ namespace ompl_certificates
 
         /** \brief Set how long the robots move, in seconds of the viewer; then they rest at their goals for a second. 10 by
             default.
-            \throws ompl::Exception if it is not positive and finite */
+            \throws ompl::Exception if it is not above 0 and at most 3600 */
         void setDuration(double seconds);
 
         /** \brief The animation as the text of an SVG file */
