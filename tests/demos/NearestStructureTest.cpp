@@ -102,11 +102,11 @@ TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
     }
 
     // These work with grids or structures of their own.
-    static const std::set<std::string> others{"ABITstar", "AITstar",   "AnytimePathShortening",
-                                              "BITstar",  "BKPIECE1",  "BiRLRT",
-                                              "KPIECE1",  "LBKPIECE1", "PDST",
-                                              "ProjEST",  "RLRT",      "SBL",
-                                              "STRIDE",   "pSBL"};
+    static const std::set<std::string> others{"ABITstar", "AITstar",  "AnytimePathShortening",
+                                              "BITstar",  "BKPIECE1", "BiRLRT",
+                                              "DRRTstar", "KPIECE1",  "LBKPIECE1",
+                                              "PDST",     "ProjEST",  "RLRT",
+                                              "SBL",      "STRIDE",   "pSBL"};
     EXPECT_EQ(kdTree.timed, others.count(GetParam()) == 0);
     EXPECT_EQ(kdTree.timed, gnat.timed);
     EXPECT_EQ(kdTree.timed, kdTree.nearestSeconds > 0.0);

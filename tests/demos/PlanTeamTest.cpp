@@ -39,8 +39,11 @@ namespace
             writeFile(folder_ / "scene.yaml", easyScene());
         }
 
+        /** With RRTConnect, unless there is another planner: it ends with its first solution */
         int plan(std::vector<std::string> arguments)
         {
+            if (std::find(arguments.begin(), arguments.end(), "--planner") == arguments.end())
+                arguments.insert(arguments.end(), {"--planner", "RRTConnect"});
             arguments.insert(arguments.end(), {"--report", folder_ / "report.json", "--quiet"});
             Program program("plan_team", arguments);
             const int code = program.wait();
@@ -122,9 +125,30 @@ TEST_F(PlanTeam, simplifiesTheSolution)
     EXPECT_TRUE(report_.at("simplified_cost").is_null());
 }
 
+TEST_F(PlanTeam, plansForTeamsByDRRTstarAndForAnyObjective)
+{
+    double length = 0.0, makespan = 0.0;
+    for (const std::string objective : {"length", "makespan"})
+    {
+        Program program("plan_team",
+                        {scene(), "--time", "0.5", "--objective", objective, "--report", folder_ / "report.json"});
+        ASSERT_EQ(program.wait(), 0) << program.errors();
+        const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
+        EXPECT_EQ(report.at("planner"), "DRRTstar");
+        EXPECT_EQ(report.at("objective"), objective);
+        EXPECT_LE(report.at("seconds").at("first_solution").get<double>(), 0.6);
+        EXPECT_NE(program.output().find("  first         after "), std::string::npos) << program.output();
+        (objective == "length" ? length : makespan) = report.at("cost").get<double>();
+    }
+    // Of two robots, the one that goes farther
+    EXPECT_LT(makespan, length);
+    EXPECT_GT(makespan, length / 2.0);
+}
+
 TEST_F(PlanTeam, tellsBothCosts)
 {
-    Program program("plan_team", {scene(), "--simplify", "--report", folder_ / "report.json"});
+    Program program("plan_team",
+                    {scene(), "--planner", "RRTConnect", "--simplify", "--report", folder_ / "report.json"});
     ASSERT_EQ(program.wait(), 0) << program.errors();
     const auto report = nlohmann::json::parse(contentOf(folder_ / "report.json"));
     char costs[80];
@@ -135,7 +159,7 @@ TEST_F(PlanTeam, tellsBothCosts)
 
 TEST_F(PlanTeam, writesOneFileToStandardOutput)
 {
-    Program path("plan_team", {scene(), "--path", "-", "--report", folder_ / "report.json"});
+    Program path("plan_team", {scene(), "--planner", "RRTConnect", "--path", "-", "--report", folder_ / "report.json"});
     ASSERT_EQ(path.wait(), 0) << path.errors();
     const std::string names = path.output().substr(0, path.output().find('\n'));
     EXPECT_EQ(names.find("length,"), 0u) << names;
@@ -148,14 +172,14 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
     EXPECT_NE(path.errors().find("solved"), std::string::npos) << path.errors();
     EXPECT_EQ(folder_.list().size(), 2u) << "there is no file named -";
 
-    Program report("plan_team", {scene(), "--report", "-", "--quiet"});
+    Program report("plan_team", {scene(), "--planner", "RRTConnect", "--report", "-", "--quiet"});
     ASSERT_EQ(report.wait(), 0);
     EXPECT_EQ(report.errors(), "");
     EXPECT_TRUE(nlohmann::json::parse(report.output()).at("solved").get<bool>());
 
     for (const std::string option : {"--picture", "--animation"})
     {
-        Program picture("plan_team", {scene(), option, "-", "--quiet"});
+        Program picture("plan_team", {scene(), "--planner", "RRTConnect", option, "-", "--quiet"});
         ASSERT_EQ(picture.wait(), 0);
         EXPECT_NE(picture.output().find("</svg>"), std::string::npos) << option;
     }
@@ -169,8 +193,8 @@ TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)
     const rlimit small{4096, before.rlim_max};
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    Program program("plan_team", {scene(), "--report", folder_ / "report.json", "--picture", folder_ / "plan.svg",
-                                  "--picture-tree", "--path", folder_ / "path.csv"});
+    Program program("plan_team", {scene(), "--planner", "RRTConnect", "--report", folder_ / "report.json", "--picture",
+                                  folder_ / "plan.svg", "--picture-tree", "--path", folder_ / "path.csv"});
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(program.wait(), 2);
@@ -337,7 +361,7 @@ namespace
             {{"@/scene.yaml", "--planner-param", "=1"}, "--planner-param"},
             {{"@/scene.yaml", "--planner-param", "speed=1"}, "speed"},
             {{"@/scene.yaml", "--planner", "RRT", "--planner-param", "gaol_bias=0.1"}, "did you mean goal_bias?"},
-            {{"@/scene.yaml", "--planner-param", "range=far"}, "far"},
+            {{"@/scene.yaml", "--planner", "RRT", "--planner-param", "range=far"}, "far"},
             {{"@/scene.yaml", "--planner", "RRT", "--planner-param", "intermediate_states=maybe"}, "maybe"},
             {{"@/scene.yaml", "--planner", "PRM", "--planner-param", "max_nearest_neighbors=8x"}, "8x"},
             {{"@/scene.yaml", "--picture-tree"}, "--picture"},

@@ -114,13 +114,13 @@ namespace ompl_certificates
         };
         EXPECT_EQ(
             keysOf(json),
-            "scene planner method motion seed solved approximate cost simplified_cost iterations tree checks seconds ");
+            "scene planner method motion objective seed solved approximate cost simplified_cost iterations tree checks seconds ");
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),
                   "robot_poses certified_free certified_colliding asked asked_colliding by_clearances by_contact exact "
                   "clearance_queries contact_tests exact_calls pair_poses pair_exact motions motion_samples "
                   "motion_samples_skipped certificates ");
-        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest simplifying ");
+        EXPECT_EQ(keysOf(json["seconds"]), "total checking nearest first_solution simplifying ");
         EXPECT_TRUE(json["seconds"]["nearest"].is_null());
         EXPECT_TRUE(json["seconds"]["simplifying"].is_null());
         EXPECT_TRUE(json["cost"].is_null());

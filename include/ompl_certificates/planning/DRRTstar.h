@@ -46,6 +46,7 @@ namespace ompl_certificates
         /** \throws ompl::Exception if the space is no TeamStateSpace, or the validity checker no TeamValidityChecker */
         void setup() override;
 
+        /** \brief Forget roadmaps, tree and solution */
         void clear() override;
 
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the search
