@@ -26,12 +26,14 @@ namespace ompl_certificates
     class TeamPathSimplifier::Attempt
     {
     public:
-        Attempt(const TeamPathSimplifier &simplifier, const og::PathGeometric &path, ompl::RNG &random)
+        Attempt(const TeamPathSimplifier &simplifier, const og::PathGeometric &path, ompl::RNG &random,
+                const ob::PlannerTerminationCondition &condition)
           : si_(*simplifier.si_)
           , objective_(*simplifier.objective_)
           , checker_(*simplifier.checker_)
           , team_(checker_.getTeam())
           , random_(random)
+          , condition_(condition)
           , paths_(team_, path)
           , before_(si_.allocState())
           , after_(si_.allocState())
@@ -265,7 +267,7 @@ namespace ompl_certificates
         {
             return visitMotions(begin, end,
                                 [this](const ob::State *from, const ob::State *to)
-                                { return si_.isValid(to) && si_.checkMotion(from, to); });
+                                { return !condition_ && si_.checkMotion(from, to); });
         }
 
         const ob::SpaceInformation &si_;
@@ -273,6 +275,7 @@ namespace ompl_certificates
         const TeamValidityChecker &checker_;
         const Team &team_;
         ompl::RNG &random_;
+        const ob::PlannerTerminationCondition &condition_;
         TimedPaths paths_;
         mutable ob::State *before_, *after_;
         std::vector<ob::StateSamplerPtr> samplers_{team_.getRobotCount()};
@@ -292,7 +295,7 @@ namespace ompl_certificates
     {
         if (path.getStateCount() < 2)
             return false;
-        Attempt attempt(*this, path, random_);
+        Attempt attempt(*this, path, random_, condition);
         bool isSimpler = attempt.paceAll();
         for (; attempts > 0 && !condition; --attempts)
             isSimpler = attempt.tryOne() || isSimpler;

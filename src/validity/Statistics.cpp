@@ -6,9 +6,17 @@
 
 namespace ompl_certificates
 {
-    Statistics::Slot &Statistics::slotOfThisThread()
+    template <typename Add>
+    void Statistics::addToSlot(const Add &add)
     {
-        return slots_[threadNumber() % SLOTS];
+        using Counter = std::atomic<std::uint64_t>;
+        const std::size_t thread = threadNumber();
+        if (thread < THREADS)
+            add(slots_[thread], [](Counter &counter, std::uint64_t value)
+                { counter.store(counter.load(std::memory_order_relaxed) + value, std::memory_order_relaxed); });
+        else
+            add(slots_[THREADS + thread % THREADS],
+                [](Counter &counter, std::uint64_t value) { counter.fetch_add(value, std::memory_order_relaxed); });
     }
 
     CheckCounts Statistics::getCounts() const
@@ -45,10 +53,13 @@ namespace ompl_certificates
     {
         std::array<std::uint64_t, FIELDS> values;
         std::memcpy(values.data(), &counts, sizeof(counts));
-        Slot &slot = slotOfThisThread();
-        for (std::size_t i = 0; i < FIELDS; ++i)
-            if (values[i] != 0)
-                slot.counts[i].fetch_add(values[i], std::memory_order_relaxed);
+        addToSlot(
+            [&values](Slot &slot, const auto &increase)
+            {
+                for (std::size_t i = 0; i < FIELDS; ++i)
+                    if (values[i] != 0)
+                        increase(slot.counts[i], values[i]);
+            });
     }
 
     void Statistics::reset()
@@ -68,8 +79,8 @@ namespace ompl_certificates
     Statistics::Timer::~Timer()
     {
         const auto elapsed = std::chrono::steady_clock::now() - start_;
-        statistics_.slotOfThisThread().nanoseconds.fetch_add(
-            static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count()),
-            std::memory_order_relaxed);
+        const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed).count();
+        statistics_.addToSlot([nanoseconds](Slot &slot, const auto &increase)
+                              { increase(slot.nanoseconds, static_cast<std::uint64_t>(nanoseconds)); });
     }
 }

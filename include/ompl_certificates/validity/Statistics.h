@@ -25,7 +25,7 @@ namespace ompl_certificates
         /** \brief Adds \e counts */
         void add(const CheckCounts &counts);
 
-        /** \brief Sets all counts and the time to zero */
+        /** \brief Sets all counts and the time to zero. Counts of checks that run meanwhile may come back. */
         void reset();
 
         /** \brief Adds its own lifetime to the checking time */
@@ -46,18 +46,22 @@ namespace ompl_certificates
 
     private:
         static constexpr std::size_t FIELDS = sizeof(CheckCounts) / sizeof(std::uint64_t);
-        static constexpr std::size_t SLOTS = 16;
+        /** \brief So many threads have a slot of their own; the others share as many */
+        static constexpr std::size_t THREADS = 16;
 
-        /** \brief The counts of some of the threads. Several slots, so that threads seldom share a cache line. */
+        /** \brief The counts of one thread or of some. Several slots, so that threads seldom share a cache line. */
         struct alignas(64) Slot
         {
             std::array<std::atomic<std::uint64_t>, FIELDS> counts{};
             std::atomic<std::uint64_t> nanoseconds{0};
         };
 
-        Slot &slotOfThisThread();
+        /** \brief Calls \e add(slot, increase) for this thread's slot. A slot of its own needs no atomic addition, which
+            costs more than the rest. */
+        template <typename Add>
+        void addToSlot(const Add &add);
 
-        std::array<Slot, SLOTS> slots_;
+        std::array<Slot, 2 * THREADS> slots_;
     };
 }
 
