@@ -139,6 +139,35 @@ TEST_F(DRRTstarTest, ProvesAllMotionsInContinuousMode)
     }
 }
 
+TEST_F(DRRTstarTest, HoldsAtTheResolutionOfTheTeam)
+{
+    // Robots' own motions have few samples, some of them on either side of a thin wall. In a step of the team all have
+    // as many as the longest.
+    for (std::uint64_t seed = 1; seed <= scaled(20); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        auto team = std::make_shared<TeamStateSpace>();
+        for (const char *name : {"a", "b", "c", "d", "e"})
+        {
+            team->addRobot(RigidRobot::disc(name, 0.05, cubeBounds(2, 3.0)));
+            team->getSubspace(name)->setLongestValidSegmentFraction(0.08);
+        }
+        Random random(seed);
+        std::vector<PlacedBody> walls;
+        for (unsigned int i = 0; i < 12; ++i)
+            walls.push_back({Body::box(0.02, 1.5), random.pose(2, 3.0)});
+        TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
+        setup.getSpaceInformation()->setup();
+        const auto start = randomFreeState(setup, random, 3.0);
+        setup.setStartAndGoalStates(start, randomFreeState(setup, random, 3.0));
+        plannerFor(setup)->setSmoothing(false);
+        stopAtFirst(setup);
+        ASSERT_EQ(setup.solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(setup.getSolutionPath().check());
+    }
+}
+
 TEST_F(DRRTstarTest, FindsEqualPathsUnderAllMethods)
 {
     for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
