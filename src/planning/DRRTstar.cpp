@@ -24,11 +24,12 @@ namespace ompl_certificates
         /** How many orders of the robots each round tries */
         constexpr unsigned int ORDERS = 20;
 
-        /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to shorten the
-            path. Each later round does twice as much. */
+        /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
+            shorten the path. Each later round does twice as much. */
         constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
 
-        /** How often RRTConnect may iterate for the whole team, before all else; larger teams than that have little hope */
+        /** How often RRTConnect may iterate for the whole team, before all else; larger teams than that have little
+            hope */
         constexpr unsigned int TEAM_ITERATIONS = 10, LARGEST_TEAM = 4;
 
         /** The number of goal states that are taken from a goal region */
@@ -269,7 +270,8 @@ namespace ompl_certificates
                         isFound = true;
                     }
             }
-        // A motion that is not proved, though all its samples are free: without one of its edges, the search goes another way.
+        // A motion that is not proved, though all its samples are free: without one of its edges, the search goes
+        // another way.
         for (unsigned int i = 0; i < team.getRobotCount() && !isFound; ++i)
             if (from[i] != to[i])
             {

@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Finds a path in the tensor product of a team's roadmaps robot by robot: each takes the shortest path in time that
-        avoids those planned before. A robot that finds none moves to the front, and the search begins again.
+    /** \brief Finds a path in the tensor product of a team's roadmaps robot by robot: each takes the quickest path in
+        time that avoids those planned before. A robot that finds none moves to the front, and the search begins again.
 
         Not complete: some problems need robots that make way for others. Quick where it succeeds.
 

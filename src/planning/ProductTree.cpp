@@ -18,6 +18,9 @@ namespace ompl_certificates
         /** How often a robot goes to its goal while others explore */
         constexpr double GOAL_BIAS = 0.5;
 
+        /** How many edges the robots may try in a step, for each robot: making way for each other can go on for ever */
+        constexpr std::size_t TRIES = 100;
+
         /** The target_ in nearest-neighbor queries */
         constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max() - 1;
     }
@@ -147,6 +150,7 @@ namespace ompl_certificates
     bool ProductTree::chooseStep(const Configuration &from)
     {
         std::fill(chosen_.begin(), chosen_.end(), nullptr);
+        triesLeft_ = TRIES * from.size();
         std::vector<unsigned int> order(from.size());
         std::iota(order.begin(), order.end(), 0U);
         random_.shuffle(order.begin(), order.end());
@@ -176,6 +180,9 @@ namespace ompl_certificates
         std::stable_sort(edges.begin(), edges.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
         for (const auto &[rating, edge] : edges)
         {
+            if (triesLeft_ == 0)
+                return false;
+            --triesLeft_;
             if (!fits(from, robot, *edge))
                 continue;
             const std::vector<const Roadmap::Edge *> before = chosen_;

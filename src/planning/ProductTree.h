@@ -13,10 +13,10 @@ namespace ompl_certificates
     /** \brief dRRT*: a tree in the tensor product of a team's roadmaps, from the team's starts.
 
         Each iteration expands a vertex by one step of the team. As long as that leads closer to the goal, the next one
-        continues there; else it begins at the vertex nearest to a random one. In a step the robots choose their edges one by
-        one, in random order, those first that lead best to their targets. One that is in the way of an edge chosen before
-        chooses next, and if it cannot make way, the edge is given up. A new vertex gets the best parent around it, and
-        becomes the parent of those to which it is the better way.
+        continues there; else it begins at the vertex nearest to a random one. In a step the robots choose their edges
+        one by one, in random order, those first that lead best to their targets. One that is in the way of an edge
+        chosen before chooses next, and if it cannot make way, the edge is given up. A new vertex gets the best parent
+        around it, and becomes the parent of those to which it is the better way.
 
         @par External documentation
         R. Shome, K. Solovey, A. Dobson, D. Halperin, K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal
@@ -156,6 +156,7 @@ namespace ompl_certificates
         std::vector<bool> goesToGoal_;
         /** \brief What the robots have chosen in the present step */
         std::vector<const Roadmap::Edge *> chosen_;
+        std::size_t triesLeft_{0};
         ompl::base::State *target_;
     };
 }

@@ -14,7 +14,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A roadmap for one robot, or for several that are alike: PRM* in the robot's own space, by the team's checker.
+    /** \brief A roadmap for one robot, or for several that are alike: PRM* in the robot's own space, by the team's
+        checker.
 
         Each vertex is joined to the k(n) nearest ones; k(n) grows with the logarithm of the number of vertices, so that
         shortest paths approach the shortest free path. Motions are checked when they are first needed.
@@ -78,7 +79,8 @@ namespace ompl_certificates
         /** \brief The edge from a vertex to another one, or to itself; null if there is none */
         const Edge *findEdge(Vertex from, Vertex to) const;
 
-        /** \brief A ball of the workspace that contains the robot for all of a motion. Only for motions that are free. */
+        /** \brief A ball of the workspace that contains the robot for all of a motion. Only for motions that are free.
+            */
         const Ball &getSwept(Motion motion) const
         {
             return motions_[motion].swept;
@@ -93,7 +95,8 @@ namespace ompl_certificates
             motions_[edge.motion].knowledge = Knowledge::BLOCKED;
         }
 
-        /** \brief Add a copy of a free state, and join it to those around it. An equal vertex is taken if there is one. */
+        /** \brief Add a copy of a free state, and join it to those around it. An equal vertex is taken if there is
+            one. */
         Vertex add(const ompl::base::State *state);
 
         /** \brief Sample states until \e count more free ones are added
@@ -106,8 +109,8 @@ namespace ompl_certificates
         bool connect(Vertex start, Vertex goal, unsigned int iterations,
                      const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief The lengths of the shortest paths from all vertices to \e goal along motions that are not known to be blocked;
-            infinite where there is none. Cost: that of Dijkstra's algorithm. */
+        /** \brief The lengths of the shortest paths from all vertices to \e goal along motions that are not known to
+            be blocked; infinite where there is none. Cost: that of Dijkstra's algorithm. */
         std::vector<double> distancesTo(Vertex goal) const;
 
     private:

@@ -7,15 +7,15 @@
 
 namespace ompl_certificates
 {
-    /** \brief The roadmaps of a team, and what is known of its robots' motions against each other. Robots that are alike share
-        a roadmap.
+    /** \brief The roadmaps of a team, and what is known of its robots' motions against each other. Robots that are
+        alike share a roadmap.
 
         A vertex of the roadmaps' tensor product has a vertex for each robot; in a step, each robot takes an edge of its
         roadmap, all in the same time, or stays.
 
         @par External documentation
-        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration of
-        implicit roadmaps in multi-robot motion planning, 2016. */
+        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
+        of implicit roadmaps in multi-robot motion planning, 2016. */
     class TeamRoadmaps
     {
     public:
@@ -58,13 +58,13 @@ namespace ompl_certificates
             \return false if \e condition became true before */
         bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free. Checked once,
-            then remembered. */
+        /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free.
+            Checked once, then remembered. */
         bool areApart(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
                       Vertex secondFrom, const Roadmap::Edge &secondEdge);
 
-        /** \brief Whether the team may go from one configuration to another in a step: all edges exist and are free, and all
-            robots stay apart */
+        /** \brief Whether the team may go from one configuration to another in a step: all edges exist and are free,
+            and all robots stay apart */
         bool isStepFree(const Configuration &from, const Configuration &to);
 
         /** \brief Note that a robot is not free in a step, though Roadmap::isFree() said so */

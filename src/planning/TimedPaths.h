@@ -9,8 +9,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The path of a team as a path in time for each robot, so that one robot's path can change without the others'. Between
-        two knots a robot moves as its space interpolates. */
+    /** \brief The path of a team as a path in time for each robot, so that one robot's path can change without the
+        others'. Between two knots a robot moves as its space interpolates. */
     class TimedPaths
     {
     public:

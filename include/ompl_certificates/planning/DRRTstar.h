@@ -13,28 +13,30 @@ namespace ompl_certificates
     class ProductTree;
     class TeamRoadmaps;
 
-    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product, where each
-        robot moves along an edge of its roadmap in each step, or waits.
+    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product,
+        where each robot moves along an edge of its roadmap in each step, or waits.
 
-        Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the obstacles
-        serves all. Edges are checked when they are needed, and edges of two robots against each other once. After a few
-        iterations of RRTConnect for a whole team of up to four, which solve what is easy, the planner works in rounds:
+        Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the
+        obstacles serves all. Edges are checked when they are needed, and edges of two robots against each other once.
+        After a few iterations of RRTConnect for a whole team of up to four, which solve what is easy, the planner
+        works in rounds:
 
-        - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its goal
-          in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
+        - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its
+          goal in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
         - A prioritized search plans robot by robot around those planned before.
         - A tree in the tensor product (dRRT*) looks for the first solution where priorities fail, and for better ones.
         - A TeamPathSimplifier shortens what was found robot by robot; see setSmoothing().
 
-        It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until the
-        cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of checking.
+        It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until
+        the cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of
+        checking.
 
         Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. All motions that it returns are
         valid for the motion validator.
 
         @par External documentation
-        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration of
-        implicit roadmaps in multi-robot motion planning, 2016; R. Shome, K. Solovey, A. Dobson, D. Halperin,
+        K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
+        of implicit roadmaps in multi-robot motion planning, 2016; R. Shome, K. Solovey, A. Dobson, D. Halperin,
         K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal multi-robot motion planning, 2020. */
     class DRRTstar : public ompl::base::Planner
     {
@@ -49,9 +51,9 @@ namespace ompl_certificates
         /** \brief Forget roadmaps, tree and solution */
         void clear() override;
 
-        /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the search
-            before, unless clear() was called. If a robot finds no way even alone, an error names it; then planning also ends
-            when the roadmaps have grown to their limit. */
+        /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
+            search before, unless clear() was called. If a robot finds no way even alone, an error names it; then
+            planning also ends when the roadmaps have grown to their limit. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
@@ -82,8 +84,8 @@ namespace ompl_certificates
             return maxRoadmapSize_;
         }
 
-        /** \brief Whether robots that are alike share a roadmap; the default. If not, each has its own: to measure what sharing
-            saves. Parameter share_roadmaps. Before setup(). */
+        /** \brief Whether robots that are alike share a roadmap; the default. If not, each has its own: to measure
+            what sharing saves. Parameter share_roadmaps. Before setup(). */
         void setSharesRoadmaps(bool share)
         {
             sharesRoadmaps_ = share;

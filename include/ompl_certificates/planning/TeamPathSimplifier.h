@@ -12,8 +12,8 @@ namespace ompl_certificates
 {
     /** \brief Lowers the cost of a team's path by changing one robot's path at a time, with the others' motions fixed.
 
-        ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free for
-        many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
+        ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free
+        for many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
         A change is kept if it lowers the cost and the motion validator accepts the motions that change.
 
         @par External documentation
@@ -30,8 +30,8 @@ namespace ompl_certificates
         bool simplify(ompl::geometric::PathGeometric &path, std::uint64_t attempts,
                       const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Try changes of a valid path as long as they help: until some 20 for each of its corners lower the cost by
-            less than a thousandth, or \e condition becomes true
+        /** \brief Try changes of a valid path as long as they help: until some 20 for each of its corners lower the
+            cost by less than a thousandth, or \e condition becomes true
             \return whether the path has a lower cost now */
         bool simplify(ompl::geometric::PathGeometric &path, const ompl::base::PlannerTerminationCondition &condition);
 

@@ -10,8 +10,9 @@ namespace ompl_certificates
 {
     /** \brief Costs of a team's path that look at each robot. A robot's length is measured by its own space's distance.
 
-        Times assume that no robot moves faster than one unit of its own distance per unit of time: a motion of the team takes
-        as long as the robot that moves farthest needs. TeamPathLength is the length of the path in the team's space. */
+        Times assume that no robot moves faster than one unit of its own distance per unit of time: a motion of the
+        team takes as long as the robot that moves farthest needs. TeamPathLength is the length of the path in the
+        team's space. */
     class TeamObjective : public ompl::base::OptimizationObjective
     {
     public:
@@ -27,8 +28,8 @@ namespace ompl_certificates
         };
 
         /** \brief An objective for the team of \e si
-            \throws ompl::Exception if the space is not a CompoundStateSpace; also for SUM_OF_ARRIVAL_TIMES, which needs the
-            goal */
+            \throws ompl::Exception if the space is not a CompoundStateSpace; also for SUM_OF_ARRIVAL_TIMES, which
+            needs the goal */
         TeamObjective(const ompl::base::SpaceInformationPtr &si, Kind kind);
 
         /** \brief The same; \e goal is where the robots arrive */
