@@ -14,12 +14,10 @@ namespace ompl_certificates
 
     namespace
     {
-        /** A change must lower the cost by that part of it, so that many tiny gains do not fill the path with corners.
-            */
+        /** A change must lower the cost by that part of it: many tiny gains would fill the path with corners. */
         constexpr double LEAST_GAIN = 1e-5;
 
-        /** A path is as good as it gets when that many attempts for each corner lower its cost by less than that part.
-            */
+        /** A path is good enough when that many attempts for each corner lower its cost by less than that part. */
         constexpr std::uint64_t ATTEMPTS = 20;
         constexpr double LEAST_PROGRESS = 1e-3;
     }
