@@ -223,7 +223,7 @@ namespace ompl_certificates
     {
         og::PathGeometric geometric = toGeometric(path);
         report(geometric);
-        shorten(std::move(geometric), condition);
+        shorten(geometric, condition);
     }
 
     void DRRTstar::shorten(og::PathGeometric path, const ob::PlannerTerminationCondition &condition)

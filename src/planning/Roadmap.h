@@ -79,8 +79,7 @@ namespace ompl_certificates
         /** \brief The edge from a vertex to another one, or to itself; null if there is none */
         const Edge *findEdge(Vertex from, Vertex to) const;
 
-        /** \brief A ball of the workspace that contains the robot for all of a motion. Only for motions that are free.
-            */
+        /** \brief A ball of the workspace that contains the robot for all of a motion that is free */
         const Ball &getSwept(Motion motion) const
         {
             return motions_[motion].swept;
