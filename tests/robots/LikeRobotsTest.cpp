@@ -1,0 +1,46 @@
+#include "support/Teams.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    RobotPtr car(const std::string &name, double hitch, double half = HALF)
+    {
+        return std::make_shared<CarWithTrailer>(name, Body::box(0.4, 0.2), Body::box(0.3, 0.2), hitch,
+                                                cubeBounds(2, half));
+    }
+}
+
+TEST(LikeRobots, HaveEqualBodiesAndSpaces)
+{
+    const auto bounds = cubeBounds(2, HALF);
+    const RobotPtr disc = RigidRobot::disc("disc", 0.3, bounds);
+    EXPECT_TRUE(disc->isLike(*disc));
+    EXPECT_TRUE(disc->isLike(*RigidRobot::disc("other", 0.3, bounds)));
+    EXPECT_FALSE(disc->isLike(*RigidRobot::disc("larger", 0.4, bounds)));
+    EXPECT_FALSE(disc->isLike(*RigidRobot::disc("elsewhere", 0.3, cubeBounds(2, 2.0 * HALF))));
+    EXPECT_FALSE(disc->isLike(*RigidRobot::inSE2("turning", Body::disc(0.3), bounds)));
+    const RobotPtr box = RigidRobot::inSE2("box", Body::box(0.5, 0.2), bounds);
+    EXPECT_TRUE(box->isLike(*RigidRobot::inSE2("other", Body::box(0.5, 0.2), bounds)));
+    EXPECT_FALSE(box->isLike(*RigidRobot::inSE2("upright", Body::box(0.2, 0.5), bounds)));
+    EXPECT_FALSE(box->isLike(*disc));
+
+    EXPECT_TRUE(car("car", 0.5)->isLike(*car("other", 0.5)));
+    EXPECT_FALSE(car("car", 0.5)->isLike(*car("longer", 0.6)));
+    EXPECT_FALSE(car("car", 0.5)->isLike(*car("elsewhere", 0.5, 2.0 * HALF)));
+    EXPECT_FALSE(car("car", 0.5)->isLike(*box));
+    EXPECT_FALSE(box->isLike(*car("car", 0.5)));
+}
+
+TEST(LikeRobots, AreNotSoIfTheirWeightsDiffer)
+{
+    const auto bounds = cubeBounds(2, HALF);
+    const RobotPtr a = RigidRobot::inSE2("a", Body::box(0.5, 0.2), bounds);
+    const RobotPtr b = RigidRobot::inSE2("b", Body::box(0.5, 0.2), bounds);
+    ASSERT_TRUE(a->isLike(*b));
+    b->getStateSpace()->as<ompl::base::CompoundStateSpace>()->setSubspaceWeight(1, 3.0);
+    EXPECT_FALSE(a->isLike(*b));
+}
