@@ -359,7 +359,15 @@ namespace ompl_certificates
                           { data.addEdge(ob::PlannerDataVertex(from), ob::PlannerDataVertex(to)); });
         for (const ob::State *start : tree_->getStarts())
             data.addStartVertex(ob::PlannerDataVertex(start));
-        for (const ob::State *goal : tree_->getReachedGoals())
+        const auto goals = tree_->getReachedGoals();
+        for (const ob::State *goal : goals)
             data.addGoalVertex(ob::PlannerDataVertex(goal));
+        if (!best_ || !goals.empty())
+            return;
+        // The team was planned for together, without the tree.
+        const auto &states = best_->getStates();
+        for (std::size_t i = 1; i < states.size(); ++i)
+            data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+        data.addGoalVertex(ob::PlannerDataVertex(states.back()));
     }
 }
