@@ -1,5 +1,6 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 
+#include "LimitedRRTConnect.h"
 #include "PrioritizedSearch.h"
 #include "ProductTree.h"
 #include "TeamRoadmaps.h"
@@ -7,10 +8,10 @@
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -28,9 +29,9 @@ namespace ompl_certificates
             shorten the path. Each later round does twice as much. */
         constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
 
-        /** How often RRTConnect may iterate for the whole team, before all else; larger teams than that have little
-            hope */
-        constexpr unsigned int TEAM_ITERATIONS = 10, LARGEST_TEAM = 4;
+        /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have little
+            hope. */
+        constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
 
         /** The number of goal states that are taken from a goal region */
         constexpr std::size_t MOST_GOALS = 10;
@@ -48,6 +49,7 @@ namespace ompl_certificates
                                             &DRRTstar::getMaxRoadmapSize, "1:10000000");
         Planner::declareParam<bool>("share_roadmaps", this, &DRRTstar::setSharesRoadmaps, &DRRTstar::getSharesRoadmaps,
                                     "0,1");
+        Planner::declareParam<unsigned int>("threads", this, &DRRTstar::setThreads, &DRRTstar::getThreads, "0:256");
         Planner::declareParam<bool>("smoothing", this, &DRRTstar::setSmoothing, &DRRTstar::getSmoothing, "0,1");
         addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(bestCost_); });
         addPlannerProgressProperty("iterations INTEGER", [this] { return std::to_string(iterations_); });
@@ -68,7 +70,10 @@ namespace ompl_certificates
         if (!validator_)
             validator_ = std::make_shared<CertificateMotionValidator>(checker_);
         if (!pdef_)
+        {
+            setup_ = false;  // solve() needs the objective.
             return;
+        }
         if (!pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(std::make_shared<TeamPathLength>(si_));
         objective_ = pdef_->getOptimizationObjective();
@@ -128,28 +133,20 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
             problem->addStartState(pdef_->getStartState(i));
         problem->setGoal(pdef_->getGoal());
-        og::RRTConnect planner(si_);
-        planner.setProblemDefinition(problem);
-        planner.setup();
-        unsigned int left = TEAM_ITERATIONS;
-        const ob::PlannerTerminationCondition enough([&left] { return left == 0 || left-- == 0; });
-        if (planner.solve(ob::plannerOrTerminationCondition(condition, enough)) != ob::PlannerStatus::EXACT_SOLUTION)
-            return;
-        const og::PathGeometric path = *problem->getSolutionPath()->as<og::PathGeometric>();
-        report(path);
-        shorten(path, condition);
+        if (const auto path = planByRRTConnect(problem, TEAM_ITERATIONS[roadmaps_->getRobotCount()], condition))
+        {
+            report(*path);
+            shorten(*path, condition);
+        }
     }
 
     void DRRTstar::growRoadmaps(const ob::PlannerTerminationCondition &condition)
     {
-        const std::uint64_t more = effort(roadmapSize_) / 2;  // The round before the first growth counts, too.
+        // The round before the first growth counts, too.
+        roadmaps_->grow(effort(roadmapSize_) / 2, maxRoadmapSize_, condition);
         std::uint64_t vertices = 0;
         for (const auto &roadmap : roadmaps_->getRoadmaps())
-        {
-            const std::uint64_t room = maxRoadmapSize_ - std::min(maxRoadmapSize_, roadmap->size());
-            roadmap->grow(static_cast<TeamRoadmaps::Vertex>(std::min(more, room)), condition);
             vertices += roadmap->size();
-        }
         vertices_ = vertices;
     }
 
@@ -167,7 +164,8 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < start.size(); ++robot)
             if (!roadmaps_->getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
             {
-                stuckRobot_ = checker_->getTeam().getRobot(robot).getName();
+                if (!condition)
+                    stuckRobot_ = checker_->getTeam().getRobot(robot).getName();
                 return false;
             }
         return true;
@@ -228,8 +226,13 @@ namespace ompl_certificates
 
     void DRRTstar::shorten(og::PathGeometric path, const ob::PlannerTerminationCondition &condition)
     {
-        if (smoothing_ && simplifier_->simplify(path, effort(ATTEMPTS), condition))
+        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, effort(ATTEMPTS), condition))
             report(path);
+    }
+
+    bool DRRTstar::isSatisfied() const
+    {
+        return best_ && objective_->isSatisfied(getBestCost());
     }
 
     bool DRRTstar::confirm(const Path &path)
@@ -309,7 +312,7 @@ namespace ompl_certificates
         checkValidity();
         if (!roadmaps_)
         {
-            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_);
+            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
             simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
@@ -318,10 +321,9 @@ namespace ompl_certificates
             return status;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
-        if (rounds_ == 0 && roadmaps_->getRobotCount() <= LARGEST_TEAM)
+        if (rounds_ == 0 && roadmaps_->getRobotCount() < TEAM_ITERATIONS.size())
             planTogether(condition);
-        const auto isDone = [&] { return condition || (best_ && objective_->isSatisfied(getBestCost())); };
-        for (; !isDone(); ++rounds_)
+        for (; !condition && !isSatisfied(); ++rounds_)
         {
             if (rounds_ > 0)
                 growRoadmaps(condition);
@@ -332,7 +334,8 @@ namespace ompl_certificates
                 continue;
             }
             searchByPriorities(condition);
-            searchTree(condition);
+            if (!isSatisfied())
+                searchTree(condition);
             if (best_)
                 shorten(*best_, condition);
         }
@@ -345,7 +348,7 @@ namespace ompl_certificates
         }
         ob::PlannerSolution solution(best_);
         solution.setPlannerName(getName());
-        solution.setOptimized(objective_, getBestCost(), objective_->isSatisfied(getBestCost()));
+        solution.setOptimized(objective_, getBestCost(), isSatisfied());
         pdef_->addSolutionPath(solution);
         return ob::PlannerStatus::EXACT_SOLUTION;
     }

@@ -70,12 +70,6 @@ namespace ompl_certificates
         /** \brief Remove an edge, if it is one of the tree, and all that follows it */
         void cut(const Configuration &from, const Configuration &to);
 
-        /** \brief The number of vertices */
-        std::size_t size() const
-        {
-            return numbers_.size();
-        }
-
         /** \brief The states of the starts */
         std::vector<const ompl::base::State *> getStarts() const;
 
@@ -116,7 +110,7 @@ namespace ompl_certificates
         /** \brief How good it is for a robot to take an edge; less is better */
         double rate(unsigned int robot, const Roadmap::Edge &edge) const;
 
-        /** \brief Choose an edge for each robot, to edges_
+        /** \brief Choose an edge for each robot, to chosen_
             \return false if there is none for one */
         bool chooseStep(const Configuration &from);
 

@@ -1,5 +1,6 @@
 #include "Roadmap.h"
 
+#include "LimitedRRTConnect.h"
 #include "RobotSpaceInformation.h"
 
 #include <algorithm>
@@ -9,19 +10,16 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
 #include <ompl/geometric/PathGeometric.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <queue>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
-    namespace og = ompl::geometric;
 
     Roadmap::Roadmap(const CertificateMotionValidator &validator, unsigned int robot)
       : validator_(validator)
       , robot_(robot)
       , space_(validator.getChecker().getTeam().getRobotSpace(robot))
-      , si_(makeRobotSpaceInformation(validator, robot))
       , sampler_(space_.allocStateSampler())
       , near_(std::make_unique<ompl::NearestNeighborsGNATNoThreadSafety<Vertex>>())
       , sample_(space_.allocState())
@@ -87,7 +85,6 @@ namespace ompl_certificates
         MotionData &data = motions_[edge.motion];
         if (data.knowledge == Knowledge::UNCHECKED)
         {
-            ++checkedMotions_;
             const ob::State *a = states_[from], *b = states_[edge.to];
             data.knowledge = validator_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
             if (data.knowledge == Knowledge::FREE)
@@ -118,19 +115,16 @@ namespace ompl_certificates
         return all;
     }
 
-    bool Roadmap::grow(Vertex count, const ob::PlannerTerminationCondition &condition)
+    void Roadmap::grow(unsigned int samples, Vertex most)
     {
         ob::State *sample = space_.allocState();
-        while (count > 0 && !condition)
+        for (; samples > 0 && size() < most; --samples)
         {
             sampler_->sampleUniform(sample);
-            if (!validator_.getChecker().isRobotFree(robot_, sample))
-                continue;
-            add(sample);
-            --count;
+            if (validator_.getChecker().isRobotFree(robot_, sample))
+                add(sample);
         }
         space_.freeState(sample);
-        return count == 0;
     }
 
     std::vector<double> Roadmap::distancesTo(Vertex goal) const
@@ -195,21 +189,17 @@ namespace ompl_certificates
     bool Roadmap::plan(Vertex start, Vertex goal, unsigned int iterations,
                        const ob::PlannerTerminationCondition &condition)
     {
-        auto problem = std::make_shared<ob::ProblemDefinition>(si_);
-        problem->setStartAndGoalStates(ob::ScopedState<>(si_->getStateSpace(), states_[start]),
-                                       ob::ScopedState<>(si_->getStateSpace(), states_[goal]));
-        og::RRTConnect planner(si_);
-        planner.setProblemDefinition(problem);
-        planner.setup();
-        const ob::PlannerTerminationCondition enough([&iterations] { return iterations == 0 || iterations-- == 0; });
-        planner.solve(ob::plannerOrTerminationCondition(condition, enough));
-        if (!problem->hasExactSolution())
+        const ob::SpaceInformationPtr si = makeRobotSpaceInformation(validator_, robot_);
+        auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        problem->setStartAndGoalStates(ob::ScopedState<>(si->getStateSpace(), states_[start]),
+                                       ob::ScopedState<>(si->getStateSpace(), states_[goal]));
+        const auto path = planByRRTConnect(problem, iterations, condition);
+        if (!path)
             return false;
-        const auto &states = problem->getSolutionPath()->as<og::PathGeometric>()->getStates();
         Vertex last = start;
-        for (std::size_t i = 1; i < states.size(); ++i)
+        for (unsigned int i = 1; i < path->getStateCount(); ++i)
         {
-            const Vertex next = i + 1 < states.size() ? add(states[i]) : goal;
+            const Vertex next = i + 1 < path->getStateCount() ? add(path->getState(i)) : goal;
             join(last, next, Knowledge::FREE);
             last = next;
         }

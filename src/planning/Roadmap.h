@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <ompl/base/PlannerTerminationCondition.h>
-#include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateSampler.h>
 #include <ompl/datastructures/NearestNeighbors.h>
 #include <vector>
@@ -52,12 +51,6 @@ namespace ompl_certificates
             return static_cast<Vertex>(states_.size());
         }
 
-        /** \brief The number of motions that were checked against the obstacles */
-        std::size_t getCheckedMotions() const
-        {
-            return checkedMotions_;
-        }
-
         /** \brief The state of a vertex */
         const ompl::base::State *getState(Vertex vertex) const
         {
@@ -98,9 +91,9 @@ namespace ompl_certificates
             one. */
         Vertex add(const ompl::base::State *state);
 
-        /** \brief Sample states until \e count more free ones are added
-            \return false if \e condition became true before */
-        bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Draw \e samples states, and add those that are free until there are \e most vertices. Other roadmaps of the
+            team may grow at the same time in other threads. */
+        void grow(unsigned int samples, Vertex most);
 
         /** \brief Find a free path between two vertices. If the roadmap has none, RRTConnect looks for one with at most
             \e iterations, and its path becomes part of the roadmap.
@@ -133,7 +126,7 @@ namespace ompl_certificates
         bool isPathFree(Vertex start, const std::vector<double> &distances);
 
         /** \brief Add a path of RRTConnect
-            \return whether it found one */
+            \return whether there is one */
         bool plan(Vertex start, Vertex goal, unsigned int iterations,
                   const ompl::base::PlannerTerminationCondition &condition);
 
@@ -142,14 +135,12 @@ namespace ompl_certificates
         const CertificateMotionValidator &validator_;
         const unsigned int robot_;
         const ompl::base::StateSpace &space_;
-        ompl::base::SpaceInformationPtr si_;
         ompl::base::StateSamplerPtr sampler_;
         std::vector<ompl::base::State *> states_;
         std::vector<std::vector<Edge>> edges_;
         std::vector<MotionData> motions_;
         std::unique_ptr<ompl::NearestNeighbors<Vertex>> near_;
         ompl::base::State *sample_;
-        std::size_t checkedMotions_{0};
     };
 }
 

@@ -20,19 +20,25 @@ namespace ompl_certificates
         /** A path is good enough when that many attempts for each corner lower its cost by less than that part. */
         constexpr std::uint64_t ATTEMPTS = 20;
         constexpr double LEAST_PROGRESS = 1e-3;
+
+        /** Whether a cost is better than an old one, and differs from it by a part of that at least */
+        bool isBetterBy(double part, const ob::OptimizationObjective &objective, ob::Cost cost, ob::Cost old)
+        {
+            return objective.isCostBetterThan(cost, old) &&
+                   std::abs(cost.value() - old.value()) > part * std::abs(old.value());
+        }
     }
 
     /** A path, and the changes that are tried on it */
-    class TeamPathSimplifier::Attempt
+    class TeamPathSimplifier::ChangingPath
     {
     public:
-        Attempt(const TeamPathSimplifier &simplifier, const og::PathGeometric &path, ompl::RNG &random,
-                const ob::PlannerTerminationCondition &condition)
+        ChangingPath(TeamPathSimplifier &simplifier, const og::PathGeometric &path,
+                     const ob::PlannerTerminationCondition &condition)
           : si_(*simplifier.si_)
           , objective_(*simplifier.objective_)
-          , checker_(*simplifier.checker_)
-          , team_(checker_.getTeam())
-          , random_(random)
+          , team_(simplifier.checker_->getTeam())
+          , random_(simplifier.random_)
           , condition_(condition)
           , paths_(team_, path)
           , before_(si_.allocState())
@@ -40,14 +46,14 @@ namespace ompl_certificates
         {
         }
 
-        ~Attempt()
+        ~ChangingPath()
         {
             si_.freeState(before_);
             si_.freeState(after_);
         }
 
-        Attempt(const Attempt &) = delete;
-        Attempt &operator=(const Attempt &) = delete;
+        ChangingPath(const ChangingPath &) = delete;
+        ChangingPath &operator=(const ChangingPath &) = delete;
 
         /** Let all robots move at even paces from start to end, or as fast as they can; if not all, then one by one */
         bool paceAll()
@@ -197,7 +203,7 @@ namespace ompl_certificates
             return accept(std::move(changes), first, last);
         }
 
-        /** Move a corner of a robot's way to a state near it, in space and time */
+        /** Move a corner of a robot's way to a state near it, at the same time */
         bool moveCorner(unsigned int robot)
         {
             const Knots &knots = paths_.getKnots(robot);
@@ -228,8 +234,7 @@ namespace ompl_certificates
                     change.knots = paths_.exchange(change.robot, std::move(change.knots));
             };
             exchange();
-            const ob::Cost limit(old.value() - LEAST_GAIN * std::abs(old.value()));
-            if (objective_.isCostBetterThan(cost(begin, end), limit) && isValid(begin, end))
+            if (isBetterBy(LEAST_GAIN, objective_, cost(begin, end), old) && isValid(begin, end))
                 return true;
             exchange();
             return false;
@@ -272,7 +277,6 @@ namespace ompl_certificates
 
         const ob::SpaceInformation &si_;
         const ob::OptimizationObjective &objective_;
-        const TeamValidityChecker &checker_;
         const Team &team_;
         ompl::RNG &random_;
         const ob::PlannerTerminationCondition &condition_;
@@ -295,25 +299,26 @@ namespace ompl_certificates
     {
         if (path.getStateCount() < 2)
             return false;
-        Attempt attempt(*this, path, random_, condition);
-        bool isSimpler = attempt.paceAll();
+        ChangingPath changing(*this, path, condition);
+        bool isSimpler = changing.paceAll();
         for (; attempts > 0 && !condition; --attempts)
-            isSimpler = attempt.tryOne() || isSimpler;
+            isSimpler = changing.tryOne() || isSimpler;
         if (isSimpler)
-            path = attempt.getPath(si_);
+            path = changing.getPath(si_);
         return isSimpler;
     }
 
     bool TeamPathSimplifier::simplify(og::PathGeometric &path, const ob::PlannerTerminationCondition &condition)
     {
-        const double first = path.cost(objective_).value();
-        for (double cost = first; !condition;)
+        const ob::Cost first = path.cost(objective_);
+        ob::Cost cost = first;
+        while (!condition)
         {
             simplify(path, ATTEMPTS * path.getStateCount() * checker_->getTeam().getRobotCount(), condition);
-            const double before = std::exchange(cost, path.cost(objective_).value());
-            if (cost >= (1.0 - LEAST_PROGRESS) * before)
+            const ob::Cost before = std::exchange(cost, path.cost(objective_));
+            if (!isBetterBy(LEAST_PROGRESS, *objective_, cost, before))
                 break;
         }
-        return path.cost(objective_).value() < first;
+        return objective_->isCostBetterThan(cost, first);
     }
 }

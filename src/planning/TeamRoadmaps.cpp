@@ -1,14 +1,31 @@
 #include "TeamRoadmaps.h"
 
 #include <algorithm>
+#include <boost/asio/post.hpp>
 #include <boost/functional/hash.hpp>
+#include <future>
+#include <thread>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
-    TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator, bool shares) : validator_(validator)
+    namespace
     {
+        /** How many samples a roadmap draws before the condition is asked */
+        constexpr unsigned int BATCH = 100;
+
+        /** How many motions of two robots are remembered; they take some 700 MB */
+        constexpr std::size_t MOST_PAIR_MOTIONS = 10'000'000;
+    }
+
+    TeamRoadmaps::~TeamRoadmaps() = default;
+
+    TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator, bool shares, unsigned int threads)
+      : validator_(validator)
+    {
+        if (threads == 0)
+            threads = std::thread::hardware_concurrency();
         const auto &robots = validator.getChecker().getTeam().getRobots();
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
@@ -23,6 +40,8 @@ namespace ompl_certificates
                 roadmaps_.push_back(std::make_unique<Roadmap>(validator, robot));
             }
         }
+        if (threads > 1 && roadmaps_.size() > 1)
+            threads_ = std::make_unique<boost::asio::thread_pool>(std::min<std::size_t>(threads, roadmaps_.size()));
     }
 
     TeamRoadmaps::Configuration TeamRoadmaps::add(const ob::State *state)
@@ -34,10 +53,43 @@ namespace ompl_certificates
         return configuration;
     }
 
-    bool TeamRoadmaps::grow(Vertex count, const ob::PlannerTerminationCondition &condition)
+    void TeamRoadmaps::grow(std::uint64_t count, Vertex most, const ob::PlannerTerminationCondition &condition)
     {
-        return std::all_of(roadmaps_.begin(), roadmaps_.end(),
-                           [&](const auto &roadmap) { return roadmap->grow(count, condition); });
+        struct Growth
+        {
+            Roadmap *roadmap;
+            Vertex most;
+
+            bool isDone() const
+            {
+                return roadmap->size() >= most;
+            }
+        };
+        std::vector<Growth> growths;
+        for (const auto &roadmap : roadmaps_)
+            growths.push_back(
+                {roadmap.get(), static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most))});
+        const auto isAnyOpen = [&growths]
+        { return std::any_of(growths.begin(), growths.end(), [](const Growth &one) { return !one.isDone(); }); };
+        // The condition is asked between batches alone, and as often for any number of threads.
+        while (isAnyOpen() && !condition)
+        {
+            std::vector<std::future<void>> batches;
+            for (const Growth &growth : growths)
+            {
+                std::packaged_task<void()> batch([growth] { growth.roadmap->grow(BATCH, growth.most); });
+                batches.push_back(batch.get_future());
+                if (threads_ && !growth.isDone())
+                    boost::asio::post(*threads_, std::move(batch));
+                else
+                    batch();
+            }
+            // All must have ended before an exception of one goes on.
+            for (const auto &batch : batches)
+                batch.wait();
+            for (auto &batch : batches)
+                batch.get();
+        }
     }
 
     std::size_t TeamRoadmaps::Hash::operator()(const PairMotion &motion) const
@@ -69,13 +121,15 @@ namespace ompl_certificates
         const double reach = a.radius + b.radius;
         if ((a.center - b.center).squaredNorm() > 1.0001 * reach * reach)
             return true;
-        const auto [entry, isNew] =
-            pairMotions_.try_emplace(keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge), false);
-        if (isNew)
-            entry->second =
-                validator_.isPairMotionFree(first, one.getState(firstFrom), one.getState(firstEdge.to), second,
-                                            other.getState(secondFrom), other.getState(secondEdge.to));
-        return entry->second;
+        const PairMotion key = keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge);
+        if (const auto known = pairMotions_.find(key); known != pairMotions_.end())
+            return known->second;
+        const bool areApart =
+            validator_.isPairMotionFree(first, one.getState(firstFrom), one.getState(firstEdge.to), second,
+                                        other.getState(secondFrom), other.getState(secondEdge.to));
+        if (pairMotions_.size() < MOST_PAIR_MOTIONS)
+            pairMotions_.emplace(key, areApart);
+        return areApart;
     }
 
     bool TeamRoadmaps::isStepFree(const Configuration &from, const Configuration &to)

@@ -3,6 +3,7 @@
 
 #include "Roadmap.h"
 
+#include <boost/asio/thread_pool.hpp>
 #include <unordered_map>
 
 namespace ompl_certificates
@@ -27,8 +28,11 @@ namespace ompl_certificates
         /** \brief Configurations of the team, one after each step */
         using Path = std::vector<Configuration>;
 
-        /** \brief Empty roadmaps, one for all robots that are alike, or one for each robot */
-        TeamRoadmaps(const CertificateMotionValidator &validator, bool shares);
+        /** \brief Empty roadmaps
+            \param shares whether there is one for all robots that are alike, or one for each robot
+            \param threads how many threads let them grow; 0 for as many as there are cores */
+        TeamRoadmaps(const CertificateMotionValidator &validator, bool shares, unsigned int threads);
+        ~TeamRoadmaps();
 
         unsigned int getRobotCount() const
         {
@@ -54,12 +58,12 @@ namespace ompl_certificates
         /** \brief Add a free state of the team */
         Configuration add(const ompl::base::State *state);
 
-        /** \brief Add \e count free states to each roadmap
-            \return false if \e condition became true before */
-        bool grow(Vertex count, const ompl::base::PlannerTerminationCondition &condition);
+        /** \brief Let each roadmap grow by \e count vertices, but to no more than \e most; by fewer if \e condition becomes
+            true. The number of threads changes nothing but the time. */
+        void grow(std::uint64_t count, Vertex most, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free.
-            Checked once, then remembered. */
+            Checked once, then remembered, up to 10^7 such motions. */
         bool areApart(unsigned int first, Vertex firstFrom, const Roadmap::Edge &firstEdge, unsigned int second,
                       Vertex secondFrom, const Roadmap::Edge &secondEdge);
 
@@ -76,12 +80,6 @@ namespace ompl_certificates
 
         /** \brief Write the state of the team at \e configuration to \e state */
         void copyTo(const Configuration &configuration, ompl::base::State *state) const;
-
-        /** \brief How many motions of two robots were checked */
-        std::size_t getCheckedPairMotions() const
-        {
-            return pairMotions_.size();
-        }
 
     private:
         /** \brief A motion of two robots: the roadmap and the motion of either, and whether one of them is reversed */
@@ -106,6 +104,8 @@ namespace ompl_certificates
                          Vertex secondFrom, const Roadmap::Edge &secondEdge) const;
 
         const CertificateMotionValidator &validator_;
+        /** \brief Null if there is one thread only */
+        std::unique_ptr<boost::asio::thread_pool> threads_;
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
         std::vector<unsigned int> roadmapOf_;
         /** \brief Whether the robots stay apart */

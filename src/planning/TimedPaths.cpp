@@ -48,21 +48,32 @@ namespace ompl_certificates
             return std::lower_bound(knots.begin(), knots.end(), time,
                                     [](const TimedPaths::Knot &knot, double t) { return knot.time < t; });
         }
+
+        void interpolate(const ob::StateSpace &space, const TimedPaths::Knot &from, const TimedPaths::Knot &to,
+                         double time, ob::State *state)
+        {
+            space.interpolate(from.state.get(), to.state.get(), (time - from.time) / (to.time - from.time), state);
+        }
     }
 
     TimedPaths::Knot TimedPaths::at(unsigned int robot, double time) const
     {
-        const auto next = firstFrom(knots_[robot], time);
-        if (next == knots_[robot].end())
-            return knots_[robot].back();
-        if (next->time == time || next == knots_[robot].begin())
+        const auto [previous, next] = around(robot, time);
+        if (previous == next)
             return *next;
-        const auto previous = next - 1;
         Knot knot{time, clone(robot, previous->state.get())};
-        team_.getRobotSpace(robot).interpolate(previous->state.get(), next->state.get(),
-                                               (time - previous->time) / (next->time - previous->time),
-                                               knot.state.get());
+        interpolate(team_.getRobotSpace(robot), *previous, *next, time, knot.state.get());
         return knot;
+    }
+
+    std::pair<const TimedPaths::Knot *, const TimedPaths::Knot *> TimedPaths::around(unsigned int robot,
+                                                                                     double time) const
+    {
+        const auto &knots = knots_[robot];
+        const auto next = firstFrom(knots, time);
+        if (next == knots.end())
+            return {&knots.back(), &knots.back()};
+        return {next->time == time || next == knots.begin() ? &*next : &*(next - 1), &*next};
     }
 
     std::vector<double> TimedPaths::timesWithin(double first, double last) const
@@ -103,15 +114,11 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
         {
             ob::State *own = const_cast<ob::State *>(team_.getRobotState(state, robot));
-            const auto &knots = knots_[robot];
-            const auto next = firstFrom(knots, time);
-            if (next == knots.end() || next->time == time || next == knots.begin())
-                team_.getRobotSpace(robot).copyState(own, next == knots.end() ? knots.back().state.get()
-                                                                              : next->state.get());
+            const auto [previous, next] = around(robot, time);
+            if (previous == next)
+                team_.getRobotSpace(robot).copyState(own, next->state.get());
             else
-                team_.getRobotSpace(robot).interpolate((next - 1)->state.get(), next->state.get(),
-                                                       (time - (next - 1)->time) / (next->time - (next - 1)->time),
-                                                       own);
+                interpolate(team_.getRobotSpace(robot), *previous, *next, time, own);
         }
     }
 }

@@ -31,8 +31,9 @@ namespace ompl_certificates
         the cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of
         checking.
 
-        Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. All motions that it returns are
-        valid for the motion validator.
+        Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. If the motion validator is a
+        CertificateMotionValidator, it checks single robots and pairs, too; else one of its own does, in discrete mode. All
+        motions that are returned are valid for the space information's motion validator.
 
         @par External documentation
         K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
@@ -85,7 +86,8 @@ namespace ompl_certificates
         }
 
         /** \brief Whether robots that are alike share a roadmap; the default. If not, each has its own: to measure
-            what sharing saves. Parameter share_roadmaps. Before setup(). */
+            what sharing saves. Parameter share_roadmaps. Takes effect in the first solve(), and in the first one after
+            clear(). */
         void setSharesRoadmaps(bool share)
         {
             sharesRoadmaps_ = share;
@@ -107,6 +109,20 @@ namespace ompl_certificates
         bool getSmoothing() const
         {
             return smoothing_;
+        }
+
+        /** \brief How many threads let the roadmaps of robots that are not alike grow; the default is 1, and 0 stands for
+            as many as there are cores. Paths are equal for any number of threads. The rest of the planner uses one
+            thread. Parameter threads. Takes effect as setSharesRoadmaps() does. */
+        void setThreads(unsigned int threads)
+        {
+            threads_ = threads;
+        }
+
+        /** \brief See setThreads() */
+        unsigned int getThreads() const
+        {
+            return threads_;
         }
 
         /** \brief The cost of the best solution so far; infinite if there is none */
@@ -136,7 +152,8 @@ namespace ompl_certificates
             \return whether there is one */
         bool connect(const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Whether each robot can go alone from a start to a goal. If not, notes which one cannot. */
+        /** \brief Whether each robot can go alone from a start to a goal. If not, and not for lack of time, notes which
+            one cannot. */
         bool connect(const Configuration &start, const Configuration &goal,
                      const ompl::base::PlannerTerminationCondition &condition);
 
@@ -149,7 +166,10 @@ namespace ompl_certificates
         /** \brief Report a path, and shorten it */
         void take(const Path &path, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Shorten a path, and report it if that makes it the best */
+        /** \brief Whether the best path is good enough for the objective */
+        bool isSatisfied() const;
+
+        /** \brief Shorten a path if none is good enough yet, and report it if that makes it the best */
         void shorten(ompl::geometric::PathGeometric path, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Check a path of the roadmaps as a path of the team; remove what does not hold
@@ -180,7 +200,7 @@ namespace ompl_certificates
         ompl::base::Cost treeCost_;
         /** \brief The robot that found no way alone in this round */
         std::string stuckRobot_;
-        unsigned int roadmapSize_{20}, maxRoadmapSize_{100000};
+        unsigned int roadmapSize_{20}, maxRoadmapSize_{100000}, threads_{1};
         bool sharesRoadmaps_{true}, smoothing_{true};
         unsigned int rounds_{0};
         /** \brief What progress properties tell: other threads may ask. */

@@ -14,7 +14,8 @@ namespace ompl_certificates
 
         ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free
         for many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
-        A change is kept if it lowers the cost and the motion validator accepts the motions that change.
+        A change is kept if it lowers the cost and the motion validator accepts the motions that change. The cost of a path
+        must be the sum of its motions' costs, as of all objectives of this library; that of the rest is not looked at.
 
         @par External documentation
         R. Geraerts, M. Overmars, Creating high-quality paths for motion planning, 2007 (partial shortcuts). */
@@ -36,7 +37,7 @@ namespace ompl_certificates
         bool simplify(ompl::geometric::PathGeometric &path, const ompl::base::PlannerTerminationCondition &condition);
 
     private:
-        class Attempt;
+        class ChangingPath;
 
         const ompl::base::SpaceInformationPtr si_;
         const ompl::base::OptimizationObjectivePtr objective_;

@@ -38,9 +38,8 @@ namespace ompl_certificates
         void setup() override;
 
         /** \brief Simplify the solution with OMPL's PathSimplifier, then robot by robot with a TeamPathSimplifier, for
-            at most
-            \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises. Steps of
-            ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions that were never checked by
+            at most \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises.
+            Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions that were never checked by
             themselves. This keeps the last path that the motion validator accepts. */
         void simplifySolution(double duration = 0.0);
 

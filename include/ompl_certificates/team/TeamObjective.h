@@ -35,12 +35,6 @@ namespace ompl_certificates
         /** \brief The same; \e goal is where the robots arrive */
         TeamObjective(const ompl::base::SpaceInformationPtr &si, Kind kind, const ompl::base::ScopedState<> &goal);
 
-        /** \brief What is added up */
-        Kind getKind() const
-        {
-            return kind_;
-        }
-
         /** \brief 0: states cost nothing */
         ompl::base::Cost stateCost(const ompl::base::State *state) const override;
 
