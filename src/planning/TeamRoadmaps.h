@@ -81,6 +81,12 @@ namespace ompl_certificates
         /** \brief Write the state of the team at \e configuration to \e state */
         void copyTo(const Configuration &configuration, ompl::base::State *state) const;
 
+        /** \brief How many motions of two robots are remembered */
+        std::size_t getRememberedPairMotions() const
+        {
+            return pairMotions_.size();
+        }
+
     private:
         /** \brief A motion of two robots: the roadmap and the motion of either, and whether one of them is reversed */
         struct PairMotion

@@ -334,3 +334,25 @@ TEST_F(DRRTstarTest, PlansForOneRobotAndForAnyMotionValidator)
     ASSERT_EQ(setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
     EXPECT_TRUE(setup->getSolutionPath().check());
 }
+
+TEST_F(DRRTstarTest, IsSetUpAgainOnceThereIsAProblem)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = crowd(2, 3, 4.0, 2);
+    DRRTstar planner(setup->getSpaceInformation());
+    planner.setup();
+    EXPECT_FALSE(planner.isSetup());
+    planner.setProblemDefinition(setup->getProblemDefinition());
+    EXPECT_EQ(planner.ob::Planner::solve(0.3), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST_F(DRRTstarTest, NamesNoRobotIfItIsInterrupted)
+{
+    ompl::RNG::setSeed(1);
+    const auto setup = crowd(2, 5, 4.0, 2);
+    plannerFor(*setup);
+    setup->setup();
+    const Messages messages;
+    EXPECT_EQ(setup->solve(evaluations(2)), ob::PlannerStatus::TIMEOUT);
+    EXPECT_EQ(messages.getText().find("found no way"), std::string::npos) << messages.getText();
+}

@@ -39,8 +39,8 @@ namespace
             validator_ =
                 dynamic_cast<CertificateMotionValidator *>(setup_->getSpaceInformation()->getMotionValidator().get());
             ASSERT_NE(validator_, nullptr);
-            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, GetParam());
-            ASSERT_TRUE(roadmaps_->grow(VERTICES, ob::plannerNonTerminatingCondition()));
+            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, GetParam(), 1);
+            roadmaps_->grow(VERTICES, VERTICES, ob::plannerNonTerminatingCondition());
             ASSERT_EQ(roadmaps_->getRoadmaps().size(), GetParam() ? 2U : 4U);
         }
 
@@ -104,7 +104,7 @@ namespace
         /** The same vertices and edges, with nothing known of robots against each other */
         std::unique_ptr<TeamRoadmaps> copyOfRoadmaps() const
         {
-            auto copy = std::make_unique<TeamRoadmaps>(*validator_, GetParam());
+            auto copy = std::make_unique<TeamRoadmaps>(*validator_, GetParam(), 1);
             for (std::size_t i = 0; i < copy->getRoadmaps().size(); ++i)
                 for (Roadmap::Vertex vertex = 0; vertex < VERTICES; ++vertex)
                     copy->getRoadmaps()[i]->add(roadmaps_->getRoadmaps()[i]->getState(vertex));
@@ -156,9 +156,9 @@ TEST_P(TeamRoadmapsTest, SaysTheSameOfExchangedRobotsAndReverseMotions)
         ASSERT_EQ(areApart(*reversed, a.reversed(), b.reversed()), apart);
         ASSERT_EQ(areApart(*both, b.reversed(), a.reversed()), apart);
     }
-    EXPECT_EQ(exchanged->getCheckedPairMotions(), roadmaps_->getCheckedPairMotions());
-    EXPECT_EQ(reversed->getCheckedPairMotions(), roadmaps_->getCheckedPairMotions());
-    EXPECT_EQ(both->getCheckedPairMotions(), roadmaps_->getCheckedPairMotions());
+    EXPECT_EQ(exchanged->getRememberedPairMotions(), roadmaps_->getRememberedPairMotions());
+    EXPECT_EQ(reversed->getRememberedPairMotions(), roadmaps_->getRememberedPairMotions());
+    EXPECT_EQ(both->getRememberedPairMotions(), roadmaps_->getRememberedPairMotions());
 }
 
 TEST_P(TeamRoadmapsTest, ChecksTwoStepsOnceAndThoseFarApartNever)
@@ -169,18 +169,18 @@ TEST_P(TeamRoadmapsTest, ChecksTwoStepsOnceAndThoseFarApartNever)
     {
         SCOPED_TRACE("case " + std::to_string(i));
         const auto [a, b] = freeSteps(random);
-        const std::size_t known = roadmaps_->getCheckedPairMotions();
+        const std::size_t known = roadmaps_->getRememberedPairMotions();
         const auto pairPoses = [this] { return setup_->getStatistics().getCount(&CheckCounts::pairPoses); };
         std::uint64_t before = pairPoses();
         const bool apart = areApart(*roadmaps_, a, b);
-        if (roadmaps_->getCheckedPairMotions() == known)
+        if (roadmaps_->getRememberedPairMotions() == known)
         {
             EXPECT_EQ(pairPoses(), before);
             ++notChecked;
             continue;
         }
         ++checked;
-        EXPECT_EQ(roadmaps_->getCheckedPairMotions(), known + 1);
+        EXPECT_EQ(roadmaps_->getRememberedPairMotions(), known + 1);
         EXPECT_GT(pairPoses(), before);
         before = pairPoses();
         EXPECT_EQ(areApart(*roadmaps_, a, b), apart);
@@ -193,7 +193,7 @@ TEST_P(TeamRoadmapsTest, ChecksTwoStepsOnceAndThoseFarApartNever)
             EXPECT_EQ(areApart(*roadmaps_, c, d), apart);
         }
         EXPECT_EQ(pairPoses(), before);
-        EXPECT_EQ(roadmaps_->getCheckedPairMotions(), known + 1);
+        EXPECT_EQ(roadmaps_->getRememberedPairMotions(), known + 1);
     }
     EXPECT_GT(checked, 20U);
     EXPECT_GT(notChecked, 20U);
