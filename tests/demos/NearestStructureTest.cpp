@@ -4,16 +4,17 @@
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/pictures/PlanReport.h"
+#include "support/Quiet.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 #include <set>
 #include <thread>
 
 using namespace ompl_certificates;
+using ompl_certificates::test::Quiet;
 using ompl_certificates::test::scaled;
 namespace ob = ompl::base;
 
@@ -85,14 +86,12 @@ namespace
 
 TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
 {
-    const auto level = ompl::msg::getLogLevel();
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const Quiet quiet;
     // These grow their roadmaps by the clock, for 0.4 seconds, and then expand them.
     const bool isByTheClock = GetParam() == "PRM" || GetParam() == "PRMstar";
     const unsigned int iterations = scaled(isByTheClock ? 300 : 1500);
     const auto kdTree = grow(GetParam(), NearestStructure::KD_TREE, iterations);
     const auto gnat = grow(GetParam(), NearestStructure::GNAT, iterations);
-    ompl::msg::setLogLevel(level);
     // It shows none of its planners' trees, and shortens paths until it is stopped.
     if (GetParam() != "AnytimePathShortening")
     {

@@ -1,6 +1,7 @@
 #include "KdTreeSpaces.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "support/Quiet.h"
 #include "support/RandomStates.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
-#include <ompl/util/Console.h>
 #include <typeinfo>
 
 using namespace ompl_certificates;
@@ -26,8 +26,7 @@ namespace
     template <typename Planner, template <typename> class Neighbors>
     std::vector<std::vector<double>> grow(const TeamStateSpacePtr &team, unsigned int iterations)
     {
-        const auto level = ompl::msg::getLogLevel();
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        const Quiet quiet;
         ompl::RNG::setSeed(7);  // OMPL complains about any seed but the first
         og::SimpleSetup setup(team);
         setup.setStateValidityChecker(
@@ -78,7 +77,6 @@ namespace
         }
         // The vertices come in the order of list(), which is each structure's own.
         std::sort(tree.begin(), tree.end());
-        ompl::msg::setLogLevel(level);
         return tree;
     }
 

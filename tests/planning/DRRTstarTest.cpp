@@ -1,4 +1,5 @@
 #include "support/CrowdProblem.h"
+#include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/team/TeamObjective.h"
@@ -44,6 +45,16 @@ namespace
         return reals;
     }
 
+    /** Two discs in a room that a wall divides, without start and goal */
+    TeamSetupPtr dividedRoom(const std::string &first, const std::string &second)
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        for (const std::string &name : {first, second})
+            team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 3.0)));
+        const std::vector<PlacedBody> wall{{Body::box(0.2, 6.0)}};
+        return std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(wall, 2));
+    }
+
     /** Two discs in a corridor that is too narrow to pass, with a niche in its middle */
     TeamSetupPtr corridor()
     {
@@ -64,16 +75,7 @@ namespace
 
     class DRRTstarTest : public testing::Test
     {
-    protected:
-        void SetUp() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        }
-
-        void TearDown() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        }
+        const Quiet quiet_;
     };
 
     /** What OMPL is told to print */
@@ -203,29 +205,25 @@ TEST_F(DRRTstarTest, UsesEveryStartAndGoal)
 {
     ompl::RNG::setSeed(1);
     // One robot is walled in at the first start, and cannot leave towards the first goal.
-    auto team = std::make_shared<TeamStateSpace>();
-    for (const char *name : {"a", "b"})
-        team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 3.0)));
-    const std::vector<PlacedBody> walls{{Body::box(0.2, 6.0)}};
-    TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
-    ob::ScopedState<> start(team), goal(team);
+    const auto setup = dividedRoom("a", "b");
+    ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
     start = std::vector<double>{-2.0, 1.0, 2.0, 1.0};
-    setup.addStartState(start);
+    setup->addStartState(start);
     start = std::vector<double>{2.0, -1.0, 2.0, 1.0};
-    setup.addStartState(start);
-    auto goals = std::make_shared<ob::GoalStates>(setup.getSpaceInformation());
+    setup->addStartState(start);
+    auto goals = std::make_shared<ob::GoalStates>(setup->getSpaceInformation());
     goal = std::vector<double>{-2.0, -2.0, -2.0, 2.0};
     goals->addState(goal);
     goal = std::vector<double>{2.0, -2.0, 2.0, 2.0};
     goals->addState(goal);
-    setup.setGoal(goals);
-    plannerFor(setup);
-    stopAtFirst(setup);
-    ASSERT_EQ(setup.solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
-    EXPECT_TRUE(setup.getStateSpace()->equalStates(setup.getSolutionPath().getState(0), start.get()) ||
-                setup.getStateSpace()->equalStates(setup.getSolutionPath().getStates().back(), goal.get()));
-    ob::PlannerData data(setup.getSpaceInformation());
-    setup.getPlannerData(data);
+    setup->setGoal(goals);
+    plannerFor(*setup);
+    stopAtFirst(*setup);
+    ASSERT_EQ(setup->solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(setup->getStateSpace()->equalStates(setup->getSolutionPath().getState(0), start.get()) ||
+                setup->getStateSpace()->equalStates(setup->getSolutionPath().getStates().back(), goal.get()));
+    ob::PlannerData data(setup->getSpaceInformation());
+    setup->getPlannerData(data);
     EXPECT_EQ(data.numStartVertices(), 2U);
     EXPECT_EQ(data.numGoalVertices(), 1U);
     EXPECT_GE(data.numEdges(), 1U);
@@ -233,21 +231,17 @@ TEST_F(DRRTstarTest, UsesEveryStartAndGoal)
 
 TEST_F(DRRTstarTest, NamesTheRobotThatFindsNoWay)
 {
-    auto team = std::make_shared<TeamStateSpace>();
-    for (const char *name : {"free", "walled_in"})
-        team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 3.0)));
-    const std::vector<PlacedBody> walls{{Body::box(0.2, 6.0)}};
-    TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
-    ob::ScopedState<> start(team), goal(team);
+    const auto setup = dividedRoom("free", "walled_in");
+    ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
     start = std::vector<double>{2.0, -1.0, -2.0, 1.0};
     goal = std::vector<double>{2.0, 1.0, 2.0, 2.0};
-    setup.setStartAndGoalStates(start, goal);
-    plannerFor(setup)->setMaxRoadmapSize(200);
+    setup->setStartAndGoalStates(start, goal);
+    plannerFor(*setup)->setMaxRoadmapSize(200);
     const Messages messages;
-    EXPECT_EQ(setup.solve(10.0), ob::PlannerStatus::TIMEOUT);
+    EXPECT_EQ(setup->solve(10.0), ob::PlannerStatus::TIMEOUT);
     EXPECT_NE(messages.getText().find("'walled_in' found no way"), std::string::npos) << messages.getText();
     EXPECT_EQ(messages.getText().find("'free'"), std::string::npos) << messages.getText();
-    EXPECT_LT(setup.getLastPlanComputationTime(), 5.0) << "goes on though the roadmap is at its limit";
+    EXPECT_LT(setup->getLastPlanComputationTime(), 5.0) << "goes on though the roadmap is at its limit";
 }
 
 TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)

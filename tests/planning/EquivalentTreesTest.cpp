@@ -1,5 +1,6 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
+#include "support/Quiet.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -16,10 +17,8 @@ namespace
     /** Take all further random numbers from \e seed. OMPL calls that an error if others were drawn before. */
     void reseed(unsigned int seed)
     {
-        const auto level = ompl::msg::getLogLevel();
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        const Quiet quiet;
         ompl::RNG::setSeed(seed);
-        ompl::msg::setLogLevel(level);
     }
 
     /** The outcome of a planner */

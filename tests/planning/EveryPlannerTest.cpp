@@ -3,6 +3,7 @@
 // sequence of spaces. LightningRetrieveRepair and ThunderRetrieveRepair need a database of plans.
 
 #include "support/ForgivenLeaks.h"
+#include "support/Quiet.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
@@ -51,7 +52,6 @@
 #include <ompl/geometric/planners/sbl/pSBL.h>
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 #include <set>
 
@@ -139,17 +139,9 @@ namespace
 
     class EveryPlanner : public testing::TestWithParam<Named>
     {
+        const Quiet quiet_;
+
     protected:
-        void SetUp() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        }
-
-        void TearDown() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        }
-
         void expectToSolve(TeamStateSpace::Metric metric)
         {
             // These leak states in OMPL 1.5.2: they clone goals, samples and propagations that they never free.
@@ -191,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Ompl, EveryPlanner, testing::ValuesIn(PLANNERS),
 
 TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
 {
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const Quiet quiet;
     const auto setup = easyProblem();
     const auto &si = setup->getSpaceInformation();
     const auto objectiveWith = [&](const ob::PlannerPtr &planner)
@@ -224,17 +216,15 @@ TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
     EXPECT_EQ(setup->getOptimizationObjective(), chosen);
     objectiveWith(std::make_shared<og::PRM>(si));
     EXPECT_EQ(setup->getOptimizationObjective(), chosen);
-    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
 }
 
 TEST(TeamObjective, LetsPrmStopAtItsFirstSolution)
 {
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const Quiet quiet;
     const auto setup = easyProblem();
     setup->setPlanner(std::make_shared<og::PRM>(setup->getSpaceInformation()));
     EXPECT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
     EXPECT_LT(setup->getLastPlanComputationTime(), 30.0);
-    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
 }
 
 TEST(TeamObjective, SamplesWhatCanImproveASolutionInBothMetrics)

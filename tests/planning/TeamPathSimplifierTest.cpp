@@ -1,4 +1,5 @@
 #include "support/CrowdProblem.h"
+#include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/planning/TeamPathSimplifier.h"
@@ -8,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -20,16 +20,7 @@ namespace
 {
     class TeamPathSimplifierTest : public testing::Test
     {
-    protected:
-        void SetUp() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        }
-
-        void TearDown() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        }
+        const Quiet quiet_;
     };
 
     ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const std::string &name)

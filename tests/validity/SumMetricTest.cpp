@@ -1,3 +1,4 @@
+#include "support/Quiet.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/planning/TeamSetup.h"
@@ -8,7 +9,6 @@
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -91,17 +91,9 @@ namespace
 
     class SumMetric : public testing::TestWithParam<unsigned int>
     {
+        const Quiet quiet_;
+
     protected:
-        void SetUp() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        }
-
-        void TearDown() override
-        {
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        }
-
         template <typename Planner>
         void expectEqualTrees();
 
