@@ -1,5 +1,6 @@
 #include "support/Checkers.h"
 
+#include <atomic>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
@@ -178,23 +179,38 @@ TEST(Statistics, RepeatThemselvesWhereNoClockDecides)
     }
 }
 
-TEST(Statistics, SumOverThreads)
+TEST(Statistics, SumExactlyOverThreadsThatShareASlot)
 {
+    // The first sixteen threads that count have slots of their own, and of the others every sixteenth has the same one.
+    // So all threads count once, to be numbered, and then every sixteenth counts while the others of its slot do.
+    constexpr std::uint64_t THREADS = 80, APART = 16, TIMES = 300000, ALL = THREADS + THREADS / APART * TIMES;
     Statistics statistics;
+    std::atomic<std::uint64_t> numbered{0};
     std::vector<std::thread> threads;
-    for (int i = 0; i < 20; ++i)
+    for (std::uint64_t i = 0; i < THREADS; ++i)
+    {
         threads.emplace_back(
-            [&statistics]
+            [&, goesOn = i % APART == 0]
             {
                 CheckCounts counts;
                 counts.robotPoses = 2;
                 counts.motionSamplesSkipped = 3;
-                for (int k = 0; k < 100; ++k)
+                statistics.add(counts);
+                ++numbered;
+                if (!goesOn)
+                    return;
+                while (numbered < THREADS)
+                    std::this_thread::yield();
+                for (std::uint64_t k = 0; k < TIMES; ++k)
                     statistics.add(counts);
             });
+        while (numbered <= i)
+            std::this_thread::yield();
+    }
     for (auto &thread : threads)
         thread.join();
-    EXPECT_EQ(statistics.getCounts().robotPoses, 4000U);
-    EXPECT_EQ(statistics.getCounts().motionSamplesSkipped, 6000U);
+    EXPECT_EQ(statistics.getCounts().robotPoses, 2 * ALL);
+    EXPECT_EQ(statistics.getCounts().motionSamplesSkipped, 3 * ALL);
+    EXPECT_EQ(statistics.getCount(&CheckCounts::robotPoses), 2 * ALL);
     EXPECT_EQ(statistics.getCounts().motions, 0U);
 }
