@@ -108,7 +108,7 @@ namespace
             throw ompl::Exception(name, planner + " gave a path that is not valid");
     }
 
-    /** A row for each planner and method; run i plans for scene i, and again from the first one */
+    /** A row for each planner and method, over all seeds of all scenes */
     void compare(const Options &options, const std::string &name, const std::vector<Scene> &scenes)
     {
         for (const std::string &planner : options.planners)
@@ -175,7 +175,7 @@ int main(int argc, char **argv)
     Options options;
     app.add_option("SCENES", options.scenes, "Scene files")->check(CLI::ExistingFile);
     benchmarks::addList(app, "--planners", options.planners, "Planners, separated by commas");
-    benchmarks::addMethods(app, options.methods);
+    benchmarks::addAllMethods(app, options.methods);
     app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see generate_scene --help");
     benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
     app.add_option("--size", options.size, "The side of generated scenes")->check(CLI::PositiveNumber);

@@ -38,6 +38,17 @@ namespace benchmarks
             ->capture_default_str();
     }
 
+    /** \brief Option --methods: all methods */
+    inline void addAllMethods(CLI::App &app, std::vector<std::string> &methods)
+    {
+        std::vector<std::string> known;
+        for (const ompl_certificates::Method method : ompl_certificates::allMethods())
+            known.push_back(ompl_certificates::nameOf(method));
+        addList(app, "--methods", methods, "Methods, separated by commas")
+            ->check(CLI::IsMember(known))
+            ->capture_default_str();
+    }
+
     /** \brief An option with a default that must be positive */
     template <typename Value>
     void addPositive(CLI::App &app, const std::string &name, Value &value, const std::string &description)
