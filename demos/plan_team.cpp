@@ -54,8 +54,8 @@ namespace
         app.add_option("SCENE", options.scene, "Scene file: YAML, or a .cfg file of OMPL.app")->required();
         app.add_option(
                "--planner", options.planner,
-               "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters are "
-               "used")
+               "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters "
+               "are used")
             ->default_str("the first of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
         demos::addPlannerList(app);
         app.add_option("--method", options.method, "How checks are saved")
@@ -103,9 +103,10 @@ namespace
                        "Write what is known of the obstacles in the end, for a later run");
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.footer(
-            "Of picture, animation, path and report one may be -, for standard output; all else is then printed to standard "
-            "error.\nReturns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a "
-            "file that could not be written.");
+            "Of picture, animation, path and report one may be -, for standard output; all else is then printed to "
+            "standard error.\n"
+            "Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a file that "
+            "could not be written.");
     }
 
     ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,

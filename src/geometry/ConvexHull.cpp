@@ -42,8 +42,8 @@ namespace ompl_certificates
             return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
         }
 
-        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain, with some that
-            are straight up to rounding */
+        /** The corners of the hull of points of the plane, counter-clockwise, by Andrew's monotone chain, with some
+            that are straight up to rounding */
         std::vector<Eigen::Vector3d> monotoneChain(std::vector<Eigen::Vector3d> points)
         {
             std::sort(points.begin(), points.end(),
@@ -65,14 +65,15 @@ namespace ompl_certificates
             return chain;
         }
 
-        /** The corners of the hull of points of the plane, counter-clockwise. Leaves out those that are straight to within
-            \e tolerance (an area). Fewer than three if the points span no area. */
+        /** The corners of the hull of points of the plane, counter-clockwise. Leaves out those that are straight to
+            within \e tolerance (an area). Fewer than three if the points span no area. */
         std::vector<Eigen::Vector3d> outlineOf(const std::vector<Eigen::Vector3d> &points, double tolerance)
         {
             const auto isStraight = [tolerance](const auto &before, const auto &corner, const auto &after)
             { return cross2(before, corner, after) <= tolerance; };
-            // Not within the chain: by x, the points of an edge that is vertical up to rounding are in any order, and the
-            // edge's end may come between two others, straight to within the tolerance.
+            // The chain itself must not use the tolerance. It sorts points by x, so those of an edge that is vertical
+            // up to rounding come in any order. The edge's end may then come between two others, and would be left out
+            // as straight.
             std::vector<Eigen::Vector3d> corners;
             for (const Eigen::Vector3d &point : monotoneChain(points))
             {

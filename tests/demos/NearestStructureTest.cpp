@@ -14,6 +14,7 @@
 #include <thread>
 
 using namespace ompl_certificates;
+using ompl_certificates::test::Quiet;
 using ompl_certificates::test::scaled;
 namespace ob = ompl::base;
 

@@ -11,7 +11,7 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief Free starts or goals for all robots of a setup; \e taken is not used again by any robot */
+        /** \brief A random free state of the team; \e half is half the side of the square that the robots are in */
         inline ompl::base::ScopedState<> randomFreeState(const TeamSetup &setup, Random &random, double half)
         {
             const TeamStateSpace &team = setup.getTeam();

@@ -14,20 +14,21 @@ namespace ompl_certificates
     class SceneView;
     class SvgWriter;
 
-    /** \brief A picture of a scene in which its robots move along a path, again and again, as SVG with animations (SMIL).
-        Browsers play it; other viewers show the start.
+    /** \brief A picture of a scene in which its robots move along a path, again and again, as SVG with animations
+        (SMIL). Browsers play it; other viewers show the start.
 
-        Robots move by stateTimes(). In the plane the motion is exact to a fraction of a pixel. In space, seen from above
-        and from the side, positions are, too; outlines of bodies that turn change several times a second. */
+        Robots move by stateTimes(). In the plane the motion is exact to a fraction of a pixel. In space, seen from
+        above and from the side, positions are, too; outlines of bodies that turn change several times a second. */
     class PlanAnimation
     {
     public:
         /** \brief An animation of a path of the scene's team
-            \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots, or if it has none */
+            \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots, or if it
+            has none */
         PlanAnimation(const Scene &scene, const ompl::geometric::PathGeometric &path);
 
-        /** \brief Set how long the robots move, in seconds of the viewer; then they rest at their goals for a second. 10 by
-            default.
+        /** \brief Set how long the robots move, in seconds of the viewer; then they rest at their goals for a second.
+            10 by default.
             \throws ompl::Exception if it is not above 0 and at most 3600 */
         void setDuration(double seconds);
 

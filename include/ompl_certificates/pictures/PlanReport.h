@@ -66,15 +66,16 @@ namespace ompl_certificates
         /** \brief The time spent in checks, in seconds */
         double checkingSeconds{0.0};
 
-        /** \brief The time spent in looking for near states, in seconds; negative if it was not measured, which is null in
-            JSON. See timeNearest(). */
+        /** \brief The time spent in looking for near states, in seconds; negative if it was not measured, which is null
+            in JSON. See timeNearest(). */
         double nearestSeconds{-1.0};
 
-        /** \brief The time until the first solution, in seconds; negative if the planner did not tell, which is null in JSON */
+        /** \brief The time until the first solution, in seconds; negative if the planner did not tell, which is null
+            in JSON */
         double firstSolutionSeconds{-1.0};
 
-        /** \brief The time of simplifying the solution, which is not part of totalSeconds, in seconds; negative if it was
-            not simplified, which is null in JSON */
+        /** \brief The time of simplifying the solution, which is not part of totalSeconds, in seconds; negative if it
+            was not simplified, which is null in JSON */
         double simplifyingSeconds{-1.0};
 
         /** \brief Set the numbers of the tree, and its digest, from \e data */

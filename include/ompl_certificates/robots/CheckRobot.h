@@ -4,8 +4,9 @@
 #include "ompl_certificates/robots/Robot.h"
 
 /** \file
-    A trial for a robot of your own, to be called in a test of your class. Certificates trust what it reports, and no check
-    notices if that is wrong. The trial takes random cases from ompl::RNG: it finds faults, but proves nothing. */
+    A trial for a robot of your own, to be called in a test of your class. Certificates trust what it reports, and no
+    check notices if that is wrong. The trial takes random cases from ompl::RNG: it finds faults, but proves
+    nothing. */
 
 namespace ompl_certificates
 {

@@ -57,12 +57,12 @@ namespace ompl_certificates
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 
-        /** \brief Whether a robot's motion is valid as far as the obstacles matter, in the mode of this validator. Samples or
-            cells are those of the robot's own space. Ignores other robots. */
+        /** \brief Whether a robot's motion is valid as far as the obstacles matter, in the mode of this validator.
+            Samples or cells are those of the robot's own space. Ignores other robots. */
         bool isRobotMotionFree(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
-        /** \brief Whether the motions of two robots at the same time are valid as far as these two matter, in the mode of
-            this validator. Ignores obstacles.
+        /** \brief Whether the motions of two robots at the same time are valid as far as these two matter, in the mode
+            of this validator. Ignores obstacles.
             \throws ompl::Exception if both are the same robot */
         bool isPairMotionFree(unsigned int first, const ompl::base::State *firstFrom, const ompl::base::State *firstTo,
                               unsigned int second, const ompl::base::State *secondFrom,

@@ -56,8 +56,8 @@ namespace ompl_certificates
             std::atomic<std::uint64_t> nanoseconds{0};
         };
 
-        /** \brief Calls \e add(slot, increase) for this thread's slot. A slot of its own needs no atomic addition, which
-            costs more than the rest. */
+        /** \brief Calls \e add(slot, increase) for this thread's slot. A slot of its own needs no atomic addition,
+            which costs more than the rest. */
         template <typename Add>
         void addToSlot(const Add &add);
 
