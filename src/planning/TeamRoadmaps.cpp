@@ -1,7 +1,7 @@
 #include "TeamRoadmaps.h"
 
 #include <algorithm>
-#include <boost/asio/post.hpp>
+#include <atomic>
 #include <boost/functional/hash.hpp>
 #include <future>
 #include <thread>
@@ -19,13 +19,9 @@ namespace ompl_certificates
         constexpr std::size_t MOST_PAIR_MOTIONS = 10'000'000;
     }
 
-    TeamRoadmaps::~TeamRoadmaps() = default;
-
     TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator, bool shares, unsigned int threads)
-      : validator_(validator)
+      : validator_(validator), threads_(threads > 0 ? threads : std::thread::hardware_concurrency())
     {
-        if (threads == 0)
-            threads = std::thread::hardware_concurrency();
         const auto &robots = validator.getChecker().getTeam().getRobots();
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
@@ -40,8 +36,6 @@ namespace ompl_certificates
                 roadmaps_.push_back(std::make_unique<Roadmap>(validator, robot));
             }
         }
-        if (threads > 1 && roadmaps_.size() > 1)
-            threads_ = std::make_unique<boost::asio::thread_pool>(std::min<std::size_t>(threads, roadmaps_.size()));
     }
 
     TeamRoadmaps::Configuration TeamRoadmaps::add(const ob::State *state)
@@ -59,36 +53,30 @@ namespace ompl_certificates
         {
             Roadmap *roadmap;
             Vertex most;
-
-            bool isDone() const
-            {
-                return roadmap->size() >= most;
-            }
         };
-        std::vector<Growth> growths;
+        std::vector<Growth> open;
         for (const auto &roadmap : roadmaps_)
-            growths.push_back(
+            open.push_back(
                 {roadmap.get(), static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most))});
-        const auto isAnyOpen = [&growths]
-        { return std::any_of(growths.begin(), growths.end(), [](const Growth &one) { return !one.isDone(); }); };
+        const auto isDone = [](const Growth &growth) { return growth.roadmap->size() >= growth.most; };
         // The condition is asked between batches alone, and as often for any number of threads.
-        while (isAnyOpen() && !condition)
+        for (;;)
         {
-            std::vector<std::future<void>> batches;
-            for (const Growth &growth : growths)
+            open.erase(std::remove_if(open.begin(), open.end(), isDone), open.end());
+            if (open.empty() || condition)
+                return;
+            std::atomic<std::size_t> next{0};
+            const auto growSome = [&]
             {
-                std::packaged_task<void()> batch([growth] { growth.roadmap->grow(BATCH, growth.most); });
-                batches.push_back(batch.get_future());
-                if (threads_ && !growth.isDone())
-                    boost::asio::post(*threads_, std::move(batch));
-                else
-                    batch();
-            }
-            // All must have ended before an exception of one goes on.
-            for (const auto &batch : batches)
-                batch.wait();
-            for (auto &batch : batches)
-                batch.get();
+                for (std::size_t i = next++; i < open.size(); i = next++)
+                    open[i].roadmap->grow(BATCH, open[i].most);
+            };
+            std::vector<std::future<void>> others;
+            for (std::size_t i = 1; i < std::min<std::size_t>(threads_, open.size()); ++i)
+                others.push_back(std::async(std::launch::async, growSome));
+            growSome();
+            for (auto &other : others)
+                other.get();
         }
     }
 

@@ -3,7 +3,6 @@
 
 #include "Roadmap.h"
 
-#include <boost/asio/thread_pool.hpp>
 #include <unordered_map>
 
 namespace ompl_certificates
@@ -32,7 +31,6 @@ namespace ompl_certificates
             \param shares whether there is one for all robots that are alike, or one for each robot
             \param threads how many threads let them grow; 0 for as many as there are cores */
         TeamRoadmaps(const CertificateMotionValidator &validator, bool shares, unsigned int threads);
-        ~TeamRoadmaps();
 
         unsigned int getRobotCount() const
         {
@@ -110,8 +108,7 @@ namespace ompl_certificates
                          Vertex secondFrom, const Roadmap::Edge &secondEdge) const;
 
         const CertificateMotionValidator &validator_;
-        /** \brief Null if there is one thread only */
-        std::unique_ptr<boost::asio::thread_pool> threads_;
+        const unsigned int threads_;
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
         std::vector<unsigned int> roadmapOf_;
         /** \brief Whether the robots stay apart */

@@ -106,7 +106,6 @@ TEST(DRRTstarThreads, ChangeNothingButTheTime)
     EXPECT_EQ(planWith(2, two), path);
     EXPECT_EQ(planWith(4, four), path);
     EXPECT_EQ(one.getCount(), 1U);
-    // The one that plans, and those that let roadmaps grow
-    EXPECT_EQ(two.getCount(), 3U);
-    EXPECT_GE(four.getCount(), 3U);
+    EXPECT_GT(two.getCount(), 1U);
+    EXPECT_GT(four.getCount(), 1U);
 }
