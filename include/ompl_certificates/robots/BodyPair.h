@@ -10,8 +10,11 @@ namespace ompl_certificates
     /** \brief Two bodies of one robot that may collide with each other, by their indices in Robot::getBodies() */
     struct BodyPair
     {
-        /** \brief The indices; not equal */
-        std::size_t first, second;
+        /** \brief The index of one body */
+        std::size_t first;
+
+        /** \brief The index of the other body */
+        std::size_t second;
 
         /** \brief Whether both name the same bodies in the same order */
         bool operator==(const BodyPair &other) const
