@@ -1,11 +1,13 @@
 #include "ompl_certificates/robots/Robot.h"
 
+#include <algorithm>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
-    Robot::Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies)
-      : name_(name), space_(std::move(space)), bodies_(std::move(bodies))
+    Robot::Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies,
+                 std::vector<BodyPair> bodyPairs)
+      : name_(name), space_(std::move(space)), bodies_(std::move(bodies)), bodyPairs_(std::move(bodyPairs))
     {
         if (name_.empty())
             throw ompl::Exception("A robot needs a name");
@@ -16,6 +18,11 @@ namespace ompl_certificates
         for (const Body &body : bodies_)
             if (body.getDimension() != getWorkspaceDimension())
                 throw ompl::Exception(name_, "the bodies of a robot are all planar or all spatial");
+        for (const BodyPair &pair : bodyPairs_)
+            if (pair.first == pair.second || std::max(pair.first, pair.second) >= bodies_.size())
+                throw ompl::Exception(name_, "bodies " + std::to_string(pair.first) + " and " +
+                                                 std::to_string(pair.second) + " are not a pair of its " +
+                                                 std::to_string(bodies_.size()) + " bodies");
         space_->setName(name_);
     }
 
@@ -28,5 +35,18 @@ namespace ompl_certificates
                 makeUpright(poses[i]);
                 poses[i].translation().z() = 0.0;
             }
+    }
+
+    void Robot::computePairMotionBounds(const ompl::base::State * /*from*/, const ompl::base::State * /*to*/,
+                                        const MotionBound *bodyBounds, PairMotionBound *pairBounds) const
+    {
+        for (const BodyPair &pair : bodyPairs_)
+        {
+            const MotionBound &first = bodyBounds[pair.first], &second = bodyBounds[pair.second];
+            // Points of the other body move, too: at most as fast as those at its bounding radius.
+            const double ofFirst = first.at(bodies_[pair.first].getBoundingRadius()),
+                         ofSecond = second.at(bodies_[pair.second].getBoundingRadius());
+            *pairBounds++ = {{first.linear + ofSecond, first.angular}, {second.linear + ofFirst, second.angular}};
+        }
     }
 }

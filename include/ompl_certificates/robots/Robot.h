@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/geometry/Body.h"
 #include "ompl_certificates/geometry/MotionBound.h"
+#include "ompl_certificates/robots/BodyPair.h"
 
 #include <memory>
 #include <ompl/base/StateSpace.h>
@@ -19,9 +20,11 @@ namespace ompl_certificates
     {
     public:
         /** \brief A robot called \e name; \e space gets the same name
+            \param bodyPairs the pairs of its own bodies that are checked against each other
             \throws ompl::Exception if \e name is empty, \e space is null, or \e bodies is empty or mixes planar and
-            spatial bodies */
-        Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies);
+            spatial bodies. Also if a pair of \e bodyPairs does not name two of the bodies. */
+        Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies,
+              std::vector<BodyPair> bodyPairs = {});
 
         virtual ~Robot() = default;
 
@@ -46,6 +49,13 @@ namespace ompl_certificates
             return bodies_;
         }
 
+        /** \brief The pairs of its own bodies that may collide: the robot is free only if they are apart. Other pairs are
+            not checked, such as links that a joint connects. */
+        const std::vector<BodyPair> &getBodyPairs() const
+        {
+            return bodyPairs_;
+        }
+
         /** \brief The dimension of the workspace: 2 or 3 */
         unsigned int getWorkspaceDimension() const
         {
@@ -65,8 +75,18 @@ namespace ompl_certificates
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 
-        /** \brief Whether \e other moves equal bodies in an equal space, so that both are free where one is. Such robots share a
-            roadmap. False if in doubt, as here for all but the robot itself. */
+        /** \brief Write how fast the bodies of each pair move relative to each other along that interpolation: one bound per
+            pair of getBodyPairs(), to \e pairBounds[0] and on.
+
+            By default the motion bounds of both bodies are added. That holds for any robot, but is far too large for
+            links that move together.
+            \param bodyBounds what computeMotionBounds() writes for the same motion */
+        virtual void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                             const MotionBound *bodyBounds, PairMotionBound *pairBounds) const;
+
+        /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both
+            are free where one is. Such robots share a roadmap. False if in doubt, as here for all but the robot
+            itself. */
         virtual bool isLike(const Robot &other) const
         {
             return this == &other;
@@ -76,6 +96,7 @@ namespace ompl_certificates
         std::string name_;
         ompl::base::StateSpacePtr space_;
         std::vector<Body> bodies_;
+        std::vector<BodyPair> bodyPairs_;
     };
 
     /** \brief A shared pointer to a robot */
