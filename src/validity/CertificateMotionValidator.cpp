@@ -83,7 +83,7 @@ namespace ompl_certificates
             return checker_->isRobotMotionFree(robot, from, to);
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
-        return ContinuousMotionCheck(check, *context, {Subject::ROBOT, robot, robot, 0}, {from}, {to}).isFree();
+        return ContinuousMotionCheck(check, *context, check.getRobotSubjects(robot), {from}, {to}).isFree();
     }
 
     bool CertificateMotionValidator::isPairMotionFree(unsigned int first, const ob::State *firstFrom,

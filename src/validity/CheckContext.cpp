@@ -11,11 +11,15 @@ namespace ompl_certificates
       , to(team.getRobotCount())
       , sampledAt(team.getRobotCount())
       , motionBounds(team.getBodyCount())
+      , knowsPairMotionBounds(team.getRobotCount())
       , sample(team.getStateSpace()->allocState())
       , last(team.getStateSpace()->allocState())
     {
         for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+        {
             samples.push_back(team.getRobotSpace(robot).allocState());
+            pairMotionBounds.emplace_back(team.getRobot(robot).getBodyPairs().size());
+        }
     }
 
     CheckContext::~CheckContext()

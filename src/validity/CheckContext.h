@@ -51,6 +51,11 @@ namespace ompl_certificates
         std::vector<MotionBound> motionBounds;
         std::vector<ompl::base::State *> samples;
 
+        /** \brief For each robot: the relative motion bounds of its own body pairs, and whether they are computed for
+            the motion */
+        std::vector<std::vector<PairMotionBound>> pairMotionBounds;
+        std::vector<bool> knowsPairMotionBounds;
+
         /** \brief How long each subject is proved free after the start, and before the end, of the motion */
         std::vector<double> startInterval, endInterval;
 

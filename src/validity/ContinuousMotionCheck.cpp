@@ -21,9 +21,9 @@ namespace ompl_certificates
         makeCells();
     }
 
-    ContinuousMotionCheck::ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject,
-                                                 States from, States to)
-      : MotionCheck(check, context, subject, from, to)
+    ContinuousMotionCheck::ContinuousMotionCheck(const TeamCheck &check, CheckContext &context,
+                                                 const SubjectRange &subjects, States from, States to)
+      : MotionCheck(check, context, subjects, from, to)
     {
         makeCells();
     }

@@ -20,9 +20,9 @@ namespace ompl_certificates
         ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                               const ompl::base::State *s2);
 
-        /** \brief Checks one subject alone; see MotionCheck. Cells are those of the subject's own spaces, and time runs
-            from \e from. */
-        ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+        /** \brief Checks some subjects; see MotionCheck. Cells are those of their robots' own spaces, and time runs from
+            \e from. */
+        ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
                               States to);
 
         /** \brief Whether all of the motion is proved free */

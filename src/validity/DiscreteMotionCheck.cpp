@@ -17,9 +17,9 @@ namespace ompl_certificates
     {
     }
 
-    DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject,
-                                             States from, States to)
-      : MotionCheck(check, context, subject, from, to)
+    DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context,
+                                             const SubjectRange &subjects, States from, States to)
+      : MotionCheck(check, context, subjects, from, to)
     {
     }
 

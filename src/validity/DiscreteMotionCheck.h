@@ -14,8 +14,8 @@ namespace ompl_certificates
         DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                             const ompl::base::State *s2);
 
-        /** \brief Checks one subject alone; see MotionCheck */
-        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+        /** \brief Checks some subjects; see MotionCheck */
+        DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
                             States to);
 
         /** \brief Whether all samples are valid */

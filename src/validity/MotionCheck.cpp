@@ -21,10 +21,11 @@ namespace ompl_certificates
         begin();
     }
 
-    MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from,
+    MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
                              States to)
-      : check_(check), context_(context), subjects_(&only_), subjectCount_(1), only_(subject)
+      : check_(check), context_(context), subjects_(subjects.begin), subjectCount_(subjects.count)
     {
+        const Subject &subject = *subjects_;
         context.from[subject.first] = *from.begin();
         context.from[subject.last] = *(from.end() - 1);
         context.to[subject.first] = *to.begin();
@@ -37,6 +38,7 @@ namespace ompl_certificates
         before_ = context_.counts;
         ++context_.counts.motions;
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
+        context_.knowsPairMotionBounds.assign(context_.knowsPairMotionBounds.size(), false);
         context_.startInterval.assign(subjectCount_, 0.0);
         context_.endInterval.assign(subjectCount_, 0.0);
     }
@@ -68,7 +70,10 @@ namespace ompl_certificates
         if (posed.kind == Subject::PAIR)
         {
             poseRobot(posed.first, t);
-            poseRobot(posed.last, t);
+            if (posed.first == posed.last)
+                computePairMotionBounds(posed.first);
+            else
+                poseRobot(posed.last, t);
             return;
         }
         for (unsigned int robot = posed.first; robot <= posed.last; ++robot)
@@ -94,6 +99,17 @@ namespace ompl_certificates
         check_.place(robot, state, context_);
     }
 
+    void MotionCheck::computePairMotionBounds(unsigned int robot)
+    {
+        if (context_.knowsPairMotionBounds[robot])
+            return;
+        const Team &team = check_.getTeam();
+        team.getRobot(robot).computePairMotionBounds(context_.from[robot], context_.to[robot],
+                                                     context_.motionBounds.data() + team.getFirstBody(robot),
+                                                     context_.pairMotionBounds[robot].data());
+        context_.knowsPairMotionBounds[robot] = true;
+    }
+
     PoseVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
     {
         pose(subject, t);
@@ -107,6 +123,6 @@ namespace ompl_certificates
             return team.getStateSpace()->validSegmentCount(s1_, s2_);
         const auto ofRobot = [&](unsigned int robot)
         { return team.getRobotSpace(robot).validSegmentCount(context_.from[robot], context_.to[robot]); };
-        return std::max(ofRobot(only_.first), ofRobot(only_.last));
+        return std::max(ofRobot(subjects_->first), ofRobot(subjects_->last));
     }
 }

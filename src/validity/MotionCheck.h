@@ -20,8 +20,10 @@ namespace ompl_certificates
         MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                     const ompl::base::State *s2);
 
-        /** \brief Checks one subject alone, whose robots move \e from \e to states of their own spaces */
-        MotionCheck(const TeamCheck &check, CheckContext &context, const Subject &subject, States from, States to);
+        /** \brief Checks subjects of the same one or two robots, which move \e from \e to states of their own
+            spaces */
+        MotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
+                    States to);
 
         ~MotionCheck();
 
@@ -63,10 +65,10 @@ namespace ompl_certificates
         const TeamCheck &check_;
         CheckContext &context_;
 
-        /** \brief The ends of the team's motion; null for a single subject */
+        /** \brief The ends of the team's motion; null for that of some subjects */
         const ompl::base::State *const s1_{nullptr}, *const s2_{nullptr};
 
-        const Subject *subjects_;
+        const Subject *const subjects_;
         const unsigned int subjectCount_;
 
         /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
@@ -75,10 +77,10 @@ namespace ompl_certificates
     private:
         void begin();
         void poseRobot(unsigned int robot, double t);
+        void computePairMotionBounds(unsigned int robot);
 
         /** \brief The counts before this motion */
         CheckCounts before_;
-        const Subject only_{};
     };
 }
 

@@ -22,6 +22,14 @@ namespace ompl_certificates
             return speed > 0.0 ? std::max(gap - margin * (1.0 + CertifiedEnvironment::PROOF_CUSHION), 0.0) / speed
                                : INF;
         }
+
+        bool areCentersWithin(const Body &body)
+        {
+            const auto &nodes = body.getSphereTree().getNodes();
+            return std::all_of(nodes.begin(), nodes.end(),
+                               [&](const SphereTree::Node &node)
+                               { return node.ball.center.norm() <= body.getBoundingRadius(); });
+        }
     }
 
     struct RobotPairs::BodyFrame
@@ -34,11 +42,45 @@ namespace ompl_certificates
     };
 
     // The same arithmetic as in FCL's test of two spheres
-    double RobotPairs::BodyPair::gap(const CheckContext &context) const
+    double RobotPairs::TwoBodies::gap(const CheckContext &context) const
     {
         const Ball &a = first->getSphereTree().getRoot(), &b = second->getSphereTree().getRoot();
         return (context.poses[firstIndex] * a.center - context.poses[secondIndex] * b.center).norm() -
                (a.radius + b.radius);
+    }
+
+    double RobotPairs::TwoBodies::speed(const CheckContext &context) const
+    {
+        const double a = first->getSphereTree().getRoot().center.norm(),
+                     b = second->getSphereTree().getRoot().center.norm();
+        const double sum = context.motionBounds[firstIndex].at(a) + context.motionBounds[secondIndex].at(b);
+        if (ownPair == NOT_OWN || !centersWithin)
+            return sum;
+        const PairMotionBound &relative = context.pairMotionBounds[robot][ownPair];
+        return std::min({sum, relative.first.at(a), relative.second.at(b)});
+    }
+
+    MotionBound RobotPairs::TwoBodies::relativeMotionBound(const CheckContext &context) const
+    {
+        const Body &other = swapped ? *first : *second;
+        const MotionBound &a = context.motionBounds[firstIndex], &b = context.motionBounds[secondIndex];
+        const MotionBound &own = swapped ? b : a, &others = swapped ? a : b;
+        // In the environment's frame, the motion bounds of both bodies add up.
+        MotionBound least{own.linear + others.at(other.getBoundingRadius()), own.angular};
+        if (ownPair == NOT_OWN)
+            return least;
+        const double radius = lookedUp().getBoundingRadius();
+        const auto take = [&](const MotionBound &bound)
+        {
+            if (bound.at(radius) < least.at(radius))
+                least = bound;
+        };
+        const PairMotionBound &relative = context.pairMotionBounds[robot][ownPair];
+        take(swapped ? relative.second : relative.first);
+        // Seen from the other end: no point of the environment moves faster than this.
+        if (centersWithin)
+            take({(swapped ? relative.first : relative.second).at(other.getBoundingRadius()), 0.0});
+        return least;
     }
 
     RobotPairs::RobotPairs(const Team &team, Method method, std::shared_ptr<CertificateLimit> limit)
@@ -48,23 +90,45 @@ namespace ompl_certificates
             for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
             {
                 pairs_.push_back({i, j, {}});
-                const auto &first = team.getRobot(i).getBodies(), &second = team.getRobot(j).getBodies();
-                for (std::size_t a = 0; a < first.size(); ++a)
-                    for (std::size_t b = 0; b < second.size(); ++b)
-                    {
-                        // The body with fewer spheres is looked up in the frame of the other.
-                        const bool swapped =
-                            second[b].getSphereTree().getNodes().size() < first[a].getSphereTree().getNodes().size();
-                        const bool balls = first[a].isBall() && second[b].isBall();
-                        pairs_.back().bodies.push_back(
-                            {team.getFirstBody(i) + a, team.getFirstBody(j) + b, &first[a], &second[b],
-                             balls ? nullptr : frameOf(swapped ? first[a] : second[b], team.getZInterval()), swapped,
-                             2.0 * exactCheckTolerance(first[a].getBoundingRadius() + second[b].getBoundingRadius())});
-                    }
+                for (std::size_t a = 0; a < team.getRobot(i).getBodies().size(); ++a)
+                    for (std::size_t b = 0; b < team.getRobot(j).getBodies().size(); ++b)
+                        pairs_.back().bodies.push_back(makeTwoBodies(team, i, a, j, b));
             }
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+        {
+            const std::vector<BodyPair> &own = team.getRobot(i).getBodyPairs();
+            if (own.empty())
+                continue;
+            pairs_.push_back({i, i, {}});
+            for (std::size_t k = 0; k < own.size(); ++k)
+            {
+                TwoBodies bodies = makeTwoBodies(team, i, own[k].first, i, own[k].second);
+                bodies.robot = i;
+                bodies.ownPair = k;
+                pairs_.back().bodies.push_back(bodies);
+            }
+        }
     }
 
     RobotPairs::~RobotPairs() = default;
+
+    RobotPairs::TwoBodies RobotPairs::makeTwoBodies(const Team &team, unsigned int first, std::size_t a,
+                                                    unsigned int second, std::size_t b)
+    {
+        const Body &one = team.getRobot(first).getBodies()[a], &other = team.getRobot(second).getBodies()[b];
+        TwoBodies bodies;
+        bodies.firstIndex = team.getFirstBody(first) + a;
+        bodies.secondIndex = team.getFirstBody(second) + b;
+        bodies.first = &one;
+        bodies.second = &other;
+        // The body with fewer spheres is looked up in the frame of the other.
+        bodies.swapped = other.getSphereTree().getNodes().size() < one.getSphereTree().getNodes().size();
+        bodies.frame =
+            one.isBall() && other.isBall() ? nullptr : frameOf(bodies.swapped ? one : other, team.getZInterval());
+        bodies.margin = 2.0 * exactCheckTolerance(one.getBoundingRadius() + other.getBoundingRadius());
+        bodies.centersWithin = areCentersWithin(one) && areCentersWithin(other);
+        return bodies;
+    }
 
     RobotPairs::BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)
     {
@@ -94,14 +158,10 @@ namespace ompl_certificates
         ++context.counts.pairPoses;
         PoseVerdict verdict;
         verdict.validInterval = INF;
-        for (const BodyPair &bodies : pairs_[pair].bodies)
+        for (const TwoBodies &bodies : pairs_[pair].bodies)
         {
             const double gap = bodies.gap(context);
-            double speed = 0.0;
-            if (sample.moves)
-                speed =
-                    context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
-                    context.motionBounds[bodies.secondIndex].at(bodies.second->getSphereTree().getRoot().center.norm());
+            const double speed = sample.moves ? bodies.speed(context) : 0.0;
             if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
             {
                 verdict.validInterval = std::min(verdict.validInterval, intervalOf(gap, bodies.margin, speed));
@@ -123,7 +183,7 @@ namespace ompl_certificates
         return verdict;
     }
 
-    PoseVerdict RobotPairs::settleBodies(const BodyPair &bodies, CheckContext &context,
+    PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, CheckContext &context,
                                          const MotionSample &sample) const
     {
         const BodyFrame &frame = *bodies.frame;
@@ -135,15 +195,7 @@ namespace ompl_certificates
         SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : untrained;
         if (frame.certified)
         {
-            // In the environment's frame, the motion bounds of both bodies add up.
-            MotionBound bound;
-            if (sample.moves)
-            {
-                const MotionBound &a = context.motionBounds[bodies.firstIndex],
-                                  &b = context.motionBounds[bodies.secondIndex];
-                const MotionBound &own = bodies.swapped ? b : a, &other = bodies.swapped ? a : b;
-                bound = {own.linear + other.at(frame.body.getBoundingRadius()), own.angular};
-            }
+            const MotionBound bound = sample.moves ? bodies.relativeMotionBound(context) : MotionBound();
             verdict = frame.certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE, policy,
                                               asked);
         }
@@ -159,36 +211,37 @@ namespace ompl_certificates
     double RobotPairs::provenInterval(unsigned int pair, const CheckContext &context) const
     {
         double interval = INF;
-        for (const BodyPair &bodies : pairs_[pair].bodies)
+        for (const TwoBodies &bodies : pairs_[pair].bodies)
         {
             const double gap = bodies.gap(context);
             if (gap <= bodies.margin)
                 return 0.0;
-            const double speed =
-                context.motionBounds[bodies.firstIndex].at(bodies.first->getSphereTree().getRoot().center.norm()) +
-                context.motionBounds[bodies.secondIndex].at(bodies.second->getSphereTree().getRoot().center.norm());
-            interval = std::min(interval, intervalOf(gap, bodies.margin, speed));
+            interval = std::min(interval, intervalOf(gap, bodies.margin, bodies.speed(context)));
         }
         return interval;
     }
 
-    bool RobotPairs::collide(unsigned int pair, const CheckContext &context) const
+    std::optional<BodyPair> RobotPairs::findCollision(unsigned int pair, const CheckContext &context) const
     {
-        const auto touch = [&](const BodyPair &bodies)
+        const auto touch = [&](const TwoBodies &bodies)
         {
             const double gap = bodies.gap(context);
             if (!bodies.frame || gap > bodies.margin)
                 return !(gap > 0.0);
             return bodies.frame->obstacles->collides(bodies.lookedUp(), bodies.relativePose(context));
         };
-        const auto &all = pairs_[pair].bodies;
-        return std::any_of(all.begin(), all.end(), touch);
+        const Pair &robots = pairs_[pair];
+        for (const TwoBodies &bodies : robots.bodies)
+            if (touch(bodies))
+                return BodyPair{bodies.firstIndex - context.team.getFirstBody(robots.first),
+                                bodies.secondIndex - context.team.getFirstBody(robots.second)};
+        return std::nullopt;
     }
 
     double RobotPairs::distance(unsigned int pair, const CheckContext &context) const
     {
         double nearest = INF;
-        for (const BodyPair &bodies : pairs_[pair].bodies)
+        for (const TwoBodies &bodies : pairs_[pair].bodies)
             nearest = std::min(nearest, bodies.frame ? bodyClearance(*bodies.frame->obstacles, bodies.lookedUp(),
                                                                      bodies.relativePose(context))
                                                      : bodies.gap(context));

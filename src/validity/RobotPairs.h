@@ -7,25 +7,27 @@
 
 #include "ompl_certificates/validity/Method.h"
 
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ompl_certificates
 {
-    /** \brief Checks the robots of a team against each other.
+    /** \brief Checks the robots of a team against each other, and each against itself: the pairs of robots, and one pair
+        more for each robot that names pairs of its own bodies.
 
         Two discs or spheres are settled by arithmetic. Otherwise one body is the environment of the other, seen from
-        its own frame, as in the paper's footnote 2. Bodies of equal shape share that environment and its certificates.
-        Bodies of the same robot are not checked against each other. */
+        its own frame, as in the paper's footnote 2. Bodies of equal shape share that environment and its certificates. */
     class RobotPairs
     {
     public:
-        /** \brief All pairs of robots of \e team, which must outlive this object
+        /** \brief All pairs of \e team, which must outlive this object: the pairs of robots first
             \param limit how many certificates all stores that share it may keep */
         RobotPairs(const Team &team, Method method, std::shared_ptr<CertificateLimit> limit);
         ~RobotPairs();
 
-        /** \brief The number of pairs of robots */
+        /** \brief The number of pairs */
         unsigned int getPairCount() const
         {
             return static_cast<unsigned int>(pairs_.size());
@@ -37,7 +39,7 @@ namespace ompl_certificates
             return pairs_[pair].first;
         }
 
-        /** \brief The other robot of a pair */
+        /** \brief The other robot of a pair; the same for a robot and itself */
         unsigned int getSecond(unsigned int pair) const
         {
             return pairs_[pair].second;
@@ -54,8 +56,9 @@ namespace ompl_certificates
         /** \brief How long the robots of a pair stay apart, by their bounding spheres alone; 0 if these touch */
         double provenInterval(unsigned int pair, const CheckContext &context) const;
 
-        /** \brief Whether the robots of a pair touch each other, by FCL */
-        bool collide(unsigned int pair, const CheckContext &context) const;
+        /** \brief Two bodies of a pair that touch each other, by FCL: the first of the first robot, the second of the
+            second. None if the robots stay apart. */
+        std::optional<BodyPair> findCollision(unsigned int pair, const CheckContext &context) const;
 
         /** \brief A lower bound of the distance between the robots of a pair, to within the leaves of their sphere
             trees. Negative if they may touch. */
@@ -74,8 +77,9 @@ namespace ompl_certificates
         /** \brief A body as the environment of others, seen from its own frame */
         struct BodyFrame;
 
-        /** \brief A body of one robot and a body of the other. Indices count the bodies of the whole team. */
-        struct BodyPair
+        /** \brief A body of one robot and another body, of the same robot or not. Indices count the bodies of the whole
+            team. */
+        struct TwoBodies
         {
             std::size_t firstIndex, secondIndex;
             const Body *first, *second;
@@ -86,6 +90,14 @@ namespace ompl_certificates
 
             /** \brief The possible error of rounding and of FCL when bounding spheres are compared */
             double margin;
+
+            /** \brief Where the relative motion bound of two bodies of one robot is in CheckContext::pairMotionBounds */
+            unsigned int robot{0};
+            std::size_t ownPair{NOT_OWN};
+            static constexpr std::size_t NOT_OWN = std::numeric_limits<std::size_t>::max();
+
+            /** \brief Whether all centers of either body's sphere tree lie within its bounding radius */
+            bool centersWithin{false};
 
             /** \brief The body that is looked up in the frame of the other */
             const Body &lookedUp() const
@@ -102,16 +114,26 @@ namespace ompl_certificates
 
             /** \brief The distance between the bounding spheres; negative if they overlap */
             double gap(const CheckContext &context) const;
+
+            /** \brief How fast the bounding spheres approach each other, at most */
+            double speed(const CheckContext &context) const;
+
+            /** \brief The motion bound of lookedUp() in the frame of the other. It bounds how fast clearances change. */
+            MotionBound relativeMotionBound(const CheckContext &context) const;
         };
 
         struct Pair
         {
             unsigned int first, second;
-            std::vector<BodyPair> bodies;
+            std::vector<TwoBodies> bodies;
         };
 
         /** \brief Settles two bodies whose bounding spheres are too close to decide, in the environment's frame */
-        PoseVerdict settleBodies(const BodyPair &bodies, CheckContext &context, const MotionSample &sample) const;
+        PoseVerdict settleBodies(const TwoBodies &bodies, CheckContext &context, const MotionSample &sample) const;
+
+        /** \brief Body \e a of robot \e first and body \e b of robot \e second */
+        TwoBodies makeTwoBodies(const Team &team, unsigned int first, std::size_t a, unsigned int second,
+                                std::size_t b);
 
         BodyFrame *frameOf(const Body &body, const ZInterval &zInterval);
 

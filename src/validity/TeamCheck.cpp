@@ -89,19 +89,29 @@ namespace ompl_certificates
     {
         if (teamMethod_)
             subjects_.push_back({Subject::TEAM, 0, team_.getRobotCount() - 1, 0});
-        else
-            for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
-                subjects_.push_back({Subject::ROBOT, robot, robot, 0});
+        for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
+        {
+            const Subject alone{Subject::ROBOT, robot, robot, 0};
+            if (!teamMethod_)
+                subjects_.push_back(alone);
+            robotSubjects_.push_back({alone});
+        }
         for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
-            subjects_.push_back({Subject::PAIR, pairs_.getFirst(pair), pairs_.getSecond(pair), pair});
+        {
+            const unsigned int first = pairs_.getFirst(pair), second = pairs_.getSecond(pair);
+            subjects_.push_back({Subject::PAIR, first, second, pair});
+            if (first == second)
+                robotSubjects_[first].push_back(subjects_.back());
+        }
         if (method != Method::FCL)
             makeMeshTrees(team_);
     }
 
-    Subject TeamCheck::getPair(unsigned int first, unsigned int second) const
+    SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const
     {
         const unsigned int pair = pairs_.find(first, second);
-        return {Subject::PAIR, pairs_.getFirst(pair), pairs_.getSecond(pair), pair};
+        // Pairs come last.
+        return {subjects_.data() + subjects_.size() - pairs_.getPairCount() + pair, 1};
     }
 
     PoseVerdict TeamCheck::settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const
@@ -174,9 +184,15 @@ namespace ompl_certificates
                     return "robot '" + team_.getRobot(robot).getName() + "' touches an obstacle";
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
-            if (pairs_.collide(pair, context))
-                return "robots '" + team_.getRobot(pairs_.getFirst(pair)).getName() + "' and '" +
-                       team_.getRobot(pairs_.getSecond(pair)).getName() + "' touch each other";
+            if (const auto bodies = pairs_.findCollision(pair, context))
+            {
+                const std::string &first = team_.getRobot(pairs_.getFirst(pair)).getName(),
+                                  &second = team_.getRobot(pairs_.getSecond(pair)).getName();
+                if (pairs_.getFirst(pair) == pairs_.getSecond(pair))
+                    return "robot '" + first + "' touches itself: its bodies " + std::to_string(bodies->first) +
+                           " and " + std::to_string(bodies->second);
+                return "robots '" + first + "' and '" + second + "' touch each other";
+            }
         return "";
     }
 

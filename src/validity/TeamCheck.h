@@ -15,7 +15,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A unit that is proved free on its own: all robots together (Basic), one robot, or a pair of robots */
+    /** \brief A unit that is proved free on its own: all robots together (Basic) or one robot, among the obstacles; a pair
+        of robots; or a robot and itself */
     struct Subject
     {
         enum Kind
@@ -26,10 +27,18 @@ namespace ompl_certificates
         };
 
         Kind kind;
-        /** \brief The robots: the first and the last of a team, or the two of a pair */
+        /** \brief The robots: the first and the last of a team, or the two of a pair, which are one if it is a robot and
+            itself */
         unsigned int first, last;
         /** \brief The number of the pair */
         unsigned int pair;
+    };
+
+    /** \brief Subjects that stand in a row */
+    struct SubjectRange
+    {
+        const Subject *begin;
+        unsigned int count;
     };
 
     /** \brief Checks a team among obstacles by one method. A validity checker and its motion validator share it. */
@@ -91,9 +100,15 @@ namespace ompl_certificates
             return subjects_;
         }
 
-        /** \brief One pair as a subject
+        /** \brief The subjects of a robot alone: itself among the obstacles and, if it has body pairs, it and itself */
+        SubjectRange getRobotSubjects(unsigned int robot) const
+        {
+            return {robotSubjects_[robot].data(), static_cast<unsigned int>(robotSubjects_[robot].size())};
+        }
+
+        /** \brief One pair of robots as a subject
             \throws ompl::Exception as RobotPairs::find() */
-        Subject getPair(unsigned int first, unsigned int second) const;
+        SubjectRange getPair(unsigned int first, unsigned int second) const;
 
         /** \brief Settles a subject whose robots' poses are in \e context */
         PoseVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
@@ -192,6 +207,7 @@ namespace ompl_certificates
         RobotPairs pairs_;
         bool adaptive_{true};
         std::vector<Subject> subjects_;
+        std::vector<std::vector<Subject>> robotSubjects_;
         mutable WorldLock lock_;
         mutable Statistics statistics_;
         mutable CheckContextPool contexts_;

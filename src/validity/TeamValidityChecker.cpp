@@ -3,6 +3,7 @@
 #include "DiscreteMotionCheck.h"
 #include "TeamCheck.h"
 
+#include <algorithm>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
 
@@ -56,23 +57,25 @@ namespace ompl_certificates
     {
         const TeamCheck::Scope context(*check_);
         check_->place(robot, robotState, *context);
-        return check_->settle({Subject::ROBOT, robot, robot, 0}, *context, {}).free;
+        const SubjectRange subjects = check_->getRobotSubjects(robot);
+        return std::all_of(subjects.begin, subjects.begin + subjects.count,
+                           [&](const Subject &subject) { return check_->settle(subject, *context, {}).free; });
     }
 
     bool TeamValidityChecker::isPairFree(unsigned int first, const ob::State *firstState, unsigned int second,
                                          const ob::State *secondState) const
     {
-        const Subject pair = check_->getPair(first, second);
+        const SubjectRange pair = check_->getPair(first, second);
         const TeamCheck::Scope context(*check_);
         check_->place(first, firstState, *context);
         check_->place(second, secondState, *context);
-        return check_->settle(pair, *context, {}).free;
+        return check_->settle(*pair.begin, *context, {}).free;
     }
 
     bool TeamValidityChecker::isRobotMotionFree(unsigned int robot, const ob::State *from, const ob::State *to) const
     {
         const TeamCheck::Scope context(*check_);
-        DiscreteMotionCheck check(*check_, *context, {Subject::ROBOT, robot, robot, 0}, {from}, {to});
+        DiscreteMotionCheck check(*check_, *context, check_->getRobotSubjects(robot), {from}, {to});
         return check.isFree();
     }
 
@@ -80,7 +83,7 @@ namespace ompl_certificates
                                                unsigned int second, const ob::State *secondFrom,
                                                const ob::State *secondTo) const
     {
-        const Subject pair = check_->getPair(first, second);
+        const SubjectRange pair = check_->getPair(first, second);
         const TeamCheck::Scope context(*check_);
         if (first < second)
             return DiscreteMotionCheck(*check_, *context, pair, {firstFrom, secondFrom}, {firstTo, secondTo}).isFree();

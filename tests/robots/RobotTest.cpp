@@ -1,3 +1,4 @@
+#include "support/Chain.h"
 #include "support/RandomStates.h"
 
 #include "ompl_certificates/robots/CarWithTrailer.h"
@@ -115,4 +116,16 @@ TEST(CarWithTrailer, RefusesWhatIsNotPlanarAndBadHitches)
     EXPECT_THROW(CarWithTrailer("t", box, box, infinity, plane), ompl::Exception);
     EXPECT_THROW(CarWithTrailer("t", box, box, 1.0, cubeBounds(3, 1.0)), ompl::Exception);
     EXPECT_NO_THROW(CarWithTrailer("t", box, box, 0.0, plane));
+}
+
+TEST(BodyPairs, NameTwoBodiesOfTheRobot)
+{
+    const Chain::Link link{Body::disc(0.1), planarPose(1.0, 0.0), Eigen::Vector3d::UnitZ(), 0.0};
+    const auto make = [&](const std::vector<BodyPair> &pairs) { return Chain("arm", {link, link, link}, pairs); };
+    EXPECT_TRUE(make({}).getBodyPairs().empty());
+    EXPECT_EQ(make({{0, 2}, {2, 1}}).getBodyPairs(), (std::vector<BodyPair>{{0, 2}, {2, 1}}));
+    EXPECT_THROW(make({{0, 2}, {1, 1}}), ompl::Exception);
+    EXPECT_THROW(make({{0, 3}}), ompl::Exception);
+    EXPECT_THROW(make({{3, 0}}), ompl::Exception);
+    EXPECT_TRUE(RigidRobot::disc("a", 1.0, cubeBounds(2, 3.0))->getBodyPairs().empty());
 }

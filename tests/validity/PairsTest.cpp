@@ -1,9 +1,8 @@
 #include "validity/RobotPairs.h"
 
 #include "support/Checkers.h"
+#include "support/Fcl.h"
 
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/collision_object.h>
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
 
@@ -13,25 +12,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    /** FCL's verdict on two bodies at their poses in the workspace */
-    bool touchForFcl(const Body &a, const Pose &poseA, const Body &b, const Pose &poseB)
-    {
-        for (const auto &partA : a.getParts())
-            for (const auto &partB : b.getParts())
-            {
-                Pose first = poseA * partA.pose, second = poseB * partB.pose;
-                first.translation() *= Shape::FCL_SCALE;
-                second.translation() *= Shape::FCL_SCALE;
-                fcl::CollisionRequestd request;
-                fcl::CollisionResultd result;
-                if (fcl::collide(partA.shape.getCollisionGeometry().get(), first,
-                                 partB.shape.getCollisionGeometry().get(), second, request, result) > 0)
-                    return true;
-            }
-        return false;
-    }
-
-    bool touchForFcl(const TeamStateSpace &team, const ob::State *state)
+    bool touchEachOther(const TeamStateSpace &team, const ob::State *state)
     {
         std::vector<std::vector<Pose>> poses;
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
@@ -93,7 +74,7 @@ TEST_P(Pairs, TouchIfFclSaysSoOfTheirBodies)
         for (int i = 0; i < 40; ++i)
         {
             const auto state = randomState(random, team);
-            const bool touch = touchForFcl(*team, state.get());
+            const bool touch = touchEachOther(*team, state.get());
             ++(touch ? touching : apart);
             for (const auto &setup : checkers.setups)
             {
@@ -171,7 +152,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
             const double time = random.uniform(0.0, 1.0);
             moveTo(time);
             const PoseVerdict verdict = pairs.settle(pair, context, {true});
-            ASSERT_EQ(verdict.free, !pairs.collide(pair, context));
+            ASSERT_EQ(verdict.free, !pairs.findCollision(pair, context));
             ASSERT_TRUE(!verdict.free || pairs.distance(pair, context) > -1.0);
             const double interval =
                 std::max(verdict.free ? verdict.validInterval : 0.0, pairs.provenInterval(pair, context));
@@ -181,7 +162,7 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
                 if (later < 0.0 || later > 1.0)
                     continue;
                 moveTo(later);
-                ASSERT_FALSE(pairs.collide(pair, context));
+                ASSERT_FALSE(pairs.findCollision(pair, context));
             }
         }
     }

@@ -48,10 +48,10 @@ namespace ompl_certificates
         /** \brief Bodies checked without clearances, because these have not paid lately; see SwitchingPolicy */
         std::uint64_t steppedAside{0};
 
-        /** \brief Pairs of robots at states that were checked */
+        /** \brief Pairs of robots at states that were checked; also robots checked against themselves */
         std::uint64_t pairPoses{0};
 
-        /** \brief Calls of the exact check (FCL) for pairs of robots, one for each pair of bodies */
+        /** \brief Calls of the exact check (FCL) for such pairs, one for each pair of bodies */
         std::uint64_t pairExact{0};
 
         /** \brief Motions that were checked */

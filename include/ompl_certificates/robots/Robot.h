@@ -84,8 +84,9 @@ namespace ompl_certificates
         virtual void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                              const MotionBound *bodyBounds, PairMotionBound *pairBounds) const;
 
-        /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both are free where one is. Such robots share a
-            roadmap. False if in doubt, as here for all but the robot itself. */
+        /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both
+            are free where one is. Such robots share a roadmap. False if in doubt, as here for all but the robot
+            itself. */
         virtual bool isLike(const Robot &other) const
         {
             return this == &other;

@@ -18,11 +18,11 @@ namespace ompl_certificates
 {
     class TeamCheck;
 
-    /** \brief Checks every robot of a team against the obstacles and all pairs of robots against each other, by any
-        Method. Basic, Partial and SharedProjection are this class with a fixed method.
+    /** \brief Checks every robot of a team against the obstacles and itself, and all pairs of robots against each other, by
+        any Method. Basic, Partial and SharedProjection are this class with a fixed method.
 
-        A state is valid if no robot touches an obstacle or another robot, and all coordinates are finite. As in OMPL,
-        bounds are not checked. Threads: all methods may be called at once, unless stated otherwise. */
+        A state is valid if no robot touches an obstacle or another robot, no two bodies of Robot::getBodyPairs() touch,
+        and all coordinates are finite. As in OMPL, bounds are not checked. Threads: all methods may be called at once, unless stated otherwise. */
     class TeamValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
@@ -40,12 +40,13 @@ namespace ompl_certificates
 
         ~TeamValidityChecker() override;
 
-        /** \brief Whether the team is free in \e state: no robot touches an obstacle or another robot */
+        /** \brief Whether the team is free in \e state: no robot touches an obstacle, itself or another robot */
         bool isValid(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::isValid;
 
-        /** \brief Whether a robot touches no obstacle, in a state of its own space. Ignores other robots. */
+        /** \brief Whether a robot touches neither an obstacle nor itself, in a state of its own space. Ignores other
+            robots. */
         bool isRobotFree(unsigned int robot, const ompl::base::State *robotState) const;
 
         /** \brief Whether two robots do not touch each other, in states of their own spaces. Ignores obstacles.
@@ -53,8 +54,8 @@ namespace ompl_certificates
         bool isPairFree(unsigned int first, const ompl::base::State *firstState, unsigned int second,
                         const ompl::base::State *secondState) const;
 
-        /** \brief Whether a robot touches no obstacle along its motion from \e from to \e to. Checks samples at the
-            resolution of its own space, both ends included. */
+        /** \brief Whether a robot touches neither an obstacle nor itself along its motion from \e from to \e to. Checks
+            samples at the resolution of its own space, both ends included. */
         bool isRobotMotionFree(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
         /** \brief Whether two robots that move at the same time do not touch each other. Checks samples at the finer
@@ -64,14 +65,14 @@ namespace ompl_certificates
                               unsigned int second, const ompl::base::State *secondFrom,
                               const ompl::base::State *secondTo) const;
 
-        /** \brief A lower bound of the distance from the team to the nearest contact, with an obstacle or between
-            robots. It is in the scene's length unit. Exact for discs and spheres, else to within the leaves of the
+        /** \brief A lower bound of the distance from the team to the nearest contact: with an obstacle, between
+            robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within the leaves of the
             sphere trees. Not positive if \e state is not valid. Cost: some microseconds for each robot. */
         double clearance(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::clearance;
 
-        /** \brief One line that names the first collision in \e state, such as which robots touch; empty if \e state is
+        /** \brief One line that names the first collision in \e state, such as which robots touch, or which bodies of a robot; empty if \e state is
             valid. Always asks FCL. */
         std::string describeCollision(const ompl::base::State *state) const;
 

@@ -1,0 +1,286 @@
+// Robots that name pairs of their own bodies are free only if these are apart.
+
+#include "validity/RobotPairs.h"
+
+#include "support/Chain.h"
+#include "support/Checkers.h"
+#include "support/Fcl.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    /** Whether FCL finds two bodies of a pair that touch */
+    bool touchesItself(const Robot &robot, const ob::State *state)
+    {
+        std::vector<Pose> poses(robot.getBodies().size());
+        robot.computePoses(state, poses.data());
+        const auto &bodies = robot.getBodies();
+        const auto &pairs = robot.getBodyPairs();
+        return std::any_of(
+            pairs.begin(), pairs.end(),
+            [&](const BodyPair &pair)
+            { return touchForFcl(bodies[pair.first], poses[pair.first], bodies[pair.second], poses[pair.second]); });
+    }
+
+    ObstaclesPtr noObstacles(unsigned int dimension)
+    {
+        return std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, dimension);
+    }
+
+    TeamStateSpacePtr teamOf(const std::vector<RobotPtr> &robots)
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        for (const RobotPtr &robot : robots)
+            team->addRobot(robot);
+        return team;
+    }
+
+    /** Three equal links; the last reaches back to the first. */
+    RobotPtr threeLinks()
+    {
+        const Body link({{Shape::box(Eigen::Vector2d(1.0, 0.1)), planarPose(0.5, 0.0)}});
+        const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+        return std::make_shared<Chain>("arm",
+                                       std::vector<Chain::Link>{{link, planarPose(0.0, 0.0), z, 0.0},
+                                                                {link, planarPose(1.0, 0.0), z, 0.0},
+                                                                {link, planarPose(1.0, 0.0), z, 0.0}},
+                                       pairsApart(3));
+    }
+}
+
+class SelfCollision : public testing::TestWithParam<unsigned int>
+{
+protected:
+    void SetUp() override
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    }
+};
+
+TEST_P(SelfCollision, IsWhatFclSaysOfTheBodyPairs)
+{
+    unsigned int touching = 0, apart = 0;
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomChain(random, GetParam());
+        const Checkers checkers(teamOf({robot}), noObstacles(GetParam()));
+        for (int i = 0; i < 40; ++i)
+        {
+            const auto state = randomState(random, checkers.team);
+            const ob::State *own = state->as<ob::CompoundState>()->components[0];
+            const bool touches = touchesItself(*robot, own);
+            ++(touches ? touching : apart);
+            for (const auto &setup : checkers.setups)
+            {
+                const TeamValidityChecker &checker = *setup->getTeamChecker();
+                SCOPED_TRACE(nameOf(checker.getMethod()));
+                ASSERT_EQ(checker.isValid(state.get()), !touches);
+                ASSERT_EQ(checker.isRobotFree(0, own), !touches);
+                ASSERT_EQ(checker.describeCollision(state.get()).empty(), !touches);
+                ASSERT_TRUE(!touches || !(checker.clearance(state.get()) > 0.0));
+            }
+        }
+    }
+    EXPECT_GT(touching, scaled(1000));
+    EXPECT_GT(apart, scaled(1000));
+}
+
+TEST_P(SelfCollision, StopsMotionsWhereOmplsOwnValidatorDoes)
+{
+    unsigned int free = 0, blocked = 0;
+    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomChain(random, GetParam());
+        const auto obstacles =
+            random.chance(0.5) ? noObstacles(GetParam()) : ObstaclesPtr(scatteredObstacles(random, GetParam(), 2));
+        const Checkers checkers(teamOf({robot}), obstacles);
+        const ob::DiscreteMotionValidator ompls(checkers.reference().getSpaceInformation());
+        auto from = randomState(random, checkers.team);
+        for (int i = 0; i < 40; ++i)
+        {
+            const auto to = randomStateNear(random, from, random.logUniform(1e-3, 1.0));
+            ob::ScopedState<> expectedState(checkers.team), state(checkers.team);
+            std::pair<ob::State *, double> expected{expectedState.get(), 1.0}, last{state.get(), 1.0};
+            const bool isFree = ompls.checkMotion(from.get(), to.get());
+            ASSERT_EQ(ompls.checkMotion(from.get(), to.get(), expected), isFree);
+            ++(isFree ? free : blocked);
+            const bool isValid = checkers.isValid(from.get());
+            for (const auto &setup : checkers.setups)
+            {
+                SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()));
+                last.second = 1.0;
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), isFree);
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get(), last), isFree);
+                ASSERT_EQ(last.second, expected.second);
+                // The robot alone is the whole team.
+                const auto component = [](const ob::ScopedState<> &whole)
+                { return whole->as<ob::CompoundState>()->components[0]; };
+                ASSERT_EQ(setup->getTeamChecker()->isRobotMotionFree(0, component(from), component(to)), isFree);
+            }
+            if (checkers.isValid(to.get()) || !isValid)
+                from = to;
+        }
+    }
+    EXPECT_GT(free, scaled(100));
+    EXPECT_GT(blocked, scaled(100));
+}
+
+TEST_P(SelfCollision, IsExcludedForAsLongAsAValidIntervalSays)
+{
+    unsigned int intervals = 0;
+    for (unsigned int seed = 0; seed < scaled(400); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomChain(random, GetParam());
+        const Team team(robot->getStateSpace(), {robot});
+        const RobotPairs pairs(team, Method::SHARED_PROJECTION, nullptr);
+        ASSERT_EQ(pairs.getPairCount(), 1U);
+        CheckContext context(team);
+        const auto &space = robot->getStateSpace();
+        const auto from = randomState(random, space), to = randomStateNear(random, from, random.logUniform(0.01, 1.0));
+        robot->computeMotionBounds(from.get(), to.get(), context.motionBounds.data());
+        robot->computePairMotionBounds(from.get(), to.get(), context.motionBounds.data(),
+                                       context.pairMotionBounds[0].data());
+        ob::ScopedState<> at(space);
+        const auto moveTo = [&](double time)
+        {
+            space->interpolate(from.get(), to.get(), time, at.get());
+            robot->placeBodies(at.get(), context.poses.data());
+        };
+        for (int k = 0; k < 5; ++k)
+        {
+            const double time = random.uniform(0.0, 1.0);
+            moveTo(time);
+            const PoseVerdict verdict = pairs.settle(0, context, {true});
+            ASSERT_EQ(verdict.free, !touchesItself(*robot, at.get()));
+            const double interval =
+                std::max(verdict.free ? verdict.validInterval : 0.0, pairs.provenInterval(0, context));
+            intervals += interval > 0.0 ? 1 : 0;
+            for (int i = 0; interval > 0.0 && i < 20; ++i)
+            {
+                const double later = time + random.uniform(-1.0, 1.0) * std::min(interval, 1.0);
+                if (later < 0.0 || later > 1.0)
+                    continue;
+                moveTo(later);
+                ASSERT_FALSE(pairs.findCollision(0, context));
+            }
+        }
+    }
+    EXPECT_GT(intervals, scaled(200));
+}
+
+TEST_P(SelfCollision, NeverOccursInMotionsAcceptedByTheContinuousMode)
+{
+    unsigned int accepted = 0, refused = 0;
+    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomChain(random, GetParam());
+        const auto team = teamOf({robot});
+        const auto obstacles = noObstacles(GetParam());
+        std::vector<TeamSetupPtr> setups;
+        const double resolution = random.logUniform(0.01, 0.5);
+        for (const Method method : {Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
+        {
+            setups.push_back(
+                std::make_shared<TeamSetup>(team, obstacles, method, CertificateMotionValidator::CONTINUOUS));
+            setups.back()->getSpaceInformation()->setStateValidityCheckingResolution(resolution);
+            setups.back()->getSpaceInformation()->setup();
+        }
+        const auto &si = *setups.front()->getSpaceInformation();
+        for (int i = 0; i < 20; ++i)
+        {
+            const auto from = randomState(random, team),
+                       to = randomStateNear(random, from, random.logUniform(0.01, 0.5));
+            if (!si.isValid(from.get()))
+                continue;
+            const bool free = si.checkMotion(from.get(), to.get());
+            ++(free ? accepted : refused);
+            for (const auto &setup : setups)
+            {
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), free);
+                ASSERT_EQ(setup->getSpaceInformation()->checkMotion(to.get(), from.get()), free);
+            }
+            const unsigned int samples =
+                free ? std::min(20000U, 1000 * std::max(1U, team->validSegmentCount(from.get(), to.get()))) : 0;
+            ob::ScopedState<> at(team);
+            for (unsigned int k = 0; k < samples; ++k)
+            {
+                team->interpolate(from.get(), to.get(), static_cast<double>(k) / samples, at.get());
+                ASSERT_TRUE(si.isValid(at.get()));
+            }
+        }
+    }
+    EXPECT_GT(accepted, scaled(60));
+    EXPECT_GT(refused, scaled(20));
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, SelfCollision, testing::Values(2U, 3U));
+
+TEST(SelfCollisions, IsSaidWithTheBodies)
+{
+    const auto team = teamOf({RigidRobot::disc("disc", 0.1, cubeBounds(2, 5.0)), threeLinks()});
+    const Checkers checkers(team, noObstacles(2));
+    ob::ScopedState<> state(team);
+    state = std::vector<double>{4.0, 4.0, 0.0, 2.5, 2.5};
+    for (const auto &setup : checkers.setups)
+    {
+        const TeamValidityChecker &checker = *setup->getTeamChecker();
+        EXPECT_EQ(checker.describeCollision(state.get()), "robot 'arm' touches itself: its bodies 0 and 2");
+        EXPECT_FALSE(checker.isRobotFree(1, state->as<ob::CompoundState>()->components[1]));
+        EXPECT_TRUE(checker.isRobotFree(0, state->as<ob::CompoundState>()->components[0]));
+    }
+}
+
+TEST(SelfCollisions, CountsForTheClearance)
+{
+    const auto team = teamOf({threeLinks()});
+    const Checkers checkers(team, noObstacles(2));
+    ob::ScopedState<> state(team);
+    // A square that is open on one side: the first link and the last are a link's length apart.
+    state = std::vector<double>{0.0, M_PI / 2, M_PI / 2};
+    for (const auto &setup : checkers.setups)
+        EXPECT_NEAR(setup->getTeamChecker()->clearance(state.get()), 0.9, 0.1);
+}
+
+TEST(SelfCollisions, IsSeenBetweenSamplesByTheContinuousMode)
+{
+    // The second link sweeps across the first between two samples.
+    const Body bar({{Shape::box(Eigen::Vector2d(1.0, 0.01)), planarPose(0.5, 0.0)}}),
+        tip({{Shape::box(Eigen::Vector2d(0.2, 0.01)), planarPose(0.3, 0.0)}});
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    const auto team = teamOf({std::make_shared<Chain>(
+        "arm", std::vector<Chain::Link>{{bar, planarPose(0.0, 0.0), z, 0.0}, {tip, planarPose(0.5, 0.0), z, 0.0}},
+        std::vector<BodyPair>{{0, 1}})});
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{0.0, -0.3};
+    to = std::vector<double>{0.0, 0.31};
+    const Checkers coarse(team, noObstacles(2), 0.07);
+    for (const auto &setup : coarse.setups)
+        EXPECT_TRUE(setup->getSpaceInformation()->checkMotion(from.get(), to.get())) << "discrete";
+    const TeamSetup setup(team, noObstacles(2), Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
+    setup.getSpaceInformation()->setStateValidityCheckingResolution(0.07);
+    setup.getSpaceInformation()->setup();
+    EXPECT_FALSE(setup.getSpaceInformation()->checkMotion(from.get(), to.get()));
+    const auto &validator =
+        dynamic_cast<const CertificateMotionValidator &>(*setup.getSpaceInformation()->getMotionValidator());
+    const auto own = [](const ob::ScopedState<> &whole) { return whole->as<ob::CompoundState>()->components[0]; };
+    EXPECT_FALSE(validator.isRobotMotionFree(0, own(from), own(to)));
+    from = std::vector<double>{0.0, -1.0};
+    to = std::vector<double>{0.0, -1.6};
+    EXPECT_TRUE(setup.getSpaceInformation()->checkMotion(from.get(), to.get()));
+    EXPECT_TRUE(validator.isRobotMotionFree(0, own(from), own(to)));
+}
