@@ -3,7 +3,7 @@
 #include "LineReader.h"
 #include "XmlFile.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
@@ -85,8 +85,8 @@ namespace ompl_certificates
                 {
                     if (i == 0)
                         file_.fail(node, "tip_link '" + file_.attribute(node, "tip_link") +
-                                             "' is no descendant of base_link '" +
-                                             file_.attribute(node, "base_link") + "'");
+                                             "' is no descendant of base_link '" + file_.attribute(node, "base_link") +
+                                             "'");
                     joints.insert(tree_.getLinks()[i].joint.name);
                 }
             }
@@ -103,6 +103,14 @@ namespace ompl_certificates
             const bool limited = joint.type == Type::REVOLUTE || joint.type == Type::PRISMATIC;
             return joint.type != Type::FIXED && !joint.mimic && (!limited || joint.lower < joint.upper);
         }
+    }
+
+    SrdfModel::SrdfModel(const KinematicTree &tree)
+    {
+        std::vector<std::string> &joints = groups[""];
+        for (const KinematicTree::Link &link : tree.getLinks())
+            if (canMove(link.joint))
+                joints.push_back(link.joint.name);
     }
 
     SrdfModel::SrdfModel(const std::string &file, const KinematicTree &tree)
@@ -161,7 +169,7 @@ namespace ompl_certificates
                 if (joint == virtualName || text.find_first_of(" \t") != std::string::npos)
                     notes.push_back("state '" + xml.attribute(node, "name") + "' of group '" + group +
                                     "': the value of joint '" + joint + "' is ignored");
-                else if (!parseNumber(text, value))
+                else if (!parseNumber(text, value) || !std::isfinite(value))
                     xml.fail(child, "joint '" + joint + "', value: must be a finite number, not '" + text + "'");
                 else
                     values[joint] = value;

@@ -27,6 +27,9 @@ namespace ompl_certificates
             \throws ompl::Exception see ArmFile */
         SrdfModel(const std::string &file, const KinematicTree &tree);
 
+        /** \brief Without a file: one group without a name, of all joints that can move */
+        explicit SrdfModel(const KinematicTree &tree);
+
         /** \brief Whether two links are not checked against each other */
         bool isDisabled(const std::string &first, const std::string &second) const;
 

@@ -73,8 +73,8 @@ namespace ompl_certificates
             }
             catch (const ompl::Exception &exception)
             {
-                throw ompl::Exception(file_, "link '" + link.name + "': " + element + " " +
-                                                 std::to_string(number + 1) + ": " + exception.what());
+                throw ompl::Exception(file_, "link '" + link.name + "': " + element + " " + std::to_string(number + 1) +
+                                                 ": " + exception.what());
             }
         };
         if (options_.useVisuals)

@@ -182,7 +182,8 @@ namespace ompl_certificates
                 result.lower = joint.limits->lower;
                 result.upper = joint.limits->upper;
             }
-            if (joint.mimic)
+            // Some files fix joints and leave what they followed.
+            if (joint.mimic && result.type != Type::FIXED)
                 result.mimic =
                     KinematicTree::Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
             return result;

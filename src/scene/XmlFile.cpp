@@ -20,7 +20,8 @@ namespace ompl_certificates
             bool for_each(pugi::xml_node &node) override
             {
                 deepest_ = std::max(deepest_, depth());
-                found_ = found_ || (!prefix_.empty() && std::string(node.name()).compare(0, prefix_.size(), prefix_) == 0);
+                found_ =
+                    found_ || (!prefix_.empty() && std::string(node.name()).compare(0, prefix_.size(), prefix_) == 0);
                 return true;
             }
 
