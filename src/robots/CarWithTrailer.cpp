@@ -41,8 +41,10 @@ namespace ompl_certificates
     }
 
     CarWithTrailer::CarWithTrailer(const std::string &name, const Body &car, const Body &trailer, double hitchLength,
-                                   const ob::RealVectorBounds &bounds)
-      : Robot(name, makeSpace(name, bounds), {car, trailer}), hitchLength_(hitchLength)
+                                   const ob::RealVectorBounds &bounds, bool selfCollision)
+      : Robot(name, makeSpace(name, bounds), {car, trailer},
+              selfCollision ? std::vector<BodyPair>{{0, 1}} : std::vector<BodyPair>{})
+      , hitchLength_(hitchLength)
     {
         if (car.getDimension() != 2)
             throw ompl::Exception(name, "a car and its trailer are planar bodies");
@@ -68,10 +70,22 @@ namespace ompl_certificates
         bounds[1] = {linear + hitchLength_ * turn, turn};
     }
 
+    void CarWithTrailer::computePairMotionBounds(const ob::State *from, const ob::State *to,
+                                                 const MotionBound * /*bodyBounds*/, PairMotionBound *pairBounds) const
+    {
+        // Each turns about the hinge, which is fixed in the other's frame. Rounding may add to a small difference.
+        constexpr double rounding = 1e-15;
+        const double turn = rounding + std::abs(signedTurnOf(trailerOf(from), trailerOf(to)) -
+                                                signedTurnOf(*carOf(from).as<ob::SO2StateSpace::StateType>(1),
+                                                             *carOf(to).as<ob::SO2StateSpace::StateType>(1)));
+        if (!getBodyPairs().empty())
+            pairBounds[0] = {{0.0, turn}, {hitchLength_ * turn, turn}};
+    }
+
     bool CarWithTrailer::isLike(const Robot &other) const
     {
         const auto *car = dynamic_cast<const CarWithTrailer *>(&other);
         return car && car->hitchLength_ == hitchLength_ && car->getBodies() == getBodies() &&
-               haveEqualBounds(*getStateSpace(), *car->getStateSpace());
+               car->getBodyPairs() == getBodyPairs() && haveEqualBounds(*getStateSpace(), *car->getStateSpace());
     }
 }

@@ -24,6 +24,16 @@ namespace ompl_certificates
 
         constexpr unsigned int INTERVALS = 8;
 
+        std::string wordsOf(const BodyPair &pair)
+        {
+            return "bodies " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
+        }
+
+        std::string wordsOf(const MotionBound &bound)
+        {
+            return "(linear " + textOf(bound.linear) + ", angular " + textOf(bound.angular) + ")";
+        }
+
         class RobotTrial
         {
         public:
@@ -103,6 +113,25 @@ namespace ompl_certificates
                 return bounds;
             }
 
+            std::vector<PairMotionBound> pairBoundsOf(const ob::State *from, const ob::State *to,
+                                                      const std::vector<MotionBound> &bodyBounds) const
+            {
+                const std::vector<BodyPair> &pairs = robot_.getBodyPairs();
+                std::vector<PairMotionBound> bounds(pairs.size() + 1,
+                                                    PairMotionBound{MotionBound{NONE, NONE}, MotionBound{NONE, NONE}});
+                robot_.computePairMotionBounds(from, to, bodyBounds.data(), bounds.data());
+                for (std::size_t i = 0; i < pairs.size(); ++i)
+                    for (const MotionBound &bound : {bounds[i].first, bounds[i].second})
+                        if (!(bound.linear >= 0.0 && bound.angular >= 0.0))
+                            fail("the relative motion bounds of " + wordsOf(pairs[i]) + " " + motionText(from, to) +
+                                 " must not be negative, and must be written: one is " + textOf(bound.linear) +
+                                 " and " + textOf(bound.angular));
+                if (!std::isnan(bounds[pairs.size()].first.linear))
+                    fail("computePairMotionBounds() writes more than the bounds of its " +
+                         std::to_string(pairs.size()) + " body pairs");
+                return bounds;
+            }
+
             /** The poses at time \e t, from the state that a checker would use */
             std::vector<Pose> posesAt(const ob::State *from, const ob::State *to, double t) const
             {
@@ -116,6 +145,7 @@ namespace ompl_certificates
             void tryMotion(const ob::State *from, const ob::State *to)
             {
                 const std::vector<MotionBound> bounds = boundsOf(from, to);
+                const std::vector<PairMotionBound> pairBounds = pairBoundsOf(from, to, bounds);
                 std::vector<double> times{0.0, 1.0};
                 for (unsigned int i = 0; i < INTERVALS; ++i)
                 {
@@ -129,38 +159,94 @@ namespace ompl_certificates
                     poses.push_back(posesAt(from, to, time));
                 for (std::size_t i = 0; i < times.size(); ++i)
                     for (std::size_t k = i + 1; k < times.size(); ++k)
-                        if (times[k] - times[i] >= SHORTEST)
-                            for (std::size_t body = 0; body < bodies_; ++body)
-                                tryInterval(from, to, times[i], times[k], body, poses[i][body], poses[k][body],
-                                            bounds[body]);
+                    {
+                        if (times[k] - times[i] < SHORTEST)
+                            continue;
+                        const Interval interval{from, to, times[i], times[k], poses[i], poses[k]};
+                        for (std::size_t body = 0; body < bodies_; ++body)
+                            tryInterval(interval, body, bounds[body]);
+                        for (std::size_t pair = 0; pair < robot_.getBodyPairs().size(); ++pair)
+                        {
+                            const auto [first, second] = robot_.getBodyPairs()[pair];
+                            tryPair(interval, first, second, pairBounds[pair].first);
+                            tryPair(interval, second, first, pairBounds[pair].second);
+                        }
+                    }
             }
 
-            void tryInterval(const ob::State *from, const ob::State *to, double first, double last, std::size_t body,
-                             const Pose &before, const Pose &after, const MotionBound &bound) const
+            /** A part of a motion, with the poses at its ends */
+            struct Interval
+            {
+                const ob::State *from, *to;
+                double first, last;
+                const std::vector<Pose> &before, &after;
+            };
+
+            std::string intervalText(const Interval &interval) const
+            {
+                return motionText(interval.from, interval.to) + ", between times " + textOf(interval.first) + " and " +
+                       textOf(interval.last);
+            }
+
+            /** Points at the bounding radius of a body that moves from \e before to \e after, and its origin: those
+                along the axes, and the one that the rotation moves in the direction of the translation */
+            std::vector<Eigen::Vector3d> pointsOf(std::size_t body, const Pose &before, const Pose &after) const
             {
                 const double radius = robot_.getBodies()[body].getBoundingRadius();
-                const Eigen::Vector3d moved = after.translation() - before.translation();
-                const Eigen::Matrix3d turned = after.linear() - before.linear();
-                const double slack = ROUNDING * (1.0 + radius + before.translation().norm());
-                // The origin, points along the axes, and the point that the rotation moves in the direction of the
-                // translation.
-                const Eigen::Vector3d along = turned.transpose() * moved;
-                std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
-                                                    Eigen::Vector3d::UnitY()};
+                const Eigen::Vector3d along =
+                    (after.linear() - before.linear()).transpose() * (after.translation() - before.translation());
+                std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero(), radius * Eigen::Vector3d::UnitX(),
+                                                    radius * Eigen::Vector3d::UnitY()};
                 if (robot_.getWorkspaceDimension() == 3)
-                    points.push_back(Eigen::Vector3d::UnitZ());
+                    points.emplace_back(radius * Eigen::Vector3d::UnitZ());
                 if (along.norm() > 0.0)
-                    points.push_back(along.normalized());
-                for (const Eigen::Vector3d &direction : points)
+                    points.emplace_back(radius * along.normalized());
+                return points;
+            }
+
+            void tryInterval(const Interval &interval, std::size_t body, const MotionBound &bound) const
+            {
+                const Pose &before = interval.before[body], &after = interval.after[body];
+                const double radius = robot_.getBodies()[body].getBoundingRadius();
+                const double slack = ROUNDING * (1.0 + radius + before.translation().norm());
+                for (const Eigen::Vector3d &point : pointsOf(body, before, after))
                 {
-                    const Eigen::Vector3d point = radius * direction;
-                    const double distance = (moved + turned * point).norm(),
-                                 most = bound.at(point.norm()) * (last - first);
+                    const double distance = (after * point - before * point).norm(),
+                                 most = bound.at(point.norm()) * (interval.last - interval.first);
                     if (!(distance <= most * (1.0 + ROUNDING) + slack))
-                        fail(motionText(from, to) + ", between times " + textOf(first) + " and " + textOf(last) +
-                             ", the point " + textOf(point) + " of body " + std::to_string(body) + " moves " +
-                             textOf(distance) + ", but its motion bound (linear " + textOf(bound.linear) +
-                             ", angular " + textOf(bound.angular) + ") allows " + textOf(most));
+                        fail(intervalText(interval) + ", the point " + textOf(point) + " of body " +
+                             std::to_string(body) + " moves " + textOf(distance) + ", but its motion bound " +
+                             wordsOf(bound) + " allows " + textOf(most));
+                }
+            }
+
+            /** Tries the motion bound of a body seen from the frame of another: for points of both, their distance */
+            void tryPair(const Interval &interval, std::size_t body, std::size_t other, const MotionBound &bound) const
+            {
+                const Pose before = interval.before[other].inverse() * interval.before[body],
+                           after = interval.after[other].inverse() * interval.after[body];
+                const double radius = robot_.getBodies()[other].getBoundingRadius();
+                const double slack = ROUNDING * (1.0 + radius + robot_.getBodies()[body].getBoundingRadius() +
+                                                 interval.before[body].translation().norm() +
+                                                 interval.before[other].translation().norm());
+                for (const Eigen::Vector3d &point : pointsOf(body, before, after))
+                {
+                    const Eigen::Vector3d start = before * point, end = after * point, moved = end - start;
+                    std::vector<Eigen::Vector3d> others{Eigen::Vector3d::Zero()};
+                    // The distance to a point changes most if that point lies in the direction of the movement.
+                    if (moved.norm() > 0.0)
+                        for (const double side : {-radius, radius})
+                            others.emplace_back(side * moved.normalized());
+                    for (const Eigen::Vector3d &still : others)
+                    {
+                        const double change = std::abs((end - still).norm() - (start - still).norm()),
+                                     most = bound.at(point.norm()) * (interval.last - interval.first);
+                        if (!(change <= most * (1.0 + ROUNDING) + slack))
+                            fail(intervalText(interval) + ", the distance of the point " + textOf(point) + " of body " +
+                                 std::to_string(body) + " to the point " + textOf(still) + " of body " +
+                                 std::to_string(other) + " changes by " + textOf(change) +
+                                 ", but the relative motion bound " + wordsOf(bound) + " allows " + textOf(most));
+                    }
                 }
             }
 

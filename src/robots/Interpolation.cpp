@@ -21,6 +21,14 @@ namespace ompl_certificates
         return difference <= M_PI ? difference : std::abs(2.0 * M_PI - difference);
     }
 
+    double signedTurnOf(const ob::SO2StateSpace::StateType &from, const ob::SO2StateSpace::StateType &to)
+    {
+        const double difference = to.value - from.value;
+        if (std::abs(difference) <= M_PI)
+            return difference;
+        return difference > 0.0 ? difference - 2.0 * M_PI : difference + 2.0 * M_PI;
+    }
+
     double turnOf(const ob::SO3StateSpace::StateType &from, const ob::SO3StateSpace::StateType &to)
     {
         const Eigen::Quaterniond a = quaternionOf(from), b = quaternionOf(to);

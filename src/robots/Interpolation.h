@@ -9,6 +9,10 @@ namespace ompl_certificates
     /** \brief The angle that OMPL's interpolation in SO(2) turns through: the shorter way round */
     double turnOf(const ompl::base::SO2StateSpace::StateType &from, const ompl::base::SO2StateSpace::StateType &to);
 
+    /** \brief The same with its sign: positive if it turns to the left */
+    double signedTurnOf(const ompl::base::SO2StateSpace::StateType &from,
+                        const ompl::base::SO2StateSpace::StateType &to);
+
     /** \brief The angle that OMPL's interpolation in SO(3) turns through; very large where it jumps instead of turning */
     double turnOf(const ompl::base::SO3StateSpace::StateType &from, const ompl::base::SO3StateSpace::StateType &to);
 

@@ -143,6 +143,14 @@ namespace ompl_certificates
         return value;
     }
 
+    bool YamlNode::boolean() const
+    {
+        const std::string value = text();
+        if (value != "true" && value != "false")
+            fail("must be true or false, not " + describe());
+        return value == "true";
+    }
+
     double YamlNode::number() const
     {
         double value = 0.0;

@@ -52,6 +52,9 @@ namespace ompl_certificates
         /** \brief A text of one line that is not empty */
         std::string text() const;
 
+        /** \brief true or false */
+        bool boolean() const;
+
         /** \brief A finite number, no larger than MAX_NUMBER */
         double number() const;
 

@@ -1,6 +1,7 @@
 #include "YamlRobots.h"
 
 #include "YamlShapes.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
@@ -125,6 +126,17 @@ namespace ompl_certificates
             return makeRigid(name, type.layout, body, bounds);
         }
 
+        RobotPtr makeCarWithTrailer(const std::string &name, const YamlNode &node, YamlMeshes &meshes,
+                                    const ob::RealVectorBounds &bounds)
+        {
+            const Body car = readShape(node.at("car"), 2, meshes), trailer = readShape(node.at("trailer"), 2, meshes);
+            const double hitchLength = node.at("hitch_length").positive();
+            const bool selfCollision = node.has("self_collision") && node.at("self_collision").boolean();
+            if (selfCollision && FclObstacles({{car}}, 2).collides(trailer, planarPose(-hitchLength, 0.0)))
+                node.at("self_collision").fail("car and trailer touch even when they are in line");
+            return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, bounds, selfCollision);
+        }
+
         [[noreturn]] void failOnType(const YamlNode &node)
         {
             std::string known = "rigid, car_with_trailer";
@@ -157,7 +169,8 @@ namespace ompl_certificates
         else if (type == "rigid")
             node.allow({"type", "name", "space", "shape", "shapes", "start", "goal", "weight", "bounds"});
         else if (type == "car_with_trailer")
-            node.allow({"type", "name", "car", "trailer", "hitch_length", "start", "goal", "weight", "bounds"});
+            node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
+                        "bounds"});
         else
             failOnType(typeNode);
         if (dimension != 2 && type != "rigid")
@@ -189,9 +202,7 @@ namespace ompl_certificates
             member.robot = makeRigid(name, layout, readBody(node, dimension, meshes), bounds);
         }
         else
-            member.robot = std::make_shared<CarWithTrailer>(name, readShape(node.at("car"), 2, meshes),
-                                                            readShape(node.at("trailer"), 2, meshes),
-                                                            node.at("hitch_length").positive(), bounds);
+            member.robot = makeCarWithTrailer(name, node, meshes, bounds);
         if (node.has("weight"))
             member.weight = node.at("weight").positive();
         const std::size_t velocities = known ? known->velocities : 0;

@@ -7,10 +7,10 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    RobotPtr car(const std::string &name, double hitch, double half = HALF)
+    RobotPtr car(const std::string &name, double hitch, double half = HALF, bool selfCollision = false)
     {
         return std::make_shared<CarWithTrailer>(name, Body::box(0.4, 0.2), Body::box(0.3, 0.2), hitch,
-                                                cubeBounds(2, half));
+                                                cubeBounds(2, half), selfCollision);
     }
 }
 
@@ -31,6 +31,8 @@ TEST(LikeRobots, HaveEqualBodiesAndSpaces)
     EXPECT_TRUE(car("car", 0.5)->isLike(*car("other", 0.5)));
     EXPECT_FALSE(car("car", 0.5)->isLike(*car("longer", 0.6)));
     EXPECT_FALSE(car("car", 0.5)->isLike(*car("elsewhere", 0.5, 2.0 * HALF)));
+    EXPECT_FALSE(car("car", 0.5)->isLike(*car("careful", 0.5, HALF, true)));
+    EXPECT_TRUE(car("careful", 0.5, HALF, true)->isLike(*car("another", 0.5, HALF, true)));
     EXPECT_FALSE(car("car", 0.5)->isLike(*box));
     EXPECT_FALSE(box->isLike(*car("car", 0.5)));
 }

@@ -154,6 +154,14 @@ namespace ompl_certificates
              "{type: car_with_trailer, car: {type: point}, trailer: {type: point}, hitch_length: -1, "
              "start: [1, 1, 0, 0], goal: [2, 2, 0, 0]}",
              ".hitch_length: must be positive, not -1"},
+            {"SelfCollision",
+             "{type: car_with_trailer, car: {type: point}, trailer: {type: point}, hitch_length: 1, "
+             "self_collision: 1, start: [1, 1, 0, 0], goal: [2, 2, 0, 0]}",
+             ".self_collision: must be true or false, not 1"},
+            {"SelfCollisionAtTheHinge",
+             "{type: car_with_trailer, car: {type: box, size: [1, 0.5]}, trailer: {type: box, size: [1, 0.5]}, "
+             "hitch_length: 0.9, self_collision: true, start: [1, 1, 0, 0], goal: [2, 2, 0, 0]}",
+             ".self_collision: car and trailer touch even when they are in line"},
             {"NameOfTwoLines", "{type: single_integrator, name: \"a\\nb\", start: [1, 1], goal: [2, 2]}",
              ".name: must be a text of one line"},
         };

@@ -108,6 +108,20 @@ namespace ompl_certificates
         scene.validate();
     }
 
+    TEST(YamlFile, ReadsWhetherATrailerMustNotTouchItsCar)
+    {
+        for (const std::string key : {"", "self_collision: false, ", "self_collision: true, "})
+        {
+            const Scene scene = sceneFromYaml(
+                "environment: {min: [0, 0], max: [5, 5]}\n"
+                "robots: [{type: car_with_trailer, car: {type: box, size: [0.6, 0.4]}, "
+                "trailer: {type: box, size: [0.5, 0.4]}, hitch_length: 0.6, " +
+                    key + "start: [1, 2, 0, 0], goal: [3, 3, 0, 0]}]",
+                "trailers");
+            EXPECT_EQ(scene.getMembers()[0].robot->getBodyPairs().empty(), key != "self_collision: true, ");
+        }
+    }
+
     TEST(YamlFile, NormalisesQuaternions)
     {
         const Scene scene = sceneFromYaml(

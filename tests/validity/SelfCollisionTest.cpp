@@ -256,6 +256,27 @@ TEST(SelfCollisions, CountsForTheClearance)
         EXPECT_NEAR(setup->getTeamChecker()->clearance(state.get()), 0.9, 0.1);
 }
 
+TEST(SelfCollisions, OfACarWithItsTrailerCountIfAskedFor)
+{
+    // The hinge is near the car's rear.
+    const Body car({{Shape::box(Eigen::Vector2d(0.9, 0.25)), planarPose(0.35, 0.0)}}), trailer = Body::box(0.3, 0.25);
+    for (const bool selfCollision : {false, true})
+    {
+        const auto team =
+            teamOf({std::make_shared<CarWithTrailer>("train", car, trailer, 0.5, cubeBounds(2, HALF), selfCollision)});
+        const Checkers checkers(team, noObstacles(2));
+        ob::ScopedState<> line(team), folded(team);
+        line = std::vector<double>{0.0, 0.0, 1.0, 1.0};
+        folded = std::vector<double>{0.0, 0.0, 1.0, -2.5};
+        for (const auto &setup : checkers.setups)
+        {
+            EXPECT_TRUE(setup->getTeamChecker()->isValid(line.get()));
+            EXPECT_EQ(setup->getTeamChecker()->isValid(folded.get()), !selfCollision);
+            EXPECT_EQ(setup->getSpaceInformation()->checkMotion(line.get(), folded.get()), !selfCollision);
+        }
+    }
+}
+
 TEST(SelfCollisions, IsSeenBetweenSamplesByTheContinuousMode)
 {
     // The second link sweeps across the first between two samples.

@@ -1,3 +1,4 @@
+#include "support/Chain.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/obstacles/CheckObstacles.h"
@@ -102,6 +103,42 @@ namespace
         }
 
         Fault fault_;
+    };
+
+    /** A chain with the relative motion bounds of Robot, or with those that \e write gives it */
+    class WithDefaultPairBounds : public Robot
+    {
+    public:
+        explicit WithDefaultPairBounds(std::shared_ptr<Chain> chain,
+                                       std::function<void(PairMotionBound *)> write = nullptr)
+          : Robot(chain->getName(), chain->getStateSpace(), chain->getBodies(), chain->getBodyPairs())
+          , chain_(std::move(chain))
+          , write_(std::move(write))
+        {
+        }
+
+        void computePoses(const ob::State *state, Pose *poses) const override
+        {
+            chain_->computePoses(state, poses);
+        }
+
+        void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
+        {
+            chain_->computeMotionBounds(from, to, bounds);
+        }
+
+        void computePairMotionBounds(const ob::State *from, const ob::State *to, const MotionBound *bodyBounds,
+                                     PairMotionBound *pairBounds) const override
+        {
+            if (write_)
+                write_(pairBounds);
+            else
+                Robot::computePairMotionBounds(from, to, bodyBounds, pairBounds);
+        }
+
+    private:
+        std::shared_ptr<Chain> chain_;
+        std::function<void(PairMotionBound *)> write_;
     };
 
     std::string complaintOf(Fault fault)
@@ -217,7 +254,64 @@ TEST(CheckRobot, FindsNoFaultInTheLibrarysOwn)
     }
     const CarWithTrailer train("train", Body::box(0.4, 0.2), Body::box(0.3, 0.2), 0.5, cubeBounds(2, HALF));
     EXPECT_EQ(complaintOf([&] { checkRobot(train, scaled(500)); }), "");
+    const CarWithTrailer careful("train", Body::box(0.4, 0.2), Body::box(0.3, 0.2), 0.5, cubeBounds(2, HALF), true);
+    EXPECT_EQ(complaintOf([&] { checkRobot(careful, scaled(500)); }), "");
     EXPECT_EQ(complaintOf(Fault::NONE), "");
+}
+
+TEST(CheckRobot, FindsNoFaultInTrueBoundsOfBodyPairs)
+{
+    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto chain = randomChain(random, 2 + seed % 2);
+        EXPECT_EQ(complaintOf([&] { checkRobot(*chain, 50); }), "");
+        // The default bounds of Robot hold, too.
+        EXPECT_EQ(complaintOf([&] { checkRobot(WithDefaultPairBounds(chain), 50); }), "");
+    }
+}
+
+TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreTooSmall)
+{
+    unsigned int found = 0;
+    for (unsigned int seed = 0; seed < 20; ++seed)
+    {
+        Random random(seed);
+        const auto chain = randomChain(random, 2 + seed % 2, 0.3);
+        const std::string complaint = complaintOf([&] { checkRobot(*chain, 200); });
+        if (complaint.empty())
+            continue;
+        ++found;
+        expectWords(complaint, {"Robot 'chain'", "from the state (", "between times", "the distance of the point",
+                                "changes by", "the relative motion bound (linear", "allows"});
+    }
+    EXPECT_GE(found, 18U);
+}
+
+TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreNone)
+{
+    Random random(1);
+    const auto chain = randomChain(random, 2);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto complaint = [&](const std::vector<PairMotionBound> &bounds)
+    {
+        return complaintOf(
+            [&]
+            {
+                checkRobot(WithDefaultPairBounds(chain, [&](PairMotionBound *written)
+                                                 { std::copy(bounds.begin(), bounds.end(), written); }));
+            });
+    };
+    const std::size_t pairs = chain->getBodyPairs().size();
+    std::vector<PairMotionBound> bounds(pairs, {{100.0, 100.0}, {100.0, 100.0}});
+    EXPECT_EQ(complaint(bounds), "");
+    bounds.back().second.angular = -1.0;
+    expectWords(complaint(bounds), {"relative motion bounds of bodies", "must not be negative"});
+    bounds.back() = {{none, none}, {none, none}};
+    expectWords(complaint(bounds), {"relative motion bounds of bodies", "must be written"});
+    bounds.assign(pairs + 1, {{100.0, 100.0}, {100.0, 100.0}});
+    expectWords(complaint(bounds), {"computePairMotionBounds() writes more"});
 }
 
 TEST(CheckRobot, FindsBoundsThatAreTooSmallAndSaysWhere)

@@ -11,21 +11,25 @@ namespace ompl_certificates
 
         Its space is a compound of two. An ompl::base::SE2StateSpace has the car's heading and its position, which the
         bounds limit. An ompl::base::SO2StateSpace has the trailer's heading in the workspace's frame, not relative to
-        the car. The trailer's origin lies the hitch length behind the hinge. Car and trailer are not checked against
-        each other. */
+        the car. The trailer's origin lies the hitch length behind the hinge. */
     class CarWithTrailer : public Robot
     {
     public:
         /** \brief A car of body \e car and a trailer of body \e trailer, \e hitchLength behind
+            \param selfCollision whether car and trailer are checked against each other. Only for bodies that do not
+            touch at the hinge: if they do, no state is valid.
             \throws ompl::Exception if a body is not planar, \e bounds are not planar, or \e hitchLength is negative or
             not finite */
         CarWithTrailer(const std::string &name, const Body &car, const Body &trailer, double hitchLength,
-                       const ompl::base::RealVectorBounds &bounds);
+                       const ompl::base::RealVectorBounds &bounds, bool selfCollision = false);
 
         void computePoses(const ompl::base::State *state, Pose *poses) const override;
 
         void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                  MotionBound *bounds) const override;
+
+        void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
+                                     const MotionBound *bodyBounds, PairMotionBound *pairBounds) const override;
 
         bool isLike(const Robot &other) const override;
 

@@ -14,7 +14,9 @@ namespace ompl_certificates
         - computePoses() and computeMotionBounds() write one finite pose and one bound for each body;
         - a pose is a rotation and a translation, and poses of a planar robot stay in the plane;
         - in no interval of the motion does a point within a body's bounding radius move farther than its motion bound
-          allows.
+          allows;
+        - in no such interval does the distance between points of a pair of bodies change by more than the bounds of
+          computePairMotionBounds() allow.
 
         \param robot the robot; its space is set up
         \param motions how many motions to try. Cost: some 10 µs each for a rigid robot.
