@@ -289,6 +289,24 @@ TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreTooSmall)
     EXPECT_GE(found, 18U);
 }
 
+TEST(CheckRobot, FindsABoundOfABodyPairThatIsTooSmallFromEitherEnd)
+{
+    Random random(1);
+    const auto chain = randomChain(random, 3);
+    for (MotionBound PairMotionBound::*end : {&PairMotionBound::first, &PairMotionBound::second})
+    {
+        const auto write = [&](PairMotionBound *written)
+        {
+            for (std::size_t i = 0; i < chain->getBodyPairs().size(); ++i)
+            {
+                written[i] = {{100.0, 100.0}, {100.0, 100.0}};
+                written[i].*end = {0.0, 0.0};
+            }
+        };
+        expectWords(complaintOf([&] { checkRobot(WithDefaultPairBounds(chain, write)); }), {"relative motion bound"});
+    }
+}
+
 TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreNone)
 {
     Random random(1);
