@@ -330,7 +330,8 @@ namespace ompl_certificates
                 else if (up != "Y_UP")
                     fail(axis, "is " + inQuotes(text));
                 Eigen::Affine3d frame = Eigen::Affine3d::Identity();
-                frame.linear() = meters * rotation;
+                frame.linear() =
+                    mesh_.keepsAxes ? Eigen::Matrix3d(meters * Eigen::Matrix3d::Identity()) : meters * rotation;
                 return frame;
             }
 

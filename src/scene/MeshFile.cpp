@@ -44,7 +44,7 @@ namespace ompl_certificates
         }
     }
 
-    MeshFile::MeshFile(const std::string &file) : name_(file)
+    MeshFile::MeshFile(const std::string &file, bool keepsAxes) : name_(file)
     {
         const Reader read = readerOf(file);
         const std::string content = readWholeFile(file, MOST_BYTES);
@@ -53,6 +53,7 @@ namespace ompl_certificates
         try
         {
             MeshCollector mesh;
+            mesh.keepsAxes = keepsAxes;
             read(content, mesh);
             mean_ = mesh.getMean();
             mesh_ = mesh.takeMesh();

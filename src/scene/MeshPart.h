@@ -92,6 +92,9 @@ namespace ompl_certificates
         /** \brief The steps that were needed to cut polygons */
         std::size_t work{0};
 
+        /** \brief Whether axes stay as they are in the file, whichever it says is up */
+        bool keepsAxes{false};
+
     private:
         std::uint32_t numberOf(const Eigen::Vector3d &point);
 

@@ -20,7 +20,7 @@ namespace ompl_certificates
     void readPly(std::string_view content, MeshCollector &mesh);
 
     /** \brief Read the content of a COLLADA file: all geometries where the nodes of its scene place them, in meters and
-        with the y axis up. Skins and morphs are the meshes that they are made of. */
+        with the y axis up unless MeshCollector::keepsAxes. Skins and morphs are the meshes that they are made of. */
     void readCollada(std::string_view content, MeshCollector &mesh);
 }
 

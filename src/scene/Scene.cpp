@@ -167,6 +167,10 @@ namespace ompl_certificates
                                                        describeObstacle(robot.getBodies()[k], poses[i][k]));
         }
         const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::FCL);
+        // The obstacles leave each robot free.
+        for (unsigned int i = 0; i < team->getRobotCount(); ++i)
+            if (!checker.isRobotFree(i, teamState->components[i]))
+                throw ompl::Exception(source_, describe(i) + " collides with itself");
         for (unsigned int first = 0; first < team->getRobotCount(); ++first)
             for (unsigned int second = first + 1; second < team->getRobotCount(); ++second)
                 if (!checker.isPairFree(first, teamState->components[first], second, teamState->components[second]))

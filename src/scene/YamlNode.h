@@ -34,6 +34,18 @@ namespace ompl_certificates
         /** \brief The node as text for messages, on one line and not long */
         std::string describe() const;
 
+        /** \brief Whether the node is a map */
+        bool isMap() const
+        {
+            return node_.IsMap();
+        }
+
+        /** \brief Whether the node is a list */
+        bool isList() const
+        {
+            return node_.IsSequence();
+        }
+
         /** \brief Require a map with no other keys than \e keys, and none twice */
         void allow(const std::vector<std::string> &keys) const;
 

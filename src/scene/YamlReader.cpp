@@ -102,8 +102,9 @@ namespace ompl_certificates
         if (environment.has("obstacles"))
             for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
                 scene.addObstacle(readObstacle(obstacle, dimension, meshes));
+        YamlArms arms(source);
         for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
-            readRobot(robot, scene, meshes);
+            readRobot(robot, scene, meshes, arms);
         return scene;
     }
 }

@@ -139,7 +139,7 @@ namespace ompl_certificates
 
         [[noreturn]] void failOnType(const YamlNode &node)
         {
-            std::string known = "rigid, car_with_trailer";
+            std::string known = "rigid, car_with_trailer, urdf";
             for (const KnownType &type : KNOWN_TYPES)
                 known += std::string(", ") + type.name;
             node.fail("unknown type '" + node.text() + "'; known are: " + known);
@@ -158,7 +158,7 @@ namespace ompl_certificates
         return bounds;
     }
 
-    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes)
+    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes, YamlArms &arms)
     {
         const unsigned int dimension = scene.getDimension();
         const YamlNode typeNode = node.at("type");
@@ -171,9 +171,14 @@ namespace ompl_certificates
         else if (type == "car_with_trailer")
             node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
                         "bounds"});
+        else if (type == "urdf")
+            node.allow({"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
+                        "attached", "start", "goal", "weight", "bounds"});
         else
             failOnType(typeNode);
-        if (dimension != 2 && type != "rigid")
+        if (dimension != 3 && type == "urdf")
+            typeNode.fail("'urdf' moves in space; the scene has 2 dimensions");
+        if (dimension != 2 && type != "rigid" && type != "urdf")
             typeNode.fail("'" + type + "' moves in the plane; the scene has 3 dimensions");
 
         const std::string name =
@@ -190,6 +195,13 @@ namespace ompl_certificates
         }
 
         Scene::Member member;
+        if (node.has("weight"))
+            member.weight = node.at("weight").positive();
+        if (type == "urdf")
+        {
+            arms.read(node, name, bounds, scene, meshes, member);
+            return scene.addMember(member);
+        }
         Layout layout = Layout::TRAILER;
         if (known)
         {
@@ -203,8 +215,6 @@ namespace ompl_certificates
         }
         else
             member.robot = makeCarWithTrailer(name, node, meshes, bounds);
-        if (node.has("weight"))
-            member.weight = node.at("weight").positive();
         const std::size_t velocities = known ? known->velocities : 0;
         member.start = readState(node.at("start"), layout, velocities, scene);
         member.goal = readState(node.at("goal"), layout, velocities, scene);

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_YAML_ROBOTS_
 #define OMPL_CERTIFICATES_SCENE_YAML_ROBOTS_
 
+#include "YamlArms.h"
 #include "YamlMeshes.h"
 #include "YamlNode.h"
 #include "ompl_certificates/scene/Scene.h"
@@ -11,7 +12,7 @@ namespace ompl_certificates
     ompl::base::RealVectorBounds readBounds(const YamlNode &node, unsigned int dimension);
 
     /** \brief Add the robot that \e node describes to \e scene */
-    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes);
+    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes, YamlArms &arms);
 }
 
 #endif

@@ -14,30 +14,6 @@ namespace ompl_certificates
             return {values[0], values[1], values.size() > 2 ? values[2] : 0.0};
         }
 
-        Eigen::Matrix3d readRotation(const YamlNode &node)
-        {
-            if (node.has("rotation") && node.has("quaternion"))
-                node.at("quaternion").fail("give either a rotation or a quaternion");
-            if (node.has("rotation"))
-            {
-                const YamlNode rotation = node.at("rotation");
-                rotation.allow({"axis", "angle"});
-                const Eigen::Vector3d axis = pointOf(rotation.at("axis").numbers(3));
-                if (!(axis.norm() >= YamlNode::MIN_SIZE))
-                    rotation.at("axis").fail("must not be zero");
-                return Eigen::AngleAxisd(rotation.at("angle").number(), axis.normalized()).toRotationMatrix();
-            }
-            if (node.has("quaternion"))
-            {
-                const auto q = node.at("quaternion").numbers(4);
-                const Eigen::Quaterniond quaternion(q[3], q[0], q[1], q[2]);
-                if (!(quaternion.norm() >= YamlNode::MIN_SIZE))
-                    node.at("quaternion").fail("must not be zero");
-                return quaternion.normalized().toRotationMatrix();
-            }
-            return Eigen::Matrix3d::Identity();
-        }
-
         /** \param needsCenter whether the center must be given: for shapes that say nothing else of their place */
         Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter)
         {
@@ -163,6 +139,30 @@ namespace ompl_certificates
             typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") + " in " +
                           std::to_string(dimension) + " dimensions, not '" + type + "'");
         }
+    }
+
+    Eigen::Matrix3d readRotation(const YamlNode &node)
+    {
+        if (node.has("rotation") && node.has("quaternion"))
+            node.at("quaternion").fail("give either a rotation or a quaternion");
+        if (node.has("rotation"))
+        {
+            const YamlNode rotation = node.at("rotation");
+            rotation.allow({"axis", "angle"});
+            const Eigen::Vector3d axis = pointOf(rotation.at("axis").numbers(3));
+            if (!(axis.norm() >= YamlNode::MIN_SIZE))
+                rotation.at("axis").fail("must not be zero");
+            return Eigen::AngleAxisd(rotation.at("angle").number(), axis.normalized()).toRotationMatrix();
+        }
+        if (node.has("quaternion"))
+        {
+            const auto q = node.at("quaternion").numbers(4);
+            const Eigen::Quaterniond quaternion(q[3], q[0], q[1], q[2]);
+            if (!(quaternion.norm() >= YamlNode::MIN_SIZE))
+                node.at("quaternion").fail("must not be zero");
+            return quaternion.normalized().toRotationMatrix();
+        }
+        return Eigen::Matrix3d::Identity();
     }
 
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)

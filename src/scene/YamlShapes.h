@@ -7,6 +7,9 @@
 
 namespace ompl_certificates
 {
+    /** \brief What \e node has under rotation or under quaternion; no rotation if it has neither */
+    Eigen::Matrix3d readRotation(const YamlNode &node);
+
     /** \brief The obstacle that \e node describes, in a workspace of \e dimension */
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
 

@@ -18,10 +18,13 @@ namespace ompl_certificates
     {
     public:
         /** \brief Read \e file. Takes some milliseconds, and about a second for a million triangles.
+            \param file the mesh file
+            \param keepsAxes whether the axes of a COLLADA file stay as they are, whichever it says is up. So do ROS and
+            MoveIt read the meshes of robots.
             \throws ompl::Exception that names the file, the line, byte or element, and the reason if it cannot be read,
             is not a mesh, is not what its counts say, has no triangle or more than 5 million, or a coordinate that is not
             finite or beyond 1e9 */
-        explicit MeshFile(const std::string &file);
+        explicit MeshFile(const std::string &file, bool keepsAxes = false);
 
         /** \brief The file */
         const std::string &getName() const

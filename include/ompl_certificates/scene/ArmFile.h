@@ -1,0 +1,150 @@
+#ifndef OMPL_CERTIFICATES_SCENE_ARM_FILE_
+#define OMPL_CERTIFICATES_SCENE_ARM_FILE_
+
+#include "ompl_certificates/robots/Arm.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    struct SrdfModel;
+    struct UrdfModel;
+
+    /** \brief A body that is fixed to a link, such as an object in a gripper */
+    struct AttachedBody
+    {
+        /** \brief What it is called; no link may have that name */
+        std::string name;
+
+        /** \brief The link that holds it. The two are not checked against each other. */
+        std::string link;
+
+        /** \brief Its shapes */
+        Body body;
+
+        /** \brief Its pose in the link's frame */
+        Pose pose{Pose::Identity()};
+
+        /** \brief Other links that may touch it, such as fingers */
+        std::vector<std::string> touchLinks{};
+    };
+
+    /** \brief A robot's description: a URDF file, and an SRDF file that names groups of joints, their states, and pairs of links
+        that need no check.
+
+        Read from URDF: links with their collision geometry (boxes, cylinders, spheres and meshes with their scale), and
+        joints with origin, axis, limits and mimic. Inertias, materials, transmissions and the like are left out, whatever
+        they say. A mesh is looked for
+        - package://name/path: in the folder of the package, if the options tell it; else as name/path or path in the folder of
+          the URDF file, and in each folder above it;
+        - file:///path: there;
+        - path: in the folder of the URDF file.
+
+        COLLADA meshes keep their axes, as ROS reads them, and are brought to meters.
+
+        Read from SRDF: groups of chains, joints, links and groups; group_state; disable_collisions,
+        disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors are
+        groups like others. Joints that are not of an arm's group have fixed values. */
+    class ArmFile
+    {
+    public:
+        /** \brief How files are read */
+        struct Options
+        {
+            /** \brief Whether links have the shapes that they show instead of those that are meant for collision checks */
+            bool useVisuals{false};
+
+            /** \brief The folders of packages, by their names */
+            std::map<std::string, std::string> packages{};
+        };
+
+        /** \brief What an arm is made with */
+        struct ArmSettings
+        {
+            /** \brief The pose of the root link in the workspace; with a virtual joint in the group, that of its parent frame */
+            Pose base{Pose::Identity()};
+
+            /** \brief The values of joints that the group does not move, by their names */
+            std::map<std::string, double> jointValues{};
+
+            /** \brief The bounds of the position of PLANAR and FLOATING joints in the group; see ArmOptions */
+            std::optional<ompl::base::RealVectorBounds> bounds{};
+
+            /** \brief Bodies that the arm carries */
+            std::vector<AttachedBody> attached{};
+        };
+
+        /** \brief Read \e urdf and, unless it is empty, \e srdf.
+            \throws ompl::Exception with one line that names the file, the link or joint, the key and the value if a file or a mesh cannot be
+            read; if links and joints make no tree, or are more than 1000; if a joint lacks what it needs or has limits,
+            an axis or a mimic that make no sense; if a size is not positive; or if the SRDF file names what there is not */
+        explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
+        ArmFile(const std::string &urdf, const std::string &srdf, const Options &options);
+        ~ArmFile();
+
+        /** \brief The robot's name */
+        const std::string &getName() const
+        {
+            return name_;
+        }
+
+        /** \brief The links and joints of the URDF file */
+        const KinematicTree &getTree() const
+        {
+            return tree_;
+        }
+
+        /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can move. */
+        std::vector<std::string> getGroups() const;
+
+        /** \brief The joints of a group that can move, in the order of the tree: those that an arm is planned for
+            \throws ompl::Exception if there is no such group */
+        const std::vector<std::string> &getJoints(const std::string &group) const;
+
+        /** \brief The names of the states that are described for a group */
+        std::vector<std::string> getStates(const std::string &group) const;
+
+        /** \brief The values of joints in a state of a group
+            \throws ompl::Exception if there is no such state */
+        const std::map<std::string, double> &getState(const std::string &group, const std::string &state) const;
+
+        /** \brief An arm that moves the joints of \e group, checked for self-collision in the pairs of links that the SRDF file
+            leaves. Without an SRDF file these are all pairs but links that a joint connects, also through links
+            without geometry, and pairs that collide in all of 1000 random states. Pairs that never move towards each
+            other are checked here, once.
+            \param name the robot's name
+            \param group the group; see getGroups()
+            \param settings base, values of joints, bounds, attached bodies
+            \param notes what a user should know is added here, if given
+            \throws ompl::Exception that names the file and what is wrong, as Arm does */
+        std::shared_ptr<const Arm> makeArm(const std::string &name, const std::string &group,
+                                           const ArmSettings &settings,
+                                           std::vector<std::string> *notes = nullptr) const;
+
+    private:
+        ArmFile(const std::string &urdf, const std::string &srdf, const UrdfModel &model);
+
+        KinematicTree treeFor(const std::vector<std::string> &group, const std::vector<AttachedBody> &attached) const;
+
+        std::string urdf_, srdf_, name_;
+        KinematicTree tree_;
+        std::shared_ptr<const SrdfModel> semantics_;
+    };
+
+    /** \brief An arm, from a URDF and an SRDF file, called as the URDF file calls it. Notes are logged by OMPL.
+
+            team->addRobot(loadArm("panda.urdf", "panda.srdf", "panda_arm"));
+
+        \param urdf the URDF file
+        \param srdf the SRDF file, or empty if there is none
+        \param group the group of joints to plan for; empty without an SRDF file: all joints
+        \param settings base, values of joints, bounds, attached bodies
+        \throws ompl::Exception as ArmFile does */
+    std::shared_ptr<const Arm> loadArm(const std::string &urdf, const std::string &srdf, const std::string &group,
+                                       const ArmFile::ArmSettings &settings = {});
+}
+
+#endif

@@ -1,0 +1,159 @@
+#include "ompl_certificates/robots/KinematicTree.h"
+
+#include <cmath>
+#include <ompl/util/Exception.h>
+#include <sstream>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        using Joint = KinematicTree::Joint;
+        using JointType = KinematicTree::JointType;
+
+        std::string textOf(double value)
+        {
+            std::ostringstream text;
+            text << value;
+            return text.str();
+        }
+
+        [[noreturn]] void failAt(const Joint &joint, const std::string &complaint)
+        {
+            throw ompl::Exception("joint '" + joint.name + "'", complaint);
+        }
+
+        bool hasOneCoordinate(JointType type)
+        {
+            return type == JointType::REVOLUTE || type == JointType::CONTINUOUS || type == JointType::PRISMATIC;
+        }
+
+        /** Complain about what is wrong with \e joint itself. */
+        void check(const Joint &joint)
+        {
+            if (!isFinite(joint.origin))
+                failAt(joint, "the origin must have finite numbers");
+            if (!joint.origin.linear().isUnitary(1e-9) || joint.origin.linear().determinant() < 0.0)
+                failAt(joint, "the origin must be a rotation and a translation");
+            if (joint.type != JointType::FIXED && joint.type != JointType::FLOATING)
+            {
+                if (!joint.axis.allFinite())
+                    failAt(joint, "the axis must have finite numbers");
+                if (!(joint.axis.norm() >= 1e-9))
+                    failAt(joint, "the axis must not be zero");
+            }
+            if (joint.type == JointType::REVOLUTE || joint.type == JointType::PRISMATIC)
+            {
+                if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper))
+                    failAt(joint, "the limits must be finite, not lower " + textOf(joint.lower) + ", upper " +
+                                      textOf(joint.upper));
+                if (joint.lower > joint.upper)
+                    failAt(joint, "the limit lower " + textOf(joint.lower) + " must not be above upper " +
+                                      textOf(joint.upper));
+            }
+            if (!joint.mimic)
+                return;
+            if (!hasOneCoordinate(joint.type))
+                failAt(joint, "only revolute, continuous and prismatic joints can mimic others");
+            if (!std::isfinite(joint.mimic->multiplier) || !std::isfinite(joint.mimic->offset))
+                failAt(joint, "the mimic's multiplier " + textOf(joint.mimic->multiplier) + " and offset " +
+                                  textOf(joint.mimic->offset) + " must be finite");
+        }
+
+        bool areEqual(const Joint &a, const Joint &b)
+        {
+            return a.type == b.type && a.origin.matrix() == b.origin.matrix() && a.axis == b.axis &&
+                   a.lower == b.lower && a.upper == b.upper;
+        }
+    }
+
+    KinematicTree::KinematicTree(const std::string &root, std::optional<Body> body)
+    {
+        if (root.empty())
+            throw ompl::Exception("A link needs a name");
+        links_.push_back({root, std::move(body), 0, {}});
+        linkIndices_.emplace(root, 0);
+    }
+
+    std::size_t KinematicTree::addLink(const std::string &parent, const Joint &joint, const std::string &name,
+                                       std::optional<Body> body)
+    {
+        if (name.empty())
+            throw ompl::Exception("A link needs a name");
+        if (joint.name.empty())
+            throw ompl::Exception("link '" + name + "'", "its joint needs a name");
+        if (hasLink(name))
+            throw ompl::Exception("link '" + name + "'", "there is a link of that name already");
+        if (hasJoint(joint.name))
+            failAt(joint, "there is a joint of that name already");
+        if (!hasLink(parent))
+            failAt(joint, "there is no link '" + parent + "'");
+        check(joint);
+        const std::size_t index = links_.size();
+        links_.push_back({name, std::move(body), getLinkIndex(parent), joint});
+        links_.back().joint.axis.normalize();
+        linkIndices_.emplace(name, index);
+        jointIndices_.emplace(joint.name, index);
+        return index;
+    }
+
+    void KinematicTree::checkMimics() const
+    {
+        for (const Link &link : links_)
+        {
+            const Joint &joint = link.joint;
+            if (!joint.mimic)
+                continue;
+            const std::string &name = joint.mimic->joint;
+            if (!hasJoint(name))
+                failAt(joint, "mimics joint '" + name + "', but there is none");
+            const Joint &followed = links_[getChildOf(name)].joint;
+            if (followed.mimic)
+                failAt(joint, "mimics joint '" + name + "', which mimics a joint itself");
+            if (followed.type == JointType::PLANAR || followed.type == JointType::FLOATING)
+                failAt(joint, "mimics joint '" + name + "', which has more than one coordinate");
+            const double multiplier = joint.mimic->multiplier;
+            if (followed.type == JointType::CONTINUOUS &&
+                (joint.type == JointType::PRISMATIC || multiplier != std::round(multiplier)))
+                failAt(joint, "mimics the continuous joint '" + name +
+                                  "', so it must turn, by a whole multiple and not by " + textOf(multiplier));
+        }
+    }
+
+    std::size_t KinematicTree::getLinkIndex(const std::string &link) const
+    {
+        const auto found = linkIndices_.find(link);
+        if (found == linkIndices_.end())
+            throw ompl::Exception("there is no link '" + link + "'");
+        return found->second;
+    }
+
+    std::size_t KinematicTree::getChildOf(const std::string &joint) const
+    {
+        const auto found = jointIndices_.find(joint);
+        if (found == jointIndices_.end())
+            throw ompl::Exception("there is no joint '" + joint + "'");
+        return found->second;
+    }
+
+    bool KinematicTree::operator==(const KinematicTree &other) const
+    {
+        if (links_.size() != other.links_.size())
+            return false;
+        // Mimics name joints: what they name is compared.
+        const auto followed = [](const KinematicTree &tree, const Joint &joint)
+        { return joint.mimic && tree.hasJoint(joint.mimic->joint) ? tree.getChildOf(joint.mimic->joint) : 0; };
+        for (std::size_t i = 0; i < links_.size(); ++i)
+        {
+            const Link &a = links_[i], &b = other.links_[i];
+            if (a.parent != b.parent || !(a.body == b.body) || !areEqual(a.joint, b.joint) ||
+                a.joint.mimic.has_value() != b.joint.mimic.has_value() ||
+                followed(*this, a.joint) != followed(other, b.joint))
+                return false;
+            if (a.joint.mimic && (a.joint.mimic->multiplier != b.joint.mimic->multiplier ||
+                                  a.joint.mimic->offset != b.joint.mimic->offset))
+                return false;
+        }
+        return true;
+    }
+}

@@ -1,0 +1,203 @@
+#include "ompl_certificates/scene/ArmFile.h"
+
+#include "LinkPairs.h"
+#include "SrdfReader.h"
+#include "UrdfReader.h"
+
+#include <algorithm>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** A list of names, for messages */
+        std::string listOf(const std::vector<std::string> &names)
+        {
+            std::string text;
+            for (const std::string &name : names)
+                text += (text.empty() ? "'" : ", '") + name + "'";
+            return text.empty() ? "none" : text;
+        }
+
+        std::string nameOf(const LinkPair &pair)
+        {
+            return pair.first + " and " + pair.second;
+        }
+
+        template <typename Map>
+        std::vector<std::string> keysOf(const Map &map)
+        {
+            std::vector<std::string> keys;
+            keys.reserve(map.size());
+            for (const auto &[key, value] : map)
+                keys.push_back(key);
+            return keys;
+        }
+
+        void remove(std::vector<LinkPair> &pairs, const LinkPair &pair)
+        {
+            pairs.erase(std::remove(pairs.begin(), pairs.end(), pair), pairs.end());
+        }
+
+        /** The pairs that \e attached must not be checked in */
+        bool mayTouch(const std::vector<AttachedBody> &attached, const LinkPair &pair)
+        {
+            const auto allows = [](const AttachedBody &body, const std::string &other)
+            {
+                return other == body.link ||
+                       std::find(body.touchLinks.begin(), body.touchLinks.end(), other) != body.touchLinks.end();
+            };
+            return std::any_of(attached.begin(), attached.end(),
+                               [&](const AttachedBody &body)
+                               {
+                                   return (pair.first == body.name && allows(body, pair.second)) ||
+                                          (pair.second == body.name && allows(body, pair.first));
+                               });
+        }
+    }
+
+    ArmFile::ArmFile(const std::string &urdf, const std::string &srdf) : ArmFile(urdf, srdf, Options())
+    {
+    }
+
+    ArmFile::ArmFile(const std::string &urdf, const std::string &srdf, const Options &options)
+      : ArmFile(urdf, srdf, readUrdf(urdf, options))
+    {
+    }
+
+    ArmFile::ArmFile(const std::string &urdf, const std::string &srdf, const UrdfModel &model)
+      : urdf_(urdf)
+      , srdf_(srdf)
+      , name_(model.name)
+      , tree_(model.tree)
+      , semantics_(srdf.empty() ? std::make_shared<const SrdfModel>(tree_)
+                                : std::make_shared<const SrdfModel>(srdf, tree_))
+    {
+    }
+
+    ArmFile::~ArmFile() = default;
+
+    std::vector<std::string> ArmFile::getGroups() const
+    {
+        return keysOf(semantics_->groups);
+    }
+
+    const std::vector<std::string> &ArmFile::getJoints(const std::string &group) const
+    {
+        const auto found = semantics_->groups.find(group);
+        if (found == semantics_->groups.end())
+            throw ompl::Exception(srdf_.empty() ? urdf_ : srdf_,
+                                  srdf_.empty()
+                                      ? "there is no group '" + group + "' without an SRDF file"
+                                      : "there is no group '" + group + "'; there are " + listOf(getGroups()));
+        return found->second;
+    }
+
+    std::vector<std::string> ArmFile::getStates(const std::string &group) const
+    {
+        const auto found = semantics_->states.find(group);
+        return found == semantics_->states.end() ? std::vector<std::string>() : keysOf(found->second);
+    }
+
+    const std::map<std::string, double> &ArmFile::getState(const std::string &group, const std::string &state) const
+    {
+        const auto states = semantics_->states.find(group);
+        if (states == semantics_->states.end() || states->second.count(state) == 0)
+            throw ompl::Exception(srdf_.empty() ? urdf_ : srdf_, "group '" + group + "' has no state '" + state +
+                                                                     "'; there are " + listOf(getStates(group)));
+        return states->second.at(state);
+    }
+
+    KinematicTree ArmFile::treeFor(const std::vector<std::string> &group,
+                                   const std::vector<AttachedBody> &attached) const
+    {
+        KinematicTree tree = tree_;
+        const auto &joint = semantics_->virtualJoint;
+        if (joint && std::find(group.begin(), group.end(), joint->name) != group.end())
+        {
+            const auto &links = tree_.getLinks();
+            tree = KinematicTree(joint->parentFrame);
+            KinematicTree::Joint moving;
+            moving.name = joint->name;
+            moving.type = joint->type;
+            tree.addLink(joint->parentFrame, moving, links.front().name, links.front().body);
+            for (std::size_t i = 1; i < links.size(); ++i)
+                tree.addLink(links[links[i].parent].name, links[i].joint, links[i].name, links[i].body);
+        }
+        for (const AttachedBody &body : attached)
+        {
+            for (const std::string &link : body.touchLinks)
+                tree.getLinkIndex(link);
+            KinematicTree::Joint fixed;
+            fixed.name = "attached " + body.name;
+            fixed.origin = body.pose;
+            tree.addLink(body.link, fixed, body.name, body.body);
+        }
+        return tree;
+    }
+
+    std::shared_ptr<const Arm> ArmFile::makeArm(const std::string &name, const std::string &group,
+                                                const ArmSettings &settings, std::vector<std::string> *notes) const
+    {
+        const std::vector<std::string> &joints = getJoints(group);
+        std::vector<std::string> ignored;
+        std::vector<std::string> &told = notes ? *notes : ignored;
+        told.insert(told.end(), semantics_->notes.begin(), semantics_->notes.end());
+        try
+        {
+            const KinematicTree tree = treeFor(joints, settings.attached);
+            ArmOptions options;
+            options.base = settings.base;
+            options.jointValues = settings.jointValues;
+            options.bounds = settings.bounds;
+            if (srdf_.empty())
+                options.linkPairs = pairsNotAdjacent(tree);
+            else
+                for (const LinkPair &pair : pairsOf(tree))
+                    if (!semantics_->isDisabled(pair.first, pair.second))
+                        options.linkPairs.push_back(pair);
+            auto &pairs = options.linkPairs;
+            pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                                       [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
+                        pairs.end());
+            const Arm all(name, tree, joints, options);
+            for (const auto &[pair, collides] : pairsThatStay(all))
+                if (!collides)
+                    remove(pairs, pair);
+                else if (!srdf_.empty())
+                    told.push_back("robot '" + name + "': links " + nameOf(pair) +
+                                   " collide in all states, and the SRDF file does not allow it");
+            if (srdf_.empty())
+            {
+                std::string colliding;
+                for (const LinkPair &pair : pairsThatAlwaysCollide(all))
+                {
+                    remove(pairs, pair);
+                    colliding += (colliding.empty() ? "" : ", ") + nameOf(pair);
+                }
+                told.push_back("robot '" + name + "': without an SRDF file, " + std::to_string(pairs.size()) +
+                               " pairs of links are checked against each other" +
+                               (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
+                               colliding);
+            }
+            return std::make_shared<const Arm>(name, tree, joints, options);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            throw ompl::Exception(urdf_, (group.empty() ? "" : "group '" + group + "': ") + exception.what());
+        }
+    }
+
+    std::shared_ptr<const Arm> loadArm(const std::string &urdf, const std::string &srdf, const std::string &group,
+                                       const ArmFile::ArmSettings &settings)
+    {
+        const ArmFile file(urdf, srdf);
+        std::vector<std::string> notes;
+        auto arm = file.makeArm(file.getName(), group, settings, &notes);
+        for (const std::string &note : notes)
+            OMPL_INFORM("%s: %s", urdf.c_str(), note.c_str());
+        return arm;
+    }
+}

@@ -1,0 +1,24 @@
+#ifndef OMPL_CERTIFICATES_SCENE_LINK_PAIRS_
+#define OMPL_CERTIFICATES_SCENE_LINK_PAIRS_
+
+#include "ompl_certificates/robots/Arm.h"
+
+namespace ompl_certificates
+{
+    /** \brief The names of two links */
+    using LinkPair = std::pair<std::string, std::string>;
+
+    /** \brief All pairs of links with bodies */
+    std::vector<LinkPair> pairsOf(const KinematicTree &tree);
+
+    /** \brief All pairs of links with bodies but those that a joint connects, also through links without bodies */
+    std::vector<LinkPair> pairsNotAdjacent(const KinematicTree &tree);
+
+    /** \brief Of the pairs of \e arm those that collide in all of 1000 random states, always the same ones */
+    std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm);
+
+    /** \brief Of the pairs of \e arm those that never move towards each other, and whether each of them collides */
+    std::vector<std::pair<LinkPair, bool>> pairsThatStay(const Arm &arm);
+}
+
+#endif

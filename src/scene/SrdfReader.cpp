@@ -1,0 +1,201 @@
+#include "SrdfReader.h"
+
+#include "LineReader.h"
+#include "XmlFile.h"
+
+#include <cmath>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        using Node = pugi::xml_node;
+        using Names = std::set<std::string>;
+
+        std::pair<std::string, std::string> ordered(const std::string &first, const std::string &second)
+        {
+            return first < second ? std::make_pair(first, second) : std::make_pair(second, first);
+        }
+
+        /** Finds the joints of groups, which may hold each other. */
+        class Groups
+        {
+        public:
+            Groups(const XmlFile &file, const KinematicTree &tree, std::string virtualJoint)
+              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint))
+            {
+                for (const Node group : file.getRoot().children("group"))
+                    if (!nodes_.emplace(file.attribute(group, "name"), group).second)
+                        file.fail(group, "there are two groups '" + file.attribute(group, "name") + "'");
+            }
+
+            const std::map<std::string, Node> &getNodes() const
+            {
+                return nodes_;
+            }
+
+            /** All joints of a group, those of the groups in it too */
+            Names jointsOf(const std::string &group) const
+            {
+                Names joints, seen{group};
+                std::vector<std::string> open{group};
+                while (!open.empty())
+                {
+                    const Node node = nodes_.at(open.back());
+                    open.pop_back();
+                    for (const Node child : node.children("chain"))
+                        addChain(child, joints);
+                    for (const Node child : node.children("joint"))
+                        joints.insert(joint(child, "name"));
+                    for (const Node child : node.children("link"))
+                        joints.insert(tree_.getLinks()[link(child, "name")].joint.name);
+                    for (const Node child : node.children("group"))
+                    {
+                        const std::string name = file_.attribute(child, "name");
+                        if (nodes_.count(name) == 0)
+                            file_.fail(child, "there is no group '" + name + "'");
+                        if (seen.insert(name).second)
+                            open.push_back(name);
+                    }
+                }
+                return joints;
+            }
+
+            std::string joint(const Node &node, const char *key) const
+            {
+                std::string name = file_.attribute(node, key);
+                if (name != virtualJoint_ && !tree_.hasJoint(name))
+                    file_.fail(node, std::string(key) + ": there is no joint '" + name + "'");
+                return name;
+            }
+
+            std::size_t link(const Node &node, const char *key) const
+            {
+                const std::string name = file_.attribute(node, key);
+                if (!tree_.hasLink(name))
+                    file_.fail(node, std::string(key) + ": there is no link '" + name + "'");
+                return tree_.getLinkIndex(name);
+            }
+
+        private:
+            void addChain(const Node &node, Names &joints) const
+            {
+                const std::size_t base = link(node, "base_link");
+                for (std::size_t i = link(node, "tip_link"); i != base; i = tree_.getLinks()[i].parent)
+                {
+                    if (i == 0)
+                        file_.fail(node, "tip_link '" + file_.attribute(node, "tip_link") +
+                                             "' is no descendant of base_link '" + file_.attribute(node, "base_link") +
+                                             "'");
+                    joints.insert(tree_.getLinks()[i].joint.name);
+                }
+            }
+
+            const XmlFile &file_;
+            const KinematicTree &tree_;
+            const std::string virtualJoint_;
+            std::map<std::string, Node> nodes_;
+        };
+
+        bool canMove(const KinematicTree::Joint &joint)
+        {
+            using Type = KinematicTree::JointType;
+            const bool limited = joint.type == Type::REVOLUTE || joint.type == Type::PRISMATIC;
+            return joint.type != Type::FIXED && !joint.mimic && (!limited || joint.lower < joint.upper);
+        }
+    }
+
+    SrdfModel::SrdfModel(const KinematicTree &tree)
+    {
+        std::vector<std::string> &joints = groups[""];
+        for (const KinematicTree::Link &link : tree.getLinks())
+            if (canMove(link.joint))
+                joints.push_back(link.joint.name);
+    }
+
+    SrdfModel::SrdfModel(const std::string &file, const KinematicTree &tree)
+    {
+        const XmlFile xml(file, "robot");
+        const Node root = xml.getRoot();
+        const std::string &rootLink = tree.getLinks().front().name;
+        std::string virtualName;
+        for (const Node node : root.children("virtual_joint"))
+        {
+            using Type = KinematicTree::JointType;
+            const std::string name = xml.attribute(node, "name"), type = xml.attribute(node, "type");
+            const std::map<std::string, Type> types{
+                {"fixed", Type::FIXED}, {"planar", Type::PLANAR}, {"floating", Type::FLOATING}};
+            if (types.count(type) == 0)
+                xml.fail(node, "type: must be fixed, planar or floating, not '" + type + "'");
+            if (xml.attribute(node, "child_link") != rootLink)
+                notes.push_back("virtual joint '" + name + "' is ignored: its child is not the root link '" + rootLink +
+                                "'");
+            else if (virtualJoint)
+                xml.fail(node, "there are two virtual joints of link '" + rootLink + "'");
+            else
+            {
+                if (tree.hasJoint(name))
+                    xml.fail(node, "name: there is a joint '" + name + "' already");
+                virtualName = name;
+                virtualJoint = VirtualJoint{name, xml.attribute(node, "parent_frame"), types.at(type)};
+            }
+        }
+
+        const Groups all(xml, tree, virtualName);
+        Names passive;
+        for (const Node node : root.children("passive_joint"))
+            passive.insert(all.joint(node, "name"));
+        for (const auto &[name, node] : all.getNodes())
+        {
+            const Names names = all.jointsOf(name);
+            std::vector<std::string> &joints = groups[name];
+            if (virtualJoint && virtualJoint->type != KinematicTree::JointType::FIXED && names.count(virtualName) > 0)
+                joints.push_back(virtualName);
+            for (const KinematicTree::Link &link : tree.getLinks())
+                if (names.count(link.joint.name) > 0 && canMove(link.joint) && passive.count(link.joint.name) == 0)
+                    joints.push_back(link.joint.name);
+        }
+        for (const Node node : root.children("group_state"))
+        {
+            const std::string group = xml.attribute(node, "group");
+            if (groups.count(group) == 0)
+                xml.fail(node, "group: there is no group '" + group + "'");
+            auto &values = states[group][xml.attribute(node, "name")];
+            for (const Node child : node.children("joint"))
+            {
+                const std::string joint = all.joint(child, "name"), text = xml.attribute(child, "value");
+                double value = 0.0;
+                // Joints with several coordinates are not described by one number.
+                if (joint == virtualName || text.find_first_of(" \t") != std::string::npos)
+                    notes.push_back("state '" + xml.attribute(node, "name") + "' of group '" + group +
+                                    "': the value of joint '" + joint + "' is ignored");
+                else if (!parseNumber(text, value) || !std::isfinite(value))
+                    xml.fail(child, "joint '" + joint + "', value: must be a finite number, not '" + text + "'");
+                else
+                    values[joint] = value;
+            }
+        }
+        const auto readPairs = [&](const char *element, std::set<Pair> &pairs)
+        {
+            for (const Node node : root.children(element))
+            {
+                for (const char *key : {"link1", "link2"})
+                    if (!tree.hasLink(xml.attribute(node, key)))
+                        notes.push_back(std::string(element) + ": there is no link '" + xml.attribute(node, key) + "'");
+                pairs.insert(ordered(xml.attribute(node, "link1"), xml.attribute(node, "link2")));
+            }
+        };
+        readPairs("disable_collisions", disabled_);
+        readPairs("enable_collisions", enabled_);
+        for (const Node node : root.children("disable_default_collisions"))
+            disabledLinks_.insert(xml.attribute(node, "link"));
+    }
+
+    bool SrdfModel::isDisabled(const std::string &first, const std::string &second) const
+    {
+        const auto pair = ordered(first, second);
+        if (disabled_.count(pair) > 0)
+            return true;
+        return (disabledLinks_.count(first) > 0 || disabledLinks_.count(second) > 0) && enabled_.count(pair) == 0;
+    }
+}

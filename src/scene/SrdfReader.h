@@ -1,0 +1,55 @@
+#ifndef OMPL_CERTIFICATES_SCENE_SRDF_READER_
+#define OMPL_CERTIFICATES_SCENE_SRDF_READER_
+
+#include "ompl_certificates/robots/KinematicTree.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What an SRDF file says about the robot of a URDF file */
+    struct SrdfModel
+    {
+        /** \brief A joint between the root link and a frame outside of the robot */
+        struct VirtualJoint
+        {
+            std::string name, parentFrame;
+            KinematicTree::JointType type;
+        };
+
+        /** \brief Read \e file about the links and joints of \e tree. Names that the tree does not have are errors in groups and states;
+            in pairs of links they are noted.
+            \throws ompl::Exception see ArmFile */
+        SrdfModel(const std::string &file, const KinematicTree &tree);
+
+        /** \brief Without a file: one group without a name, of all joints that can move */
+        explicit SrdfModel(const KinematicTree &tree);
+
+        /** \brief Whether two links are not checked against each other */
+        bool isDisabled(const std::string &first, const std::string &second) const;
+
+        /** \brief The joints of each group: those that a plan can move, in the order of the tree */
+        std::map<std::string, std::vector<std::string>> groups;
+
+        /** \brief The values of the joints in each state of a group, by group and state. */
+        std::map<std::string, std::map<std::string, std::map<std::string, double>>> states;
+
+        /** \brief The joint between the root and the world, if there is one that moves */
+        std::optional<VirtualJoint> virtualJoint;
+
+        /** \brief What a user should know, one line each */
+        std::vector<std::string> notes;
+
+    private:
+        using Pair = std::pair<std::string, std::string>;
+        std::set<Pair> disabled_, enabled_;
+        std::set<std::string> disabledLinks_;
+    };
+}
+
+#endif

@@ -1,0 +1,179 @@
+#include "UrdfGeometry.h"
+
+#include "YamlNode.h"
+
+#include <ompl/util/Exception.h>
+#include <sstream>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        std::string textOf(double value)
+        {
+            std::ostringstream text;
+            text << value;
+            return text.str();
+        }
+
+        void requireSize(const char *key, double value)
+        {
+            if (!(value >= YamlNode::MIN_SIZE && value <= YamlNode::MAX_NUMBER))
+                throw ompl::Exception(std::string(key) + " must be from " + textOf(YamlNode::MIN_SIZE) + " to " +
+                                      textOf(YamlNode::MAX_NUMBER) + ", not " + textOf(value));
+        }
+
+        /** What follows \e prefix in \e text, if it begins so */
+        std::optional<std::string> after(const std::string &prefix, const std::string &text)
+        {
+            if (text.compare(0, prefix.size(), prefix) != 0)
+                return {};
+            return text.substr(prefix.size());
+        }
+
+        bool isFile(const fs::path &path)
+        {
+            std::error_code error;
+            return fs::exists(path, error) && !fs::is_directory(path, error);
+        }
+    }
+
+    Pose poseOf(const urdf::Pose &pose)
+    {
+        const auto &q = pose.rotation;
+        const auto &p = pose.position;
+        const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
+        const Eigen::Vector3d position(p.x, p.y, p.z);
+        // Larger numbers would leave nothing of the others.
+        if (!(std::abs(rotation.norm() - 1.0) < 1e-6) || !(position.cwiseAbs().maxCoeff() <= YamlNode::MAX_NUMBER))
+            throw ompl::Exception("the origin's numbers must be finite and at most " + textOf(YamlNode::MAX_NUMBER));
+        Pose result = poseAt(position);
+        result.linear() = rotation.normalized().toRotationMatrix();
+        return result;
+    }
+
+    UrdfGeometry::UrdfGeometry(const std::string &file, const ArmFile::Options &options)
+      : file_(file), options_(options)
+    {
+    }
+
+    std::optional<Body> UrdfGeometry::bodyOf(const urdf::Link &link)
+    {
+        std::vector<Body::Part> parts;
+        const auto add = [&](const char *element, std::size_t number, const urdf::GeometrySharedPtr &geometry,
+                             const urdf::Pose &origin)
+        {
+            try
+            {
+                if (!geometry)
+                    throw ompl::Exception("has no geometry");
+                parts.push_back({shapeOf(*geometry), poseOf(origin)});
+            }
+            catch (const ompl::Exception &exception)
+            {
+                throw ompl::Exception(file_, "link '" + link.name + "': " + element + " " + std::to_string(number + 1) +
+                                                 ": " + exception.what());
+            }
+        };
+        if (options_.useVisuals)
+            for (std::size_t i = 0; i < link.visual_array.size(); ++i)
+                add("visual", i, link.visual_array[i]->geometry, link.visual_array[i]->origin);
+        else
+            for (std::size_t i = 0; i < link.collision_array.size(); ++i)
+                add("collision", i, link.collision_array[i]->geometry, link.collision_array[i]->origin);
+        if (parts.empty())
+            return {};
+        return Body(parts);
+    }
+
+    Shape UrdfGeometry::shapeOf(const urdf::Geometry &geometry)
+    {
+        if (const auto *box = dynamic_cast<const urdf::Box *>(&geometry))
+        {
+            requireSize("box size x", box->dim.x);
+            requireSize("box size y", box->dim.y);
+            requireSize("box size z", box->dim.z);
+            return Shape::box(Eigen::Vector3d(box->dim.x, box->dim.y, box->dim.z));
+        }
+        if (const auto *sphere = dynamic_cast<const urdf::Sphere *>(&geometry))
+        {
+            requireSize("sphere radius", sphere->radius);
+            return Shape::ball(3, sphere->radius);
+        }
+        if (const auto *cylinder = dynamic_cast<const urdf::Cylinder *>(&geometry))
+        {
+            requireSize("cylinder radius", cylinder->radius);
+            requireSize("cylinder length", cylinder->length);
+            return Shape::cylinder(cylinder->radius, cylinder->length);
+        }
+        if (const auto *mesh = dynamic_cast<const urdf::Mesh *>(&geometry))
+            return meshOf(*mesh);
+        throw ompl::Exception("its geometry is of a kind that is not known");
+    }
+
+    Shape UrdfGeometry::meshOf(const urdf::Mesh &mesh)
+    {
+        const fs::path path = find(mesh.filename);
+        const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+        std::ostringstream scaleText;
+        scaleText << scale.transpose();
+        for (const double factor : {scale.x(), scale.y(), scale.z()})
+            if (!(std::abs(factor) >= YamlNode::MIN_SIZE && std::abs(factor) <= YamlNode::MAX_NUMBER))
+                throw ompl::Exception("mesh '" + mesh.filename + "': scale must be finite and not zero, not " +
+                                      scaleText.str());
+        const std::array<std::string, 2> key{path.string(), scaleText.str()};
+        if (const auto known = shapes_.find(key); known != shapes_.end())
+            return known->second;
+        auto file = meshes_.find(path.string());
+        if (file == meshes_.end())
+            file = meshes_.emplace(path.string(), MeshFile(path.string(), true)).first;
+        Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+        transform.linear() = scale.asDiagonal();
+        const TriangleMeshPtr triangles =
+            scale == Eigen::Vector3d::Ones() ? file->second.getMesh() : file->second.transformed(transform);
+        return shapes_.emplace(key, Shape::mesh(3, triangles)).first->second;
+    }
+
+    fs::path UrdfGeometry::find(const std::string &name) const
+    {
+        std::error_code error;
+        const fs::path folder = fs::absolute(fs::path(file_), error).parent_path().lexically_normal();
+        const auto missing = [&](const std::string &where)
+        { throw ompl::Exception("mesh '" + name + "' was not found " + where); };
+        if (const auto path = after("file://", name))
+        {
+            if (!isFile(*path))
+                missing("");
+            return *path;
+        }
+        if (const auto rest = after("package://", name))
+        {
+            const std::size_t slash = rest->find('/');
+            const std::string package = rest->substr(0, slash),
+                              path = slash == std::string::npos ? "" : rest->substr(slash + 1);
+            if (const auto known = options_.packages.find(package); known != options_.packages.end())
+            {
+                if (!isFile(fs::path(known->second) / path))
+                    missing("in '" + known->second + "'");
+                return (fs::path(known->second) / path).lexically_normal();
+            }
+            // The package is the folder of the URDF file or above it, or stands beside one of these.
+            for (fs::path above = folder; !above.empty(); above = above.parent_path())
+            {
+                for (const fs::path &candidate : {above / package / path, above / path})
+                    if (isFile(candidate))
+                        return candidate.lexically_normal();
+                if (above == above.parent_path())
+                    break;
+            }
+            missing("from '" + folder.string() + "' upwards; tell where package '" + package + "' is");
+        }
+        if (name.find("://") != std::string::npos)
+            missing(": only package:// and file:// can be read");
+        if (!isFile(folder / name))
+            missing("in '" + folder.string() + "'");
+        return (folder / name).lexically_normal();
+    }
+}

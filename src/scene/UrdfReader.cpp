@@ -1,0 +1,253 @@
+#include "UrdfReader.h"
+
+#include "UrdfGeometry.h"
+#include "XmlFile.h"
+
+#include <console_bridge/console.h>
+#include <mutex>
+#include <ompl/util/Exception.h>
+#include <set>
+#include <sstream>
+#include <urdf_parser/urdf_parser.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr std::size_t MAX_LINKS = 1000;
+
+        /** Keeps what urdfdom would print. One at a time. */
+        class Complaints : public console_bridge::OutputHandler
+        {
+        public:
+            Complaints() : lock_(mutex()), previous_(console_bridge::getOutputHandler())
+            {
+                console_bridge::useOutputHandler(this);
+            }
+
+            ~Complaints() override
+            {
+                console_bridge::useOutputHandler(previous_);
+            }
+
+            Complaints(const Complaints &) = delete;
+            Complaints &operator=(const Complaints &) = delete;
+
+            void log(const std::string &text, console_bridge::LogLevel level, const char * /*filename*/,
+                     int /*line*/) override
+            {
+                if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR)
+                    text_ += (text_.empty() ? "" : "; ") + text;
+            }
+
+            const std::string &getText() const
+            {
+                return text_;
+            }
+
+        private:
+            static std::mutex &mutex()
+            {
+                static std::mutex one;
+                return one;
+            }
+
+            std::unique_lock<std::mutex> lock_;
+            console_bridge::OutputHandler *previous_;
+            std::string text_;
+        };
+
+        /** urdfdom's model. Its links own each other: long chains are taken apart one by one, not by recursion. */
+        class Model
+        {
+        public:
+            Model(const XmlFile &file, const std::string &text)
+            {
+                Complaints complaints;
+                try
+                {
+                    model_ = urdf::parseURDF(text);
+                }
+                catch (const std::exception &exception)
+                {
+                    file.fail(exception.what());
+                }
+                // It leaves out shapes that it does not understand.
+                if (!model_ || !complaints.getText().empty())
+                    file.fail(complaints.getText().empty() ? "is not a URDF model" : complaints.getText());
+            }
+
+            ~Model()
+            {
+                if (model_)
+                    for (auto &[name, link] : model_->links_)
+                    {
+                        link->child_links.clear();
+                        link->child_joints.clear();
+                    }
+            }
+
+            Model(const Model &) = delete;
+            Model &operator=(const Model &) = delete;
+
+            const urdf::ModelInterface &get() const
+            {
+                return *model_;
+            }
+
+        private:
+            urdf::ModelInterfaceSharedPtr model_;
+        };
+
+        /** Drop what planning does not need, so that it cannot be wrong. */
+        void prune(pugi::xml_node robot, bool useVisuals)
+        {
+            const auto keep = [](pugi::xml_node node, const std::set<std::string> &names)
+            {
+                for (pugi::xml_node child = node.first_child(); child;)
+                {
+                    const pugi::xml_node next = child.next_sibling();
+                    if (names.count(child.name()) == 0)
+                        node.remove_child(child);
+                    child = next;
+                }
+            };
+            keep(robot, {"link", "joint"});
+            for (const pugi::xml_node link : robot.children("link"))
+            {
+                const std::string kept = useVisuals ? "visual" : "collision";
+                keep(link, {kept});
+                for (const pugi::xml_node element : link.children(kept.c_str()))
+                    keep(element, {"origin", "geometry"});
+            }
+            for (const pugi::xml_node joint : robot.children("joint"))
+                keep(joint, {"origin", "parent", "child", "axis", "limit", "mimic"});
+        }
+
+        /** What urdfdom would not notice, or not name */
+        void check(const XmlFile &file, pugi::xml_node robot)
+        {
+            std::size_t links = 0;
+            for ([[maybe_unused]] const pugi::xml_node link : robot.children("link"))
+                ++links;
+            if (links == 0)
+                file.fail("has no link");
+            if (links > MAX_LINKS)
+                file.fail("has " + std::to_string(links) + " links, more than " + std::to_string(MAX_LINKS));
+            std::map<std::string, std::string> parents;
+            for (const pugi::xml_node joint : robot.children("joint"))
+            {
+                const std::string name = joint.attribute("name").value(),
+                                  child = joint.child("child").attribute("link").value();
+                const auto [other, isNew] = parents.emplace(child, name);
+                if (!isNew)
+                    file.fail("link '" + child + "' is the child of two joints, '" + other->second + "' and '" + name +
+                              "'");
+            }
+        }
+
+        KinematicTree::Joint jointOf(const urdf::Joint &joint)
+        {
+            using Type = KinematicTree::JointType;
+            KinematicTree::Joint result;
+            result.name = joint.name;
+            result.origin = poseOf(joint.parent_to_joint_origin_transform);
+            switch (joint.type)
+            {
+                case urdf::Joint::REVOLUTE:
+                    result.type = Type::REVOLUTE;
+                    break;
+                case urdf::Joint::CONTINUOUS:
+                    result.type = Type::CONTINUOUS;
+                    break;
+                case urdf::Joint::PRISMATIC:
+                    result.type = Type::PRISMATIC;
+                    break;
+                case urdf::Joint::FLOATING:
+                    result.type = Type::FLOATING;
+                    break;
+                case urdf::Joint::PLANAR:
+                    result.type = Type::PLANAR;
+                    break;
+                case urdf::Joint::FIXED:
+                    result.type = Type::FIXED;
+                    break;
+                default:
+                    throw ompl::Exception("its type is not known");
+            }
+            result.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
+            if (result.type == Type::REVOLUTE || result.type == Type::PRISMATIC)
+            {
+                if (!joint.limits)
+                    throw ompl::Exception("has no limits");
+                result.lower = joint.limits->lower;
+                result.upper = joint.limits->upper;
+            }
+            // Some files fix joints and leave what they followed.
+            if (joint.mimic && result.type != Type::FIXED)
+                result.mimic =
+                    KinematicTree::Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+            return result;
+        }
+    }
+
+    UrdfModel readUrdf(const std::string &file, const ArmFile::Options &options)
+    {
+        XmlFile xml(file, "robot");
+        const pugi::xml_node robot = xml.getRoot();
+        if (xml.hasPrefix("xacro:"))
+            xml.fail("is a xacro file; expand it first");
+        prune(robot, options.useVisuals);
+        check(xml, robot);
+        std::ostringstream text;
+        robot.print(text, "", pugi::format_raw);
+        const Model model(xml, text.str());
+        if (!model.get().getRoot())
+            xml.fail("has no root link");
+
+        UrdfGeometry geometry(file, options);
+        const auto fail = [&](const urdf::Joint &joint, const std::string &complaint)
+        { xml.fail("joint '" + joint.name + "': " + complaint); };
+        const urdf::LinkConstSharedPtr root = model.get().getRoot();
+        UrdfModel result{model.get().getName(), KinematicTree(root->name, geometry.bodyOf(*root))};
+        std::vector<urdf::LinkConstSharedPtr> open(root->child_links.rbegin(), root->child_links.rend());
+        while (!open.empty())
+        {
+            const urdf::LinkConstSharedPtr link = open.back();
+            open.pop_back();
+            const urdf::Joint &joint = *link->parent_joint;
+            const std::optional<Body> body = geometry.bodyOf(*link);
+            KinematicTree::Joint made;
+            try
+            {
+                made = jointOf(joint);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                fail(joint, exception.what());
+            }
+            try
+            {
+                result.tree.addLink(joint.parent_link_name, made, link->name, body);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                xml.fail(exception.what());
+            }
+            open.insert(open.end(), link->child_links.rbegin(), link->child_links.rend());
+        }
+        // What the root does not reach hangs on a loop.
+        for (const auto &[name, link] : model.get().links_)
+            if (!result.tree.hasLink(name))
+                xml.fail("link '" + name + "' is part of a loop");
+        try
+        {
+            result.tree.checkMimics();
+        }
+        catch (const ompl::Exception &exception)
+        {
+            xml.fail(exception.what());
+        }
+        return result;
+    }
+}
