@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/robots/Arm.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -75,6 +76,9 @@ namespace ompl_certificates
 
             /** \brief Bodies that the arm carries */
             std::vector<AttachedBody> attached{};
+
+            /** \brief Whether two links or attached bodies may touch, in place of what the SRDF file says of them */
+            std::function<bool(const std::string &first, const std::string &second)> mayTouch{};
         };
 
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
