@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -181,13 +182,18 @@ namespace ompl_certificates
                 node.has("position") ? node.at("position").numbers(names.size()) : std::vector<double>();
             if (positions.size() != names.size())
                 node.at("position");
+            std::set<std::string> seen;
             for (std::size_t i = 0; i < names.size(); ++i)
             {
                 const std::string name = names[i].text();
                 if (!tree.hasJoint(name))
                     names[i].fail("there is no joint '" + name + "'");
-                if (!state.joints.emplace(name, positions[i]).second)
+                if (!seen.insert(name).second)
                     names[i].fail("'" + name + "' is given twice");
+                // MoveIt's messages may list fixed joints, too.
+                const KinematicTree::JointType type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                if (type != KinematicTree::JointType::FIXED)
+                    state.joints[name] = positions[i];
             }
         }
 
