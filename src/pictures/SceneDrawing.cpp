@@ -70,6 +70,11 @@ namespace ompl_certificates
         return poses;
     }
 
+    Eigen::Vector3d SceneDrawing::pointOf(std::size_t robot, const BodyPoses &poses) const
+    {
+        return poses[scene_.getMembers()[robot].robot->getTracedBody()].translation();
+    }
+
     std::vector<BodyPoses> SceneDrawing::getStarts() const
     {
         return scene_.getMembers().empty() ? std::vector<BodyPoses>()
@@ -105,7 +110,7 @@ namespace ompl_certificates
             drawBodies(svg, view, *scene_.getMembers()[i].robot, goals[i]);
             svg.endGroup();
             // One robot's goal may be another's start: the crosses have a white edge.
-            const Eigen::Vector2d center = view.project(goals[i].front().translation());
+            const Eigen::Vector2d center = view.project(pointOf(i, goals[i]));
             cross(svg, center, 7.0, "stroke='white' stroke-width='5' stroke-opacity='0.8'");
             cross(svg, center, 6.0, "stroke='" + color + "' stroke-width='2.6'");
         }

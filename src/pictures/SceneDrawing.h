@@ -45,6 +45,9 @@ namespace ompl_certificates
         /** \brief The poses of each robot at a state of the team */
         std::vector<BodyPoses> posesOf(const ompl::base::State *state) const;
 
+        /** \brief Where a robot is whose bodies have those poses: the origin of its traced body */
+        Eigen::Vector3d pointOf(std::size_t robot, const BodyPoses &poses) const;
+
         /** \brief The poses of each robot at its start; empty if there are no robots */
         std::vector<BodyPoses> getStarts() const;
 

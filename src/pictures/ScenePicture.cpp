@@ -19,10 +19,10 @@ namespace ompl_certificates
 
         constexpr std::size_t STATIONS = 24, MAX_EDGES = 20000, MAX_CERTIFICATES = 4000;
 
-        /** The radius of a ring about the first body of \e robot, in pixels */
+        /** The radius of a ring about the traced body of \e robot, in pixels */
         double ringOf(const Robot &robot, const SceneView &view)
         {
-            return std::max(7.0, view.getScale() * robot.getBodies().front().getBoundingRadius() + 4.0);
+            return std::max(7.0, view.getScale() * robot.getBodies()[robot.getTracedBody()].getBoundingRadius() + 4.0);
         }
 
         SceneDrawing::Symbol startSymbol()
@@ -68,7 +68,7 @@ namespace ompl_certificates
             const bool station = i * STATIONS / (last + 1) != (i + 1) * STATIONS / (last + 1);
             for (std::size_t robot = 0; robot < poses.size(); ++robot)
             {
-                lines_[robot].push_back(poses[robot].front().translation());
+                lines_[robot].push_back(drawing.pointOf(robot, poses[robot]));
                 if (station)
                     stations_[robot].push_back(poses[robot]);
             }
@@ -93,7 +93,7 @@ namespace ompl_certificates
                 const auto from = drawing.posesOf(data.getVertex(v).getState()),
                            to = drawing.posesOf(data.getVertex(target).getState());
                 for (std::size_t robot = 0; robot < from.size(); ++robot)
-                    edges_[robot].emplace_back(from[robot].front().translation(), to[robot].front().translation());
+                    edges_[robot].emplace_back(drawing.pointOf(robot, from[robot]), drawing.pointOf(robot, to[robot]));
             }
         }
     }
@@ -144,7 +144,8 @@ namespace ompl_certificates
             svg.beginGroup("fill='" + color + "' fill-opacity='0.75' " + stroke);
             SceneDrawing::drawBodies(svg, view, robot, starts[i]);
             svg.endGroup();
-            svg.circle(view.project(starts[i].front().translation()), ringOf(robot, view), "fill='none' " + stroke);
+            svg.circle(view.project(SceneDrawing(scene_).pointOf(i, starts[i])), ringOf(robot, view),
+                       "fill='none' " + stroke);
         }
     }
 

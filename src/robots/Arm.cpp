@@ -3,6 +3,7 @@
 #include "ArmModel.h"
 #include "SpaceBounds.h"
 
+#include <algorithm>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -51,6 +52,15 @@ namespace ompl_certificates
     const std::string &Arm::getLinkOfBody(std::size_t body) const
     {
         return model_->tree.getLinks()[model_->links[body]].name;
+    }
+
+    std::size_t Arm::getTracedBody() const
+    {
+        const auto &chains = model_->chains;
+        const auto last = std::max_element(chains.rbegin(), chains.rend(),
+                                           [](const JointChain &a, const JointChain &b)
+                                           { return a.getJointCount() < b.getJointCount(); });
+        return static_cast<std::size_t>(chains.rend() - last) - 1;
     }
 
     Pose Arm::getLinkPose(const ob::State *state, const std::string &link) const

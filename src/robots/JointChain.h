@@ -25,6 +25,12 @@ namespace ompl_certificates
         /** \brief The joints between the frame \e observer and the \e target. Cost: some microseconds for each. */
         JointChain(const JointFrames &frames, std::size_t observer, const JointFrames::Place &target);
 
+        /** \brief How many joints there are; a PLANAR or FLOATING one counts twice */
+        std::size_t getJointCount() const
+        {
+            return steps_.size();
+        }
+
         /** \brief The motion bound of the target's frame, seen by the observer
             \param middle the frames in the middle of the motion
             \param motions how each mover moves

@@ -30,6 +30,7 @@ namespace ompl_certificates
         std::vector<std::string> keysOf(const Map &map)
         {
             std::vector<std::string> keys;
+            keys.reserve(map.size());
             for (const auto &[key, value] : map)
                 keys.push_back(key);
             return keys;
@@ -196,7 +197,7 @@ namespace ompl_certificates
     {
         const ArmFile file(urdf, srdf);
         std::vector<std::string> notes;
-        const auto arm = file.makeArm(file.getName(), group, settings, &notes);
+        auto arm = file.makeArm(file.getName(), group, settings, &notes);
         for (const std::string &note : notes)
             OMPL_INFORM("%s: %s", urdf.c_str(), note.c_str());
         return arm;

@@ -72,7 +72,8 @@ namespace ompl_certificates
                 {
                     file.fail(exception.what());
                 }
-                if (!model_)
+                // It leaves out shapes that it does not understand.
+                if (!model_ || !complaints.getText().empty())
                     file.fail(complaints.getText().empty() ? "is not a URDF model" : complaints.getText());
             }
 

@@ -82,7 +82,7 @@ namespace ompl_certificates
 
     std::string XmlFile::attribute(const pugi::xml_node &node, const char *name) const
     {
-        const std::string value = node.attribute(name).value();
+        std::string value = node.attribute(name).value();
         if (value.empty())
             fail(node, std::string(name) + ": missing");
         return value;

@@ -41,8 +41,10 @@ namespace ompl_certificates
         projection.setZero();
         for (unsigned int i = 0; i < team_->getRobotCount(); ++i)
         {
-            team_->getRobot(i).computePoses(teamState->components[i], poses.data());
-            projection += map_.middleCols(i * map_.rows(), map_.rows()) * poses[0].translation().head(map_.rows());
+            const Robot &robot = team_->getRobot(i);
+            robot.computePoses(teamState->components[i], poses.data());
+            projection += map_.middleCols(i * map_.rows(), map_.rows()) *
+                          poses[robot.getTracedBody()].translation().head(map_.rows());
         }
     }
 }

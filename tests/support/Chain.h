@@ -113,12 +113,15 @@ namespace ompl_certificates
             }
 
             /** \brief How far a joint turns or slides */
-            double change(const ompl::base::State *from, const ompl::base::State *to, std::size_t number) const
+            double change(const ompl::base::State *from, const ompl::base::State *to, std::size_t joint) const
             {
-                const auto joint = static_cast<unsigned int>(number);
-                return getStateSpace()->as<ompl::base::CompoundStateSpace>()->getSubspace(joint)->distance(
-                    from->as<ompl::base::CompoundState>()->components[joint],
-                    to->as<ompl::base::CompoundState>()->components[joint]);
+                const ompl::base::State *a = from->as<ompl::base::CompoundState>()->components[joint],
+                                        *b = to->as<ompl::base::CompoundState>()->components[joint];
+                if (!turns(joint))
+                    return std::abs(valueOf(b) - valueOf(a));
+                const double turn = std::abs(b->as<ompl::base::SO2StateSpace::StateType>()->value -
+                                             a->as<ompl::base::SO2StateSpace::StateType>()->value);
+                return turn <= M_PI ? turn : std::abs(2.0 * M_PI - turn);
             }
 
             /** \brief The length of the chain from the origin of link \e first - 1 to that of link \e end - 1 */

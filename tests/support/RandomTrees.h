@@ -11,6 +11,38 @@ namespace ompl_certificates
 {
     namespace test
     {
+        inline KinematicTree::Joint joint(const std::string &name, KinematicTree::JointType type,
+                                          const Eigen::Vector3d &origin,
+                                          const Eigen::Vector3d &axis = Eigen::Vector3d::UnitZ(), double lower = -2.0,
+                                          double upper = 2.0)
+        {
+            return {name, type, poseAt(origin), axis, lower, upper, {}};
+        }
+
+        /** A chain in the manner of an arm: seven joints with crossing and with offset axes */
+        inline KinematicTree sevenJoints()
+        {
+            KinematicTree tree("base", Body::box(0.2, 0.2, 0.1));
+            std::string parent = "base";
+            const Eigen::Vector3d axes[] = {{0, 0, 1}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0},
+                                            {0, 0, 1}, {0, 1, 0}, {0, 0, 1}};
+            const Eigen::Vector3d origins[] = {{0, 0, 0.3},     {0, 0, 0.1},  {0, 0, 0.3},   {0.08, 0, 0.1},
+                                               {-0.08, 0, 0.2}, {0, 0, 0.15}, {0.09, 0, 0.1}};
+            for (int i = 0; i < 7; ++i)
+            {
+                const std::string name = "link" + std::to_string(i + 1);
+                tree.addLink(
+                    parent,
+                    joint("joint" + std::to_string(i + 1), KinematicTree::JointType::REVOLUTE, origins[i], axes[i]),
+                    name, Body({{Shape::cylinder(0.05, 0.2), poseAt({0.02, 0.0, 0.08})}}));
+                parent = name;
+            }
+            return tree;
+        }
+
+        inline const std::vector<std::string> SEVEN{"joint1", "joint2", "joint3", "joint4",
+                                                    "joint5", "joint6", "joint7"};
+
         /** \brief A random tree of links, and an arm that moves some of its joints: all kinds of them, mimics too */
         class RandomTree
         {

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TESTS_SUPPORT_TEAMS_
 #define OMPL_CERTIFICATES_TESTS_SUPPORT_TEAMS_
 
+#include "Chain.h"
 #include "RandomBodies.h"
 #include "RandomMeshes.h"
 #include "RandomStates.h"
@@ -83,8 +84,34 @@ namespace ompl_certificates
             return team;
         }
 
+        /** \brief Two arms that may touch themselves, with links of several shapes and a joint that slides, and a sphere */
+        inline TeamStateSpacePtr teamOfArms(double unit = 1.0)
+        {
+            const Pose next = poseAt({0.9 * unit, 0.0, 0.0});
+            const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+            const auto along = [&](const Shape &shape) { return Body({{shape, poseAt({0.45 * unit, 0.0, 0.0})}}); };
+            const Body box = along(Shape::box(Eigen::Vector3d(0.8 * unit, 0.2 * unit, 0.2 * unit))),
+                       ball = along(Shape::ball(3, 0.25 * unit)),
+                       mesh = Body::mesh(boxMesh({0.7 * unit, 0.15 * unit, 0.2 * unit}, {0.45 * unit, 0.0, 0.0}));
+            const auto arm = [&](const std::string &name, double x)
+            {
+                return std::make_shared<Chain>(name,
+                                               std::vector<Chain::Link>{{box, poseAt({x * unit, 0.0, 0.0}), z, 0.0},
+                                                                        {mesh, next, y, 0.0},
+                                                                        {box, next, z, 0.0},
+                                                                        {ball, next, y, 0.0},
+                                                                        {ball, next, y, 0.8 * unit}},
+                                               pairsApart(5));
+            };
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(arm("left", -2.0));
+            team->addRobot(arm("right", 2.0));
+            team->addRobot(RigidRobot::sphere("sphere", 0.2 * unit, cubeBounds(3, HALF * unit)));
+            return team;
+        }
+
         /** \brief The number of teams of anyTeam(); those from FIRST_OF_MESHES on have meshes */
-        constexpr unsigned int TEAMS = 5, FIRST_OF_MESHES = 3;
+        constexpr unsigned int TEAMS = 6, FIRST_OF_MESHES = 3;
 
         /** \brief One of the teams above */
         inline TeamStateSpacePtr anyTeam(unsigned int which, double unit = 1.0)
@@ -99,8 +126,10 @@ namespace ompl_certificates
                     return spatialTeam(unit);
                 case 3:
                     return planarMeshTeam(unit);
-                default:
+                case 4:
                     return spatialMeshTeam(unit);
+                default:
+                    return teamOfArms(unit);
             }
         }
 

@@ -79,6 +79,9 @@ namespace ompl_certificates
         /** \brief The name of the link that has the body of that index in getBodies() */
         const std::string &getLinkOfBody(std::size_t body) const;
 
+        /** \brief The last one of those that most joints move */
+        std::size_t getTracedBody() const override;
+
         /** \brief The pose of a link's frame in the workspace, such as that of the tool. Costs as much as computePoses().
             \throws ompl::Exception if there is no such link */
         Pose getLinkPose(const ompl::base::State *state, const std::string &link) const;

@@ -56,6 +56,13 @@ namespace ompl_certificates
             return bodyPairs_;
         }
 
+        /** \brief The index of the body that stands for the robot where one point must do: in pictures of paths, and in the
+            projections of planners such as KPIECE. The first one by default; an arm has its hand. */
+        virtual std::size_t getTracedBody() const
+        {
+            return 0;
+        }
+
         /** \brief The dimension of the workspace: 2 or 3 */
         unsigned int getWorkspaceDimension() const
         {

@@ -1,0 +1,125 @@
+#include "support/RandomTrees.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    struct Tightness
+    {
+        double bodies{0.0}, pairs{0.0}, count{0.0}, pairCount{0.0};
+    };
+
+    /** No point moves farther than its motion bound, densely sampled, in the workspace and seen from other links. \return
+        sums of bound / truth, for the points that move farthest */
+    Tightness expectBounds(const Arm &arm, int motions, double fraction)
+    {
+        const ob::StateSpacePtr space = arm.getStateSpace();
+        auto sampler = space->allocStateSampler();
+        ob::ScopedState<> from(space), to(space), between(space);
+        constexpr int steps = 100;
+        const std::size_t count = arm.getBodies().size();
+        const auto &pairs = arm.getBodyPairs();
+        Tightness tightness;
+        for (int m = 0; m < motions; ++m)
+        {
+            sampler->sampleUniform(from.get());
+            sampler->sampleUniform(to.get());
+            space->interpolate(from.get(), to.get(), fraction, to.get());
+            std::vector<MotionBound> bounds(count);
+            arm.computeMotionBounds(from.get(), to.get(), bounds.data());
+            std::vector<PairMotionBound> pairBounds(pairs.size());
+            arm.computePairMotionBounds(from.get(), to.get(), bounds.data(), pairBounds.data());
+            std::vector<std::vector<Pose>> poses(steps + 1, std::vector<Pose>(count));
+            for (int i = 0; i <= steps; ++i)
+            {
+                space->interpolate(from.get(), to.get(), static_cast<double>(i) / steps, between.get());
+                arm.computePoses(between.get(), poses[i].data());
+            }
+            // In steps, the way is what was covered; the bound holds for each of them.
+            const auto compare = [&](const MotionBound &bound, double radius, auto poseAtStep, double &sum, double &n)
+            {
+                double truth = 0.0;
+                for (int i = 0; i < steps; ++i)
+                {
+                    const Pose a = poseAtStep(i), b = poseAtStep(i + 1);
+                    const double moved = (b.translation() - a.translation()).norm();
+                    ASSERT_LE(steps * moved, bound.linear * (1 + 1e-9) + 1e-10);
+                    for (int axis = 0; axis < 6; ++axis)
+                    {
+                        const Eigen::Vector3d point = (axis < 3 ? radius : -radius) * Eigen::Vector3d::Unit(axis % 3);
+                        const double way = steps * (b * point - a * point).norm();
+                        ASSERT_LE(way, bound.at(radius) * (1 + 1e-9) + 1e-10);
+                        truth = std::max(truth, way);
+                    }
+                }
+                if (truth > 1e-6)
+                {
+                    sum += bound.at(radius) / truth;
+                    n += 1.0;
+                }
+            };
+            for (std::size_t k = 0; k < count; ++k)
+                compare(
+                    bounds[k], arm.getBodies()[k].getBoundingRadius(), [&](int i) { return poses[i][k]; },
+                    tightness.bodies, tightness.count);
+            for (std::size_t p = 0; p < pairs.size(); ++p)
+                for (const bool swapped : {false, true})
+                {
+                    const std::size_t seen = swapped ? pairs[p].second : pairs[p].first,
+                                      observer = swapped ? pairs[p].first : pairs[p].second;
+                    compare(
+                        swapped ? pairBounds[p].second : pairBounds[p].first, arm.getBodies()[seen].getBoundingRadius(),
+                        [&](int i) { return Pose(poses[i][observer].inverse() * poses[i][seen]); }, tightness.pairs,
+                        tightness.pairCount);
+                }
+        }
+        return tightness;
+    }
+
+    ArmOptions allPairs(const KinematicTree &tree, ArmOptions options = {})
+    {
+        options.linkPairs.clear();
+        for (std::size_t i = 0; i < tree.getLinks().size(); ++i)
+            for (std::size_t k = i + 1; k < tree.getLinks().size(); ++k)
+                if (tree.getLinks()[i].body && tree.getLinks()[k].body)
+                    options.linkPairs.emplace_back(tree.getLinks()[i].name, tree.getLinks()[k].name);
+        return options;
+    }
+}
+
+TEST(Arm, NoPointMovesFartherThanItsBound)
+{
+    ompl::RNG::setSeed(21);
+    for (unsigned int seed = 1; seed <= 40; ++seed)
+    {
+        RandomTree random(seed, 2 + seed % 10);
+        const Arm arm("arm", random.tree, random.group, allPairs(random.tree, random.options));
+        for (const double fraction : {1.0, 0.2, 0.01})
+            expectBounds(arm, 5, fraction);
+        if (HasFatalFailure())
+            FAIL() << "seed " << seed;
+    }
+}
+
+TEST(Arm, BoundsAreTight)
+{
+    ompl::RNG::setSeed(22);
+    const KinematicTree tree = sevenJoints();
+    const Arm arm("arm", tree, SEVEN, allPairs(tree));
+    for (const double fraction : {1.0, 0.2, 0.02})
+    {
+        const Tightness tightness = expectBounds(arm, 100, fraction);
+        const double bodies = tightness.bodies / tightness.count, pairs = tightness.pairs / tightness.pairCount;
+        std::cout << "motions of " << fraction << " of random ones: bound / truth " << bodies << ", of pairs " << pairs
+                  << "\n";
+        RecordProperty("bodies_" + std::to_string(fraction), std::to_string(bodies));
+        RecordProperty("pairs_" + std::to_string(fraction), std::to_string(pairs));
+        EXPECT_LT(bodies, fraction == 1.0 ? 3.0 : fraction == 0.2 ? 2.2 : 1.7);
+        EXPECT_LT(pairs, fraction == 1.0 ? 2.5 : fraction == 0.2 ? 2.0 : 1.7);
+    }
+}

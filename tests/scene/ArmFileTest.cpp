@@ -1,0 +1,402 @@
+#include "ompl_certificates/scene/ArmFile.h"
+#include "ompl_certificates/robots/CheckRobot.h"
+#include "support/Folder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace fs = std::filesystem;
+
+    namespace
+    {
+        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
+        const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
+
+        const std::string SPHERE = "<collision><geometry><sphere radius='0.1'/></geometry></collision>";
+        const std::string LIMIT = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
+
+        std::string link(const std::string &name, const std::string &content = SPHERE)
+        {
+            return "<link name='" + name + "'>" + content + "</link>\n";
+        }
+
+        std::string joint(const std::string &name, const std::string &type, const std::string &parent,
+                          const std::string &child, const std::string &content = "")
+        {
+            return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" +
+                   child + "'/>" + content + "</joint>\n";
+        }
+
+        std::string robot(const std::string &content)
+        {
+            return "<robot name='test'>\n" + content + "</robot>\n";
+        }
+
+        /** A base, an arm and a hand, which two joints connect */
+        std::string chain(const std::string &more = "")
+        {
+            return robot(
+                link("base") + link("arm") + link("hand") +
+                joint("first", "revolute", "base", "arm", "<origin xyz='0 0 0.3'/><axis xyz='0 1 0'/>" + LIMIT) +
+                joint("second", "continuous", "arm", "hand", "<origin xyz='0 0 0.3'/>") + more);
+        }
+
+        std::string messageOf(const std::function<void()> &function)
+        {
+            try
+            {
+                function();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                return exception.what();
+            }
+            return "";
+        }
+
+        Pose poseAtZero(const Arm &arm, const std::string &link)
+        {
+            arm.getStateSpace()->setup();
+            ompl::base::ScopedState<> state(arm.getStateSpace());
+            state = std::vector<double>(arm.getGroup().size(), 0.0);
+            return arm.getLinkPose(state.get(), link);
+        }
+    }
+
+    TEST(ArmFile, ReadsLinksAndJoints)
+    {
+        const test::Folder folder;
+        const ArmFile file(folder.write("a.urdf", chain()));
+        EXPECT_EQ(file.getName(), "test");
+        EXPECT_EQ(file.getTree().getLinks().size(), 3u);
+        EXPECT_EQ(file.getGroups(), std::vector<std::string>{""});
+        EXPECT_EQ(file.getJoints(""), (std::vector<std::string>{"first", "second"}));
+        std::vector<std::string> notes;
+        const auto arm = file.makeArm("arm", "", {}, &notes);
+        EXPECT_EQ(arm->getBodies().size(), 3u);
+        // Neighbors are not checked against each other, the base and the hand are.
+        ASSERT_EQ(arm->getBodyPairs().size(), 1u);
+        EXPECT_EQ(arm->getLinkOfBody(arm->getBodyPairs()[0].first), "base");
+        EXPECT_EQ(arm->getLinkOfBody(arm->getBodyPairs()[0].second), "hand");
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find("1 pairs"), std::string::npos) << notes[0];
+        EXPECT_TRUE(poseAtZero(*arm, "hand").isApprox(poseAt({0, 0, 0.6})));
+    }
+
+    TEST(ArmFile, LeavesOutPairsThatAlwaysCollide)
+    {
+        const test::Folder folder;
+        // The hand's sphere reaches to the base in every state.
+        const std::string large = "<collision><geometry><sphere radius='1'/></geometry></collision>";
+        const ArmFile file(folder.write(
+            "a.urdf", robot(link("base") + link("arm", "") + link("hand") + link("tip", large) +
+                            joint("a", "revolute", "base", "arm", LIMIT) + joint("b", "fixed", "arm", "hand") +
+                            joint("c", "continuous", "hand", "tip", "<origin xyz='0 0 0.3'/>"))));
+        std::vector<std::string> notes;
+        EXPECT_TRUE(file.makeArm("arm", "", {}, &notes)->getBodyPairs().empty());
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find("base and tip"), std::string::npos) << notes[0];
+    }
+
+    TEST(ArmFile, ReadsShapesAndMeshes)
+    {
+        const test::Folder folder;
+        fs::create_directories(folder / "parts/meshes");
+        fs::create_directories(folder / "robots/urdf");
+        const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        folder.write("parts/meshes/a.obj", triangle);
+        folder.write("robots/meshes.obj", triangle);
+        folder.write("robots/urdf/b.obj", triangle);
+        const auto mesh = [](const std::string &name, const std::string &scale = "1 1 1")
+        {
+            return "<collision><origin xyz='0 0 1'/><geometry><mesh filename='" + name + "' scale='" + scale +
+                   "'/></geometry></collision>";
+        };
+        const std::string box = "<collision><geometry><box size='1 2 3'/></geometry></collision>",
+                          cylinder = "<collision><geometry><cylinder radius='0.5' length='2'/></geometry></collision>",
+                          visual = "<visual><geometry><box size='9 9 9'/></geometry></visual>";
+        const std::string urdf =
+            robot(link("base", box + cylinder + visual) +
+                  link("arm", mesh("package://parts/meshes/a.obj", "1 2 -3") + mesh("package://robots/meshes.obj") +
+                                  mesh("b.obj") + mesh("file://" + folder / "robots/urdf/b.obj") +
+                                  mesh("package://elsewhere/a.obj")) +
+                  joint("a", "continuous", "base", "arm"));
+        const std::string name = folder.write("robots/urdf/a.urdf", urdf);
+        ArmFile::Options options;
+        EXPECT_NE(messageOf([&] { ArmFile(name, "", options); }).find("package 'elsewhere'"), std::string::npos);
+        options.packages["elsewhere"] = folder / "parts/meshes";
+        const ArmFile file(name, "", options);
+        const auto &links = file.getTree().getLinks();
+        ASSERT_EQ(links[0].body->getParts().size(), 2u);
+        EXPECT_EQ(links[0].body->getParts()[0].shape.getSize(), Eigen::Vector3d(1, 2, 3));
+        EXPECT_EQ(links[0].body->getParts()[1].shape.getRadius(), 0.5);
+        const auto &parts = links[1].body->getParts();
+        ASSERT_EQ(parts.size(), 5u);
+        EXPECT_EQ(parts[0].shape.getMesh()->getVertices()[2], Eigen::Vector3d(0, 2, 0));
+        EXPECT_EQ(parts[2].pose.translation(), Eigen::Vector3d(0, 0, 1));
+        EXPECT_EQ(parts[2].shape.getMesh(), parts[3].shape.getMesh()) << "one file is one mesh";
+
+        options.useVisuals = true;
+        const ArmFile shown(name, "", options);
+        EXPECT_EQ(shown.getTree().getLinks()[0].body->getParts().size(), 1u);
+        EXPECT_FALSE(shown.getTree().getLinks()[1].body);
+    }
+
+    TEST(ArmFile, MeshesKeepTheirAxes)
+    {
+        const test::Folder folder;
+        folder.write("a.dae",
+                     "<COLLADA><asset><unit meter='0.1'/><up_axis>Z_UP</up_axis></asset><library_geometries>"
+                     "<geometry id='g'><mesh><source id='p'><float_array id='pa' count='9'>0 0 0 1 0 0 0 0 1"
+                     "</float_array><technique_common><accessor source='#pa' count='3' stride='3'><param "
+                     "name='X' type='float'/><param name='Y' type='float'/><param name='Z' type='float'/>"
+                     "</accessor></technique_common></source><vertices id='v'><input semantic='POSITION' "
+                     "source='#p'/></vertices><triangles count='1'><input semantic='VERTEX' source='#v' "
+                     "offset='0'/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>"
+                     "<library_visual_scenes><visual_scene id='s'><node><instance_geometry url='#g'/></node>"
+                     "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
+                     "</COLLADA>");
+        const ArmFile file(folder.write(
+            "a.urdf", robot(link("a", "<collision><geometry><mesh filename='a.dae'/></geometry></collision>"))));
+        const auto bounds = file.getTree().getLinks()[0].body->getParts()[0].shape.getBounds();
+        EXPECT_TRUE(bounds.max().isApprox(Eigen::Vector3d(0.1, 0.0, 0.1))) << bounds.max().transpose();
+    }
+
+    TEST(ArmFile, NamesWhatIsWrong)
+    {
+        const auto shape = [](const std::string &geometry)
+        { return robot(link("a", "<collision><geometry>" + geometry + "</geometry></collision>")); };
+        const auto one = [](const std::string &type, const std::string &content)
+        { return robot(link("a") + link("b") + joint("j", type, "a", "b", content)); };
+        std::string many = link("l0"), deep;
+        for (int i = 1; i <= 10000; ++i)
+        {
+            many += link("l" + std::to_string(i), "");
+            many += joint("j" + std::to_string(i), "fixed", "l" + std::to_string(i - 1), "l" + std::to_string(i));
+        }
+        for (int i = 0; i < 100000; ++i)
+            deep += "<a>";
+        struct Case
+        {
+            std::string urdf;
+            std::vector<std::string> parts;
+        };
+        const std::vector<Case> cases{
+            {"", {}},
+            {"<robot name='x'>\n<link", {":2", "not valid XML"}},
+            {"<sdf/>", {"<robot>", "<sdf>"}},
+            {"<robot name='r'/>", {"no link"}},
+            {"<robot>" + link("a") + "</robot>", {"name"}},
+            {robot("<xacro:include filename='x'/>" + link("a")), {"xacro"}},
+            {deep, {"not valid XML"}},
+            {robot(many), {"10001 links", "1000"}},
+            {robot(link("a") + link("a")), {"'a'"}},
+            {robot(link("a") + link("b")), {"root", "a", "b"}},
+            {robot(link("a") + link("b") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), {"root"}},
+            {robot(link("r") + link("a") + link("b") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")),
+             {"loop"}},
+            {robot(link("a") + link("b") + link("c") + joint("j", "fixed", "a", "c") + joint("k", "fixed", "b", "c")),
+             {"'c'", "'j'", "'k'"}},
+            {robot(link("a") + link("b") + joint("j", "fixed", "z", "b")), {"[z]", "[j]"}},
+            {one("sideways", ""), {"[j]", "sideways"}},
+            {one("revolute", ""), {"[j]", "limits"}},
+            {one("prismatic", ""), {"[j]", "limits"}},
+            {one("revolute", "<limit lower='nan' upper='1' effort='1' velocity='1'/>"), {"nan"}},
+            {one("revolute", "<limit lower='2' upper='1' effort='1' velocity='1'/>"), {"'j'", "lower 2", "upper 1"}},
+            {one("revolute", "<axis xyz='0 0 0'/>" + LIMIT), {"'j'", "axis"}},
+            {one("revolute", "<axis xyz='0 0 z'/>" + LIMIT), {"z"}},
+            {one("fixed", "<origin xyz='0 0'/>"), {"[j]"}},
+            {one("fixed", "<origin xyz='0 0 1e300'/>"), {"'j'", "origin"}},
+            {one("continuous", "<mimic joint='k'/>"), {"'j'", "'k'"}},
+            {one("continuous", "<mimic joint='j'/>"), {"'j'"}},
+            {shape("<sphere radius='-1'/>"), {"'a'", "collision 1", "radius", "-1"}},
+            {shape("<sphere radius='x'/>"), {"x"}},
+            {shape("<box size='1 0 1'/>"), {"'a'", "box size y", "0"}},
+            {shape("<cylinder radius='1' length='-2'/>"), {"'a'", "cylinder length", "-2"}},
+            {shape("<capsule radius='1' length='2'/>"), {"[a]", "capsule"}},
+            {shape("<mesh filename='none.stl'/>"), {"'a'", "'none.stl'"}},
+            {shape("<mesh filename='package://none/none.stl'/>"), {"'a'", "package 'none'"}},
+            {shape("<mesh filename='http://x/y.stl'/>"), {"'a'", "http://x/y.stl"}},
+            {shape("<mesh filename='a.urdf'/>"), {"'a'", "a.urdf", ".stl"}},
+            {shape("<mesh filename='t.obj' scale='1 0 1'/>"), {"'a'", "scale", "1 0 1"}},
+            {shape(""), {"[a]"}},
+        };
+        testing::internal::CaptureStderr();
+        testing::internal::CaptureStdout();
+        for (const Case &broken : cases)
+        {
+            const test::Folder folder;
+            folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+            const std::string file = folder.write("a.urdf", broken.urdf);
+            const std::string message = messageOf([&] { ArmFile{file}; });
+            EXPECT_NE(message.find(file), std::string::npos) << message << broken.urdf.substr(0, 500);
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            for (const std::string &part : broken.parts)
+                EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in " << message;
+        }
+        EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << "urdfdom must not print";
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "urdfdom must not print";
+        EXPECT_NE(messageOf([] { ArmFile("/none.urdf"); }).find("/none.urdf"), std::string::npos);
+    }
+
+    TEST(ArmFile, LongChainsAreRead)
+    {
+        const test::Folder folder;
+        std::string links = link("l000"), last = "l000";
+        for (int i = 1; i < 1000; ++i)
+        {
+            const std::string name = "l" + std::to_string(1000 + i).substr(1);
+            links += link(name, "") + joint("j" + name, i < 100 ? "continuous" : "fixed", last, name);
+            last = name;
+        }
+        const ArmFile file(folder.write("a.urdf", robot(links)));
+        EXPECT_EQ(file.getTree().getLinks().size(), 1000u);
+        EXPECT_EQ(file.makeArm("arm", "", {})->getStateSpace()->getDimension(), 99u);
+    }
+
+    TEST(ArmFile, ReadsGroupsAndStates)
+    {
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        const ArmFile file(urdf, folder.write("a.srdf", robot(R"(
+            <virtual_joint name='mount' type='planar' parent_frame='floor' child_link='base'/>
+            <group name='chain'><chain base_link='base' tip_link='hand'/></group>
+            <group name='joint'><joint name='second'/></group>
+            <group name='link'><link name='arm'/></group>
+            <group name='mobile'><joint name='mount'/><group name='link'/></group>
+            <group name='all'><group name='mobile'/><group name='joint'/><group name='all'/></group>
+            <group_state name='bent' group='chain'><joint name='first' value='0.5'/><joint name='second' value='-1'/></group_state>
+            <disable_collisions link1='hand' link2='arm' reason='Adjacent'/>
+            <disable_collisions link1='base' link2='ghost' reason='Adjacent'/>)")));
+        using Names = std::vector<std::string>;
+        EXPECT_EQ(file.getGroups(), (Names{"all", "chain", "joint", "link", "mobile"}));
+        EXPECT_EQ(file.getJoints("chain"), (Names{"first", "second"}));
+        EXPECT_EQ(file.getJoints("joint"), Names{"second"});
+        EXPECT_EQ(file.getJoints("link"), Names{"first"});
+        EXPECT_EQ(file.getJoints("all"), (Names{"mount", "first", "second"}));
+        EXPECT_EQ(file.getStates("chain"), Names{"bent"});
+        EXPECT_EQ(file.getState("chain", "bent").at("second"), -1.0);
+        EXPECT_NE(messageOf([&] { file.getJoints("none"); }).find("'chain'"), std::string::npos);
+        EXPECT_NE(messageOf([&] { file.getState("chain", "none"); }).find("'bent'"), std::string::npos);
+
+        std::vector<std::string> notes;
+        EXPECT_EQ(file.makeArm("arm", "chain", {}, &notes)->getBodyPairs().size(), 2u);
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find("ghost"), std::string::npos);
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "all", {}); }).find("bounds"), std::string::npos);
+        ArmFile::ArmSettings settings;
+        settings.bounds = ompl::base::RealVectorBounds(2);
+        settings.bounds->setLow(-1.0);
+        settings.bounds->setHigh(1.0);
+        const auto mobile = file.makeArm("arm", "all", settings);
+        EXPECT_EQ(mobile->getStateSpace()->getDimension(), 5u);
+        EXPECT_NO_THROW(checkRobot(*mobile, 200));
+    }
+
+    TEST(ArmFile, NamesWhatIsWrongInSrdf)
+    {
+        const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+            {"<group/>", {"name"}},
+            {"<group name='a'/><group name='a'/>", {"'a'"}},
+            {"<group name='a'><joint name='x'/></group>", {"<joint>", "'x'"}},
+            {"<group name='a'><link name='x'/></group>", {"<link>", "'x'"}},
+            {"<group name='a'><group name='x'/></group>", {"<group>", "'x'"}},
+            {"<group name='a'><chain base_link='x' tip_link='hand'/></group>", {"base_link", "'x'"}},
+            {"<group name='a'><chain base_link='hand' tip_link='base'/></group>", {"'base'", "'hand'"}},
+            {"<group_state name='s' group='x'/>", {"'x'"}},
+            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='x'/></group_state>",
+             {"'first'", "'x'"}},
+            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='nan'/></group_state>",
+             {"'first'", "'nan'"}},
+            {"<virtual_joint name='v' type='x' parent_frame='w' child_link='base'/>", {"'x'"}},
+            {"<virtual_joint name='first' type='fixed' parent_frame='w' child_link='base'/>", {"'first'"}},
+            {"<disable_collisions link1='base'/>", {"link2"}},
+            {"<passive_joint name='x'/>", {"'x'"}},
+            {"<", {"not valid XML"}},
+        };
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        for (const auto &[text, parts] : cases)
+        {
+            const std::string srdf = folder.write("a.srdf", robot(text));
+            const std::string message = messageOf([&] { ArmFile(urdf, srdf); });
+            EXPECT_NE(message.find(srdf), std::string::npos) << message << text;
+            for (const std::string &part : parts)
+                EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in " << message;
+        }
+    }
+
+    TEST(ArmFile, CarriesBodies)
+    {
+        const test::Folder folder;
+        const ArmFile file(folder.write("a.urdf", chain()),
+                           folder.write("a.srdf", robot("<group name='a'><joint name='first'/></group>")));
+        ArmFile::ArmSettings settings;
+        settings.attached.push_back({"tool", "hand", Body::box(0.1, 0.1, 0.5), poseAt({0.1, 0, 0.2}), {"arm"}});
+        const auto arm = file.makeArm("arm", "a", settings);
+        EXPECT_TRUE(poseAtZero(*arm, "tool").isApprox(poseAt({0.1, 0, 0.8})));
+        int withTool = 0;
+        for (const BodyPair &pair : arm->getBodyPairs())
+            if (arm->getLinkOfBody(pair.second) == "tool")
+            {
+                EXPECT_EQ(arm->getLinkOfBody(pair.first), "base");
+                ++withTool;
+            }
+        EXPECT_EQ(withTool, 1);
+        settings.attached[0].link = "none";
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "a", settings); }).find("'none'"), std::string::npos);
+        settings.attached[0] = {"hand", "hand", Body::sphere(0.1), Pose::Identity(), {}};
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "a", settings); }).find("'hand'"), std::string::npos);
+        settings.attached[0] = {"tool", "hand", Body::sphere(0.1), Pose::Identity(), {"none"}};
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "a", settings); }).find("'none'"), std::string::npos);
+    }
+
+    TEST(ArmFile, ReadsTheDemoArm)
+    {
+        const auto arm = loadArm(ARMS + "arm6.urdf", ARMS + "arm6.srdf", "arm");
+        EXPECT_EQ(arm->getName(), "arm6");
+        EXPECT_EQ(arm->getBodies().size(), 9u);
+        EXPECT_EQ(arm->getGroup().size(), 6u);
+        ompl::RNG::setSeed(4);
+        EXPECT_NO_THROW(checkRobot(*arm, 500));
+    }
+
+    TEST(ArmFile, ReadsThePanda)
+    {
+        if (!fs::exists(ROBOTS + "panda/panda.urdf"))
+            GTEST_SKIP() << ROBOTS + "panda is not there";
+        const auto arm = loadArm(ROBOTS + "panda/panda.urdf", ROBOTS + "panda/panda.srdf", "panda_arm");
+        EXPECT_EQ(arm->getBodies().size(), 11u);
+        EXPECT_EQ(arm->getBodyPairs().size(), 21u);
+        EXPECT_EQ(arm->getStateSpace()->getDimension(), 7u);
+        std::size_t triangles = 0;
+        for (const Body &body : arm->getBodies())
+            for (const Body::Part &part : body.getParts())
+                triangles += part.shape.getMesh() ? part.shape.getMesh()->getTriangles().size() : 0;
+        EXPECT_GT(triangles, 3000u);
+        // Of the data sheet: the flange is 0.088 off the axis, at 0.333 + 0.316 + 0.384 - 0.107 m.
+        const Eigen::Vector3d flange = poseAtZero(*arm, "panda_link8").translation();
+        EXPECT_TRUE(flange.isApprox(Eigen::Vector3d(0.088, 0.0, 0.926), 1e-9)) << flange.transpose();
+        ompl::RNG::setSeed(4);
+        EXPECT_NO_THROW(checkRobot(*arm, 500));
+    }
+
+    TEST(ArmFile, ReadsTheUR5)
+    {
+        if (!fs::exists(ROBOTS + "ur5/ur5.urdf"))
+            GTEST_SKIP() << ROBOTS + "ur5 is not there";
+        const auto arm = loadArm(ROBOTS + "ur5/ur5.urdf", ROBOTS + "ur5/ur5.srdf", "manipulator");
+        EXPECT_EQ(arm->getBodies().size(), 18u);
+        EXPECT_EQ(arm->getStateSpace()->getDimension(), 6u);
+        // Its SRDF file leaves 68 pairs; eight of them do not move towards each other.
+        EXPECT_EQ(arm->getBodyPairs().size(), 60u);
+        ompl::RNG::setSeed(4);
+        EXPECT_NO_THROW(checkRobot(*arm, 200));
+    }
+}

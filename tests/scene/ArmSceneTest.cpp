@@ -1,0 +1,200 @@
+#include "ompl_certificates/robots/Arm.h"
+#include "ompl_certificates/scene/ArmFile.h"
+#include "ompl_certificates/scene/SceneFile.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
+        const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
+
+        /** A scene of the demo arm with \e keys */
+        Scene sceneWith(const std::string &keys, const std::string &end = "start: ready, goal: upright")
+        {
+            return sceneFromYaml(
+                "environment: {min: [-1, -1, 0], max: [1, 1, 2]}\n"
+                "robots:\n"
+                "  - {type: urdf, file: arm6.urdf, srdf: arm6.srdf, group: arm, " +
+                    (keys.empty() ? "" : keys + ", ") + end + "}\n",
+                ARMS + "test.yaml");
+        }
+
+        std::shared_ptr<const Arm> armOf(const Scene &scene)
+        {
+            return std::dynamic_pointer_cast<const Arm>(scene.getMembers().front().robot);
+        }
+
+        std::string messageOf(const std::string &keys, const std::string &end = "start: ready, goal: upright")
+        {
+            try
+            {
+                sceneWith(keys, end);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                return exception.what();
+            }
+            return "";
+        }
+
+        /** Where the tip of a finger is at the start */
+        Eigen::Vector3d fingerOf(const Scene &scene)
+        {
+            const auto team = scene.makeTeam();
+            return armOf(scene)
+                ->getLinkPose(scene.makeStart(team)->as<ompl::base::CompoundState>()->components[0], "left_finger")
+                .translation();
+        }
+
+        /** Verdicts of all methods against FCL's, for random states and short motions */
+        void expectFclsVerdicts(const Scene &scene, int states)
+        {
+            const auto team = scene.makeTeam();
+            const auto si = std::make_shared<ompl::base::SpaceInformation>(team);
+            const auto obstacles = scene.makeObstacles();
+            const TeamValidityChecker fcl(si, obstacles, Method::FCL);
+            std::vector<std::unique_ptr<TeamValidityChecker>> checkers;
+            for (const Method method : {Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
+                checkers.push_back(std::make_unique<TeamValidityChecker>(si, obstacles, method));
+            team->setup();
+            const auto sampler = team->allocStateSampler();
+            ompl::base::ScopedState<> state(team), near(team);
+            int free = 0;
+            for (int i = 0; i < states; ++i)
+            {
+                // Many states near each other, so that certificates are used.
+                if (i % 10 == 0)
+                    sampler->sampleUniform(near.get());
+                sampler->sampleUniformNear(state.get(), near.get(), 0.2);
+                const bool valid = fcl.isValid(state.get());
+                free += valid;
+                for (const auto &checker : checkers)
+                    EXPECT_EQ(checker->isValid(state.get()), valid);
+            }
+            EXPECT_GT(free, states / 20);
+            EXPECT_LT(free, states - states / 20);
+        }
+    }
+
+    TEST(ArmScene, ReadsStatesByNameListAndMap)
+    {
+        const Scene scene = sceneWith("", "start: ready, goal: [0.1, 0.2, 0.3, 0.4, 0.5, 7]");
+        EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{0.0, -0.6, 1.9, 0.0, 0.3, 0.0}));
+        EXPECT_NEAR(scene.getMembers()[0].goal[5], 7.0 - 2.0 * M_PI, 1e-12) << "a continuous joint";
+        const Scene other = sceneWith("",
+                                      "start: upright, goal: {flange: 1, waist: 2, elbow: 0.5, wrist_roll: 0, "
+                                      "wrist_bend: -0.5, shoulder_lift: 0.2}");
+        EXPECT_EQ(other.getMembers()[0].goal, (std::vector<double>{2.0, 0.2, 0.5, 0.0, -0.5, 1.0}));
+    }
+
+    TEST(ArmScene, ReadsBaseJointsAndAttachedBodies)
+    {
+        const Eigen::Vector3d closed = fingerOf(sceneWith(""));
+        const auto open = fingerOf(sceneWith("states: {gripper: open}"));
+        EXPECT_NEAR((open - closed).norm(), 0.035, 1e-12);
+        EXPECT_NEAR((fingerOf(sceneWith("joints: {finger: 0.02}")) - closed).norm(), 0.02, 1e-12);
+        EXPECT_NEAR((fingerOf(sceneWith("states: {gripper: open}, joints: {finger: 0.02}")) - closed).norm(), 0.02,
+                    1e-12);
+        const Eigen::Vector3d turned =
+            fingerOf(sceneWith("base: {position: [1, 2, 3], rotation: {axis: [0, 0, 1], angle: 1.5707963267948966}}"));
+        EXPECT_TRUE(turned.isApprox(Eigen::Vector3d(1 - closed.y(), 2 + closed.x(), 3 + closed.z()), 1e-9));
+        const Scene carrying = sceneWith(
+            "attached: [{name: bar, link: palm, shape: {type: sphere, radius: 0.05}, "
+            "position: [0, 0, 0.2], touch_links: [left_finger, right_finger]}]");
+        EXPECT_EQ(armOf(carrying)->getBodies().size(), armOf(sceneWith(""))->getBodies().size() + 1);
+        EXPECT_TRUE(armOf(carrying)->getTree().hasLink("bar"));
+    }
+
+    TEST(ArmScene, NamesWhatIsWrong)
+    {
+        const std::string states = "start: ready, goal: ";
+        const std::vector<std::array<std::string, 4>> cases{
+            {"", states + "nowhere", "robots[0].goal", "'nowhere'"},
+            {"", states + "[0, 0, 0]", "robots[0].goal", "6 numbers"},
+            {"", states + "[0, 9, 0, 0, 0, 0]", "robots[0].goal[1]", "'shoulder_lift'"},
+            {"", states + "{waist: 0}", "robots[0].goal", "no value of joint"},
+            {"", states + "{waist: 0, knee: 0}", "robots[0].goal", "'knee'"},
+            {"joints: {waist: 0}", states + "ready", "robots[0].joints.waist", "'waist'"},
+            {"joints: {finger: 1}", states + "ready", "robots[0].joints.finger", "'finger'"},
+            {"joints: {other_finger: 0}", states + "ready", "robots[0].joints.other_finger", "follows"},
+            {"joints: {none: 1}", states + "ready", "robots[0].joints", "'none'"},
+            {"states: {gripper: shut}", states + "ready", "robots[0].states.gripper", "'shut'"},
+            {"base: {position: [0, 0]}", states + "ready", "robots[0].base.position", "3 numbers"},
+            {"base: {center: [0, 0, 0]}", states + "ready", "robots[0].base.center", "unknown key"},
+            {"shape: {}", states + "ready", "robots[0].shape", "unknown key"},
+            {"attached: [{name: a, link: b, shape: {type: sphere, radius: 1}}]", states + "ready", "robots[0]", "'b'"},
+            {"visuals: maybe", states + "ready", "robots[0].visuals", "maybe"},
+        };
+        for (const auto &[keys, end, place, part] : cases)
+        {
+            const std::string message = messageOf(keys, end);
+            EXPECT_NE(message.find("test.yaml:3: " + place), std::string::npos) << message << " " << place;
+            EXPECT_NE(message.find(part), std::string::npos) << message << " " << part;
+        }
+        const auto failure =
+            [](const std::string &robot, const std::string &bounds = "min: [-1, -1, 0], max: [1, 1, 2]")
+        {
+            try
+            {
+                sceneFromYaml("environment: {" + bounds + "}\nrobots:\n  - {type: urdf, " + robot + "}\n",
+                              ARMS + "test.yaml");
+            }
+            catch (const ompl::Exception &exception)
+            {
+                return std::string(exception.what());
+            }
+            return std::string();
+        };
+        EXPECT_NE(failure("file: none.urdf, start: [], goal: []").find("none.urdf"), std::string::npos);
+        EXPECT_NE(failure("file: arm6.urdf, srdf: arm6.srdf, group: leg, start: [], goal: []").find("'leg'"),
+                  std::string::npos);
+        EXPECT_NE(failure("file: arm6.urdf, start: [], goal: []", "min: [0, 0], max: [1, 1]").find("2 dimensions"),
+                  std::string::npos);
+    }
+
+    TEST(ArmScene, StatesInCollisionWithItselfAreRefused)
+    {
+        const Scene scene = sceneWith("", "start: ready, goal: [0, 1.9, 2.5, 0, 1.8, 0]");
+        try
+        {
+            scene.validate();
+            FAIL() << "the arm's hand is in its base";
+        }
+        catch (const ompl::Exception &exception)
+        {
+            EXPECT_NE(
+                std::string(exception.what()).find("goal [0, 1.9, 2.5, 0, 1.8, 0] of 'robot_0' collides with itself"),
+                std::string::npos)
+                << exception.what();
+        }
+    }
+
+    TEST(ArmScene, VerdictsAreThoseOfFcl)
+    {
+        ompl::RNG::setSeed(6);
+        expectFclsVerdicts(loadScene(ARMS + "shelf.yaml"), 3000);
+        expectFclsVerdicts(loadScene(ARMS + "two_arms.yaml"), 3000);
+    }
+
+    TEST(ArmScene, VerdictsOfThePandaAreThoseOfFcl)
+    {
+        if (!std::filesystem::exists(ROBOTS + "panda/panda.urdf"))
+            GTEST_SKIP() << ROBOTS + "panda is not there";
+        ompl::RNG::setSeed(7);
+        expectFclsVerdicts(
+            sceneFromYaml("environment:\n  min: [-1, -1, 0]\n  max: [1, 1, 2]\n  obstacles:\n"
+                          "    - {type: box, center: [0.5, 0, 0.4], size: [0.4, 1, 0.02]}\n"
+                          "    - {type: box, center: [0.5, 0.5, 0.6], size: [0.4, 0.02, 0.6]}\n"
+                          "    - {type: cylinder, center: [-0.4, 0.4, 0.5], radius: 0.1, length: 1}\n"
+                          "robots:\n  - {type: urdf, file: panda.urdf, srdf: panda.srdf, group: panda_arm, "
+                          "joints: {}, start: ready, goal: extended}\n",
+                          ROBOTS + "panda/test.yaml"),
+            2000);
+    }
+}
