@@ -110,6 +110,6 @@ namespace ompl_certificates
         }
 
         INSTANTIATE_TEST_SUITE_P(Shared, MoveItProblems, ::testing::Values("panda", "ur5"),
-                                 [](const auto &info) { return info.param; });
+                                 [](const auto &robot) { return robot.param; });
     }
 }

@@ -181,7 +181,7 @@ namespace ompl_certificates
                                         "  entry_names: [base, tip, ball, ghost]\n"
                                         "  entry_values: [[false, true, false, true], {enabled: [true, false, false, "
                                         "false]}, [false, false, true, true], [true, false, true, true]]\n");
-            EXPECT_EQ(pairsOf(armOf(file)), (Pairs{"base lower", "upper lower", "upper tip"}));
+            EXPECT_EQ(pairsOf(armOf(file)), (Pairs{"base upper", "base lower", "upper lower", "upper tip"}));
         }
 
         TEST_F(MoveItScene, HeldObjectsAreBodies)
@@ -202,7 +202,7 @@ namespace ompl_certificates
             // The arm reaches a ball with it that it does not reach without.
             const std::string reached = OBJECTS +
                                         "    - {id: ball, primitives: [{type: sphere, dimensions: [0.1]}], "
-                                        "primitive_poses: [{position: [0.65, 1.15, 0.32]}]}\n";
+                                        "primitive_poses: [{position: [0.33, 1.22, 0.32]}]}\n";
             EXPECT_NO_THROW(read(reached).scene.validate());
             try
             {
@@ -264,7 +264,7 @@ namespace ompl_certificates
                 {primitive("type: sphere, dimensions: [0]"),
                  place + ".primitives[0].dimensions[0]: must be positive, not 0"},
                 {primitive("type: sphere, dimensions: [.nan]"),
-                 place + ".primitives[0].dimensions[0]: must be a finite number of at most 1e+09, not .nan"},
+                 place + ".primitives[0].dimensions[0]: must be a finite number of at most 1000000000, not .nan"},
                 {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{}, {}]"),
                  place + ".primitive_poses: must have as many items as primitives, 1, not 2"},
                 {object(
