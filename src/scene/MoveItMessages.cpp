@@ -20,6 +20,7 @@ namespace ompl_certificates
                 return node.numbers(names.size());
             node.allow(names);
             std::vector<double> values;
+            values.reserve(names.size());
             for (const std::string &name : names)
                 values.push_back(node.at(name).number());
             return values;

@@ -45,8 +45,10 @@ namespace ompl_certificates
         TEST_P(MoveItProblems, StartsAndGoalsAreFree)
         {
             ASSERT_EQ(families_.size(), 7u);
+            // Each arm of large meshes takes half a second to prepare; the benchmark of arms looks at all of them.
+            const unsigned int step = GetParam() == "ur5" ? 4 : 1;
             for (const fs::path &family : families_)
-                for (unsigned int i = 1; i <= 20; ++i)
+                for (unsigned int i = 1; i <= 20; i += step)
                 {
                     SCOPED_TRACE(family.string() + " " + std::to_string(i));
                     EXPECT_NO_THROW(read(family, i).validate());
