@@ -2,6 +2,7 @@
 // report.
 //
 //     plan_team scene.yaml --time 2 --seed 1 --picture plan.svg --report plan.json
+//     plan_team scene0001.yaml --request request0001.yaml --urdf panda.urdf --srdf panda.srdf
 
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
@@ -17,7 +18,7 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/validity/CertificateFile.h"
 
@@ -35,6 +36,7 @@ namespace
     struct Options
     {
         std::string scene;
+        std::string request, urdf, srdf;
         std::string planner;
         std::string method{"shared"};
         std::string motion{"discrete"};
@@ -51,7 +53,13 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        app.add_option("SCENE", options.scene, "Scene file: YAML, or a .cfg file of OMPL.app")->required();
+        app.add_option("SCENE", options.scene,
+                       "Scene file: YAML, a .cfg file of OMPL.app, or a planning scene of MoveIt (YAML)")
+            ->required();
+        app.add_option("--request", options.request, "For a planning scene of MoveIt: its motion plan request (YAML)");
+        app.add_option("--urdf", options.urdf, "For a planning scene of MoveIt: the robot's URDF file");
+        app.add_option("--srdf", options.srdf,
+                       "For a planning scene of MoveIt: the robot's SRDF file, with its groups");
         app.add_option(
                "--planner", options.planner,
                "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters "
@@ -74,7 +82,7 @@ namespace
             ->capture_default_str();
         auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
                          ->check(demos::positiveNumber())
-                         ->default_str("that of a .cfg file, else 10");
+                         ->default_str("that of a .cfg file or of a request, else 10");
         app.add_option(
                "--iterations", options.iterations,
                "Plan for that many evaluations of the termination condition instead: one per iteration for most "
@@ -310,12 +318,31 @@ namespace
             throw ompl::Exception(failures);
     }
 
+    /** The scene; a planning scene of MoveIt needs the files of --request, --urdf and --srdf. */
+    SceneFile readScene(const Options &options)
+    {
+        const std::pair<std::string, std::string> files[]{
+            {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
+        if (!isMoveItScene(options.scene))
+        {
+            for (const auto &[option, file] : files)
+                if (!file.empty())
+                    throw ompl::Exception(option,
+                                          "is for planning scenes of MoveIt, which " + options.scene + " is not");
+            return readSceneFile(options.scene);
+        }
+        for (const auto &[option, file] : files)
+            if (file.empty())
+                throw ompl::Exception(options.scene, "is a planning scene of MoveIt, which needs " + option);
+        return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf));
+    }
+
     int run(Options options)
     {
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const SceneFile file = readSceneFile(options.scene);
+        const SceneFile file = readScene(options);
         const Scene &scene = file.scene;
         scene.validate();
         std::vector<std::string> named;
@@ -336,7 +363,7 @@ namespace
                                {"--path", options.path},
                                {"--report", options.report},
                                {"--save-certificates", options.savedCertificates}},
-                              {options.scene});
+                              {options.scene, options.request, options.urdf, options.srdf});
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length")
             setup->setOptimizationObjective(objectiveOf(*setup, options));

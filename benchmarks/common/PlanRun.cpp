@@ -151,10 +151,14 @@ namespace benchmarks
 
         PlanResult result;
         ob::IterationTerminationCondition iterations(task.iterations);
+        ob::PlannerTerminationCondition stop = iterations;
+        if (task.seconds > 0.0)
+            stop = ob::plannerOrTerminationCondition(stop, ob::timedPlannerTerminationCondition(task.seconds));
         while (iterations.getTimesCalled() < task.iterations)
         {
             const std::clock_t start = std::clock();
-            const ob::PlannerStatus status = planner->solve(iterations);
+            const ob::PlannerStatus status = planner->solve(stop);
+            result.solved = status == ob::PlannerStatus::EXACT_SOLUTION;
             result.totalSeconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
             if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL)
                 throw ompl::Exception(task.scene.getName() + ": the start or the goal is not valid");

@@ -21,6 +21,10 @@ namespace benchmarks
         /** \brief How often the planner's termination condition is evaluated: mostly once per iteration */
         unsigned int iterations{10000};
 
+        /** \brief The time after which a plan ends in any case, in seconds of the clock; 0 for none. What ends so is not
+            the same again. */
+        double seconds{0.0};
+
         /** \brief The length of the planner's steps; 0 for the planner's own */
         double range{0.0};
 
@@ -47,6 +51,9 @@ namespace benchmarks
     {
         /** \brief The digest of each tree that was grown; mostly one */
         std::vector<std::string> digests;
+
+        /** \brief Whether the last plan is a solution */
+        bool solved{false};
 
         /** \brief The number of states of all trees */
         std::size_t states{0};

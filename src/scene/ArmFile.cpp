@@ -152,11 +152,13 @@ namespace ompl_certificates
             options.base = settings.base;
             options.jointValues = settings.jointValues;
             options.bounds = settings.bounds;
-            if (srdf_.empty())
+            const bool sampled = srdf_.empty() && !settings.mayTouch;
+            if (sampled)
                 options.linkPairs = pairsNotAdjacent(tree);
             else
                 for (const LinkPair &pair : pairsOf(tree))
-                    if (!semantics_->isDisabled(pair.first, pair.second))
+                    if (!(settings.mayTouch ? settings.mayTouch(pair.first, pair.second)
+                                            : semantics_->isDisabled(pair.first, pair.second)))
                         options.linkPairs.push_back(pair);
             auto &pairs = options.linkPairs;
             pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
@@ -166,10 +168,10 @@ namespace ompl_certificates
             for (const auto &[pair, collides] : pairsThatStay(all))
                 if (!collides)
                     remove(pairs, pair);
-                else if (!srdf_.empty())
-                    told.push_back("robot '" + name + "': links " + nameOf(pair) +
-                                   " collide in all states, and the SRDF file does not allow it");
-            if (srdf_.empty())
+                else if (!sampled)
+                    told.push_back("robot '" + name + "': links " + nameOf(pair) + " collide in all states, and " +
+                                   (settings.mayTouch ? "may not" : "the SRDF file does not allow it"));
+            if (sampled)
             {
                 std::string colliding;
                 for (const LinkPair &pair : pairsThatAlwaysCollide(all))

@@ -30,13 +30,15 @@ namespace ompl_certificates
         bounds_.check();
     }
 
-    void Scene::addObstacle(const PlacedBody &obstacle)
+    void Scene::addObstacle(const PlacedBody &obstacle, const std::string &title)
     {
         if (obstacle.body.getDimension() != getDimension())
             throw ompl::Exception(source_, "obstacles[" + std::to_string(obstacles_.size()) + "]: must have " +
                                                std::to_string(getDimension()) + " dimensions, not " +
                                                std::to_string(obstacle.body.getDimension()));
         obstacles_.push_back(obstacle);
+        obstacleTitles_.push_back(
+            title.empty() ? "environment.obstacles[" + std::to_string(obstacleTitles_.size()) + "]" : title);
     }
 
     void Scene::addMember(const Member &member)
@@ -147,7 +149,7 @@ namespace ompl_certificates
         {
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
                 if (FclObstacles({obstacles_[i]}, getDimension(), team->getZInterval()).collides(body, pose))
-                    return "environment.obstacles[" + std::to_string(i) + "]";
+                    return obstacleTitles_[i];
             return "an obstacle";
         };
         const auto obstacles = makeObstacles();

@@ -46,6 +46,12 @@ namespace ompl_certificates
             return node_.IsSequence();
         }
 
+        /** \brief Whether there is nothing, an empty text, or a list or a map of nothing */
+        bool isEmpty() const
+        {
+            return node_.IsNull() || (node_.IsScalar() ? node_.Scalar().empty() : node_.size() == 0);
+        }
+
         /** \brief Require a map with no other keys than \e keys, and none twice */
         void allow(const std::vector<std::string> &keys) const;
 

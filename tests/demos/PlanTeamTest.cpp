@@ -307,3 +307,41 @@ TEST_F(PlanTeam, recognizesASceneWithoutSolution)
     EXPECT_EQ(plan({file}), 2);
     EXPECT_NE(errors_.find("overlap"), std::string::npos) << errors_;
 }
+
+TEST_F(PlanTeam, readsPlanningScenesOfMoveIt)
+{
+    const std::string arms = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
+    writeFile(folder_ / "moveit.yaml",
+              "world:\n  collision_objects:\n    - {id: ball, primitives: [{type: sphere, dimensions: [0.1]}], "
+              "primitive_poses: [{position: [0, 3, 0]}]}\n");
+    const std::string start =
+        "group_name: arm\nallowed_planning_time: 20\n"
+        "start_state: {joint_state: {name: [waist, shoulder_lift, elbow, wrist_roll, wrist_bend, flange], "
+        "position: [0, -0.6, 1.9, 0, 0.3, 0]}}\n";
+    std::string goal = "goal_constraints:\n  - joint_constraints:\n";
+    for (const char *joint : {"waist", "shoulder_lift", "elbow", "wrist_roll", "wrist_bend", "flange"})
+        goal += std::string("      - {joint_name: ") + joint + ", position: 0}\n";
+    writeFile(folder_ / "request.yaml", start + goal);
+    const std::vector<std::string> files{"--request", folder_ / "request.yaml", "--urdf", arms + "arm6.urdf",
+                                         "--srdf",    arms + "arm6.srdf"};
+    const auto planWith = [&](const std::string &scene, std::size_t count)
+    {
+        std::vector<std::string> arguments{scene};
+        arguments.insert(arguments.end(), files.begin(), files.begin() + static_cast<std::ptrdiff_t>(count));
+        return plan(arguments);
+    };
+    EXPECT_EQ(planWith(folder_ / "moveit.yaml", 6), 0) << errors_;
+    EXPECT_EQ(report_["planner"], "RRTConnect");
+    EXPECT_EQ(report_["solved"], true);
+    EXPECT_EQ(planWith(folder_ / "moveit.yaml", 4), 2);
+    EXPECT_NE(errors_.find("needs --srdf"), std::string::npos) << errors_;
+    EXPECT_EQ(planWith(folder_ / "moveit.yaml", 2), 2);
+    EXPECT_NE(errors_.find("needs --urdf"), std::string::npos) << errors_;
+    EXPECT_EQ(planWith(folder_ / "moveit.yaml", 0), 2);
+    EXPECT_NE(errors_.find("needs --request"), std::string::npos) << errors_;
+    EXPECT_EQ(planWith(scene(), 2), 2);
+    EXPECT_NE(errors_.find("--request: is for planning scenes of MoveIt"), std::string::npos) << errors_;
+    writeFile(folder_ / "request.yaml", start);
+    EXPECT_EQ(planWith(folder_ / "moveit.yaml", 6), 2);
+    EXPECT_NE(errors_.find("request.yaml:1: goal_constraints: missing"), std::string::npos) << errors_;
+}

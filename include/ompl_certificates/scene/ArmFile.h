@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/robots/Arm.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -75,6 +76,9 @@ namespace ompl_certificates
 
             /** \brief Bodies that the arm carries */
             std::vector<AttachedBody> attached{};
+
+            /** \brief Whether two links or attached bodies may touch, in place of what the SRDF file says of them */
+            std::function<bool(const std::string &first, const std::string &second)> mayTouch{};
         };
 
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
@@ -82,7 +86,10 @@ namespace ompl_certificates
             read; if links and joints make no tree, or are more than 1000; if a joint lacks what it needs or has limits,
             an axis or a mimic that make no sense; if a size is not positive; or if the SRDF file names what there is not */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
+
+        /** \brief The same, read as \e options say */
         ArmFile(const std::string &urdf, const std::string &srdf, const Options &options);
+
         ~ArmFile();
 
         /** \brief The robot's name */

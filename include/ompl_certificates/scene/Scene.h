@@ -91,8 +91,9 @@ namespace ompl_certificates
         }
 
         /** \brief Add an obstacle
+            \param title what messages call it; environment.obstacles[i] if empty
             \throws ompl::Exception if it has not the workspace's dimension */
-        void addObstacle(const PlacedBody &obstacle);
+        void addObstacle(const PlacedBody &obstacle, const std::string &title = "");
 
         /** \brief Add a robot
             \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
@@ -149,6 +150,7 @@ namespace ompl_certificates
         std::string source_;
         ompl::base::RealVectorBounds bounds_;
         std::vector<PlacedBody> obstacles_;
+        std::vector<std::string> obstacleTitles_;
         std::vector<Member> members_;
         std::vector<std::string> notes_;
         double resolution_{0.0};

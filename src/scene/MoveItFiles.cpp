@@ -1,0 +1,330 @@
+#include "ompl_certificates/scene/MoveItFiles.h"
+
+#include "MoveItMessages.h"
+#include "YamlText.h"
+#include "certificates/WholeFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ompl/util/Exception.h>
+#include <set>
+#include <tuple>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        constexpr std::size_t MAX_LINKS = 10000;
+
+        /** MoveIt's own default */
+        constexpr double RESOLUTION = 0.005;
+
+        using JointType = KinematicTree::JointType;
+        using Frames = std::map<std::string, Pose>;
+        using Pair = std::pair<std::string, std::string>;
+
+        /** The poses of frames that obstacles can be in */
+        Frames readFrames(const YamlNode &root, const std::string &rootLink, const MoveItRobotState &state)
+        {
+            Frames frames{{"", Pose::Identity()}, {rootLink, state.base.value_or(Pose::Identity())}};
+            for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
+            {
+                item.allow({"header", "child_frame_id", "transform"});
+                // All are relative to the one frame that MoveIt plans in.
+                frames.emplace(moveItFrame(item), Pose::Identity());
+                frames[item.at("child_frame_id").text()] = readMoveItTransform(item.at("transform"));
+            }
+            return frames;
+        }
+
+        /** The obstacles, and what they are called in messages */
+        struct World
+        {
+            std::vector<PlacedBody> obstacles;
+            std::vector<std::string> titles;
+            std::set<std::string> names;
+        };
+
+        World readWorld(const YamlNode &node, const Frames &frames, const std::string &folder)
+        {
+            node.allow({"collision_objects", "octomap"});
+            if (node.has("octomap"))
+            {
+                const YamlNode octomap = node.at("octomap");
+                octomap.allow({"header", "origin", "octomap"});
+                if (octomap.has("octomap"))
+                    refuse(octomap.at("octomap"), {"data"});
+            }
+            World world;
+            for (const YamlNode &item : moveItItems(node, "collision_objects"))
+            {
+                const MoveItObject object = readMoveItObject(item, folder);
+                if (!world.names.insert(object.name).second)
+                    item.at("id").fail("there is an object '" + object.name + "' already");
+                const auto frame = frames.find(object.frame);
+                if (frame == frames.end())
+                    item.at("header").fail("there is no fixed frame '" + object.frame + "'");
+                for (const MoveItObject::Placed &placed : object.shapes)
+                {
+                    world.obstacles.push_back({placed.shape.body, frame->second * placed.shape.pose});
+                    world.titles.push_back(placed.node.getKey() + " of '" + object.name + "'");
+                }
+            }
+            return world;
+        }
+
+        /** The pairs that may touch by an allowed collision matrix; a pair that it does not name must not. */
+        std::set<Pair> readMatrix(const YamlNode &matrix, const KinematicTree &tree,
+                                  const std::set<std::string> &obstacles)
+        {
+            matrix.allow({"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
+            std::vector<std::string> names;
+            for (const YamlNode &name : moveItItems(matrix, "entry_names"))
+                names.push_back(name.text());
+            for (const YamlNode &value : moveItItems(matrix, "default_entry_values"))
+                if (value.boolean())
+                    value.fail("names that may touch everything are not supported");
+            const auto rows = matrix.at("entry_values").items(names.size(), names.size());
+            std::set<Pair> allowed;
+            for (std::size_t i = 0; i < rows.size(); ++i)
+            {
+                if (rows[i].isMap())
+                    rows[i].allow({"enabled"});
+                const auto values =
+                    (rows[i].isMap() ? rows[i].at("enabled") : rows[i]).items(names.size(), names.size());
+                for (std::size_t k = 0; k < values.size(); ++k)
+                {
+                    if (!values[k].boolean())
+                        continue;
+                    if (obstacles.count(names[i]) > 0 && tree.hasLink(names[k]))
+                        values[k].fail("obstacle '" + names[i] + "' that link '" + names[k] +
+                                       "' may touch is not supported");
+                    allowed.insert({names[i], names[k]});
+                    allowed.insert({names[k], names[i]});
+                }
+            }
+            return allowed;
+        }
+
+        void refusePadding(const YamlNode &root)
+        {
+            for (const auto &[key, value, neutral] :
+                 {std::tuple{"link_padding", "padding", 0.0}, {"link_scale", "scale", 1.0}})
+                for (const YamlNode &item : moveItItems(root, key))
+                {
+                    item.allow({"link_name", value});
+                    if (item.at(value).number() != neutral)
+                        item.at(value).fail("is not supported but as " + std::to_string(static_cast<int>(neutral)));
+                }
+        }
+
+        /** The value of a joint of the group */
+        double coordinateOf(const YamlNode &node, const KinematicTree &tree, const std::string &name,
+                            const std::map<std::string, double> &values)
+        {
+            const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
+            if (joint.type == JointType::PLANAR || joint.type == JointType::FLOATING)
+                node.fail("joint '" + name + "' of the group has several degrees of freedom, which is not supported");
+            const auto found = values.find(name);
+            if (found == values.end())
+                node.fail("has no position of joint '" + name + "'");
+            if (joint.type != JointType::CONTINUOUS || (found->second >= -M_PI && found->second < M_PI))
+                return found->second;
+            const double angle = std::remainder(found->second, 2.0 * M_PI);
+            return angle < M_PI ? angle : -M_PI;
+        }
+
+        std::vector<double> coordinatesOf(const YamlNode &node, const Arm &arm,
+                                          const std::map<std::string, double> &values)
+        {
+            std::vector<double> coordinates;
+            for (const std::string &joint : arm.getGroup())
+                coordinates.push_back(coordinateOf(node, arm.getTree(), joint, values));
+            return coordinates;
+        }
+
+        std::map<std::string, double> readGoal(const YamlNode &node, const std::vector<std::string> &group)
+        {
+            const auto goals = node.items(1, MAX_LINKS);
+            if (goals.size() > 1)
+                goals[1].fail("several goals are not supported");
+            const YamlNode &goal = goals.front();
+            goal.allow({"name", "joint_constraints", "position_constraints", "orientation_constraints",
+                        "visibility_constraints"});
+            refuse(goal, {"position_constraints", "orientation_constraints", "visibility_constraints"});
+            std::map<std::string, double> values;
+            for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_LINKS))
+            {
+                item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
+                const std::string name = item.at("joint_name").text();
+                if (std::find(group.begin(), group.end(), name) == group.end())
+                    item.at("joint_name").fail("'" + name + "' is not a joint of the group");
+                if (!values.emplace(name, item.at("position").number()).second)
+                    item.at("joint_name").fail("'" + name + "' is given twice");
+            }
+            return values;
+        }
+
+        std::optional<ob::RealVectorBounds> readWorkspace(const YamlNode &request)
+        {
+            if (!request.has("workspace_parameters"))
+                return {};
+            const YamlNode node = request.at("workspace_parameters");
+            node.allow({"header", "min_corner", "max_corner"});
+            const Eigen::Vector3d low = readMoveItVector(node.at("min_corner")),
+                                  high = readMoveItVector(node.at("max_corner"));
+            if (low.isZero() && high.isZero())
+                return {};
+            if (!((high - low).minCoeff() >= YamlNode::MIN_SIZE))
+                node.at("max_corner").fail("must be above min_corner");
+            ob::RealVectorBounds bounds(3);
+            bounds.low.assign(low.data(), low.data() + 3);
+            bounds.high.assign(high.data(), high.data() + 3);
+            return bounds;
+        }
+
+        void enlarge(ob::RealVectorBounds &bounds, const Body &body, const Pose &pose)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const auto i = static_cast<std::size_t>(axis);
+                bounds.low[i] = std::min(bounds.low[i], pose.translation()[axis] - body.getBoundingRadius());
+                bounds.high[i] = std::max(bounds.high[i], pose.translation()[axis] + body.getBoundingRadius());
+            }
+        }
+
+        /** The bounds of all that is seen in a picture */
+        ob::RealVectorBounds boundsAround(const std::vector<PlacedBody> &obstacles, const Scene::Member &member,
+                                          const std::optional<ob::RealVectorBounds> &workspace)
+        {
+            ob::RealVectorBounds bounds(3);
+            bounds.setLow(YamlNode::MAX_NUMBER);
+            bounds.setHigh(-YamlNode::MAX_NUMBER);
+            if (workspace)
+                bounds = *workspace;
+            for (const PlacedBody &obstacle : obstacles)
+                enlarge(bounds, obstacle.body, obstacle.pose);
+            const auto &bodies = member.robot->getBodies();
+            std::vector<Pose> poses(bodies.size());
+            ob::ScopedState<> state(member.robot->getStateSpace());
+            for (const auto *coordinates : {&member.start, &member.goal})
+            {
+                state = *coordinates;
+                member.robot->computePoses(state.get(), poses.data());
+                for (std::size_t i = 0; i < bodies.size(); ++i)
+                    enlarge(bounds, bodies[i], poses[i]);
+            }
+            return bounds;
+        }
+
+        /** Let what \e start says overrule \e state. */
+        void merge(const MoveItRobotState &start, MoveItRobotState &state)
+        {
+            for (const auto &[joint, value] : start.joints)
+                state.joints[joint] = value;
+            if (start.base)
+                state.base = start.base;
+            state.attached.insert(state.attached.end(), start.attached.begin(), start.attached.end());
+        }
+
+        std::string folderOf(const std::string &file)
+        {
+            return std::filesystem::path(file).parent_path().string();
+        }
+    }
+
+    bool isMoveItScene(const std::string &file)
+    {
+        const std::string text = readWholeFile(file);
+        try
+        {
+            const YamlNode root = parseYaml(text, file);
+            const auto has = [&](const char *key) { return root.has(key); };
+            return root.isMap() && !has("environment") && !has("robots") &&
+                   (has("world") || has("robot_state") || has("robot_model_name"));
+        }
+        catch (const ompl::Exception &)
+        {
+            // Who reads it next tells what is wrong.
+            return false;
+        }
+    }
+
+    SceneFile readMoveItFiles(const std::string &scene, const std::string &request, const ArmFile &robot)
+    {
+        const YamlNode root = parseYaml(readWholeFile(scene), scene), wish = parseYaml(readWholeFile(request), request);
+        root.allow({"name", "robot_state", "robot_model_name", "fixed_frame_transforms", "allowed_collision_matrix",
+                    "link_padding", "link_scale", "object_colors", "world", "is_diff"});
+        wish.allow({"workspace_parameters", "start_state", "goal_constraints", "path_constraints",
+                    "trajectory_constraints", "reference_trajectories", "pipeline_id", "planner_id", "group_name",
+                    "num_planning_attempts", "allowed_planning_time", "max_velocity_scaling_factor",
+                    "max_acceleration_scaling_factor", "cartesian_speed_end_effector_link",
+                    "cartesian_speed_limited_link", "max_cartesian_speed"});
+        refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
+        refusePadding(root);
+
+        const KinematicTree &tree = robot.getTree();
+        const std::string folder = folderOf(scene);
+        MoveItRobotState state;
+        if (root.has("robot_state"))
+            state = readMoveItRobotState(root.at("robot_state"), tree, folder);
+        const std::string rootLink = tree.getLinks().front().name;
+        const World world = readWorld(root.at("world"), readFrames(root, rootLink, state), folder);
+
+        if (wish.has("start_state"))
+            merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);
+        const YamlNode groupNode = wish.at("group_name");
+        const std::string group = groupNode.text();
+        ArmFile::ArmSettings settings;
+        settings.base = state.base.value_or(Pose::Identity());
+        settings.jointValues = state.joints;
+        settings.attached = state.attached;
+        settings.bounds = readWorkspace(wish);
+        std::set<Pair> allowed;
+        if (root.has("allowed_collision_matrix") && !root.at("allowed_collision_matrix").isEmpty())
+        {
+            allowed = readMatrix(root.at("allowed_collision_matrix"), tree, world.names);
+            settings.mayTouch = [&allowed](const std::string &first, const std::string &second) {
+                return allowed.count({first, second}) > 0;
+            };
+        }
+        std::vector<std::string> notes;
+        Scene::Member member;
+        try
+        {
+            for (const std::string &joint : robot.getJoints(group))
+                settings.jointValues.erase(joint);
+            member.robot = robot.makeArm(robot.getName(), group, settings, &notes);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            groupNode.fail(exception.what());
+        }
+        const auto &arm = static_cast<const Arm &>(*member.robot);
+        const YamlNode goal = wish.at("goal_constraints");
+        member.start = coordinatesOf(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
+        member.goal = coordinatesOf(goal, arm, readGoal(goal, arm.getGroup()));
+
+        const std::string name = moveItText(root, "name");
+        SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
+                             boundsAround(world.obstacles, member, settings.bounds)),
+                       {},
+                       {},
+                       {},
+                       {}};
+        for (std::size_t i = 0; i < world.obstacles.size(); ++i)
+            file.scene.addObstacle(world.obstacles[i], world.titles[i]);
+        file.scene.addMember(member);
+        file.scene.setResolution(RESOLUTION);
+        for (const std::string &note : notes)
+            file.scene.addNote(note);
+        if (const std::string model = moveItText(root, "robot_model_name"); !model.empty() && model != robot.getName())
+            file.scene.addNote("robot_model_name is " + model + "; the robot is " + robot.getName());
+        if (wish.has("allowed_planning_time") && wish.at("allowed_planning_time").number() != 0.0)
+            file.timeLimit = wish.at("allowed_planning_time").positive();
+        return file;
+    }
+}

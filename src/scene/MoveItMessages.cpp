@@ -1,0 +1,287 @@
+#include "MoveItMessages.h"
+
+#include "ompl_certificates/scene/MeshFile.h"
+
+#include <cmath>
+#include <filesystem>
+#include <ompl/util/Exception.h>
+#include <set>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr std::size_t MAX_ITEMS = 5000000;
+
+        /** The numbers of a list, or of a map of \e names */
+        std::vector<double> readNumbers(const YamlNode &node, const std::vector<std::string> &names)
+        {
+            if (!node.isMap())
+                return node.numbers(names.size());
+            node.allow(names);
+            std::vector<double> values;
+            values.reserve(names.size());
+            for (const std::string &name : names)
+                values.push_back(node.at(name).number());
+            return values;
+        }
+
+        Eigen::Matrix3d readRotation(const YamlNode &node)
+        {
+            const auto values = readNumbers(node, {"x", "y", "z", "w"});
+            const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
+            if (!(rotation.norm() >= YamlNode::MIN_SIZE))
+                node.fail("must not be zero");
+            return rotation.normalized().toRotationMatrix();
+        }
+
+        Pose readPose(const YamlNode &node, const std::string &position, const std::string &rotation)
+        {
+            node.allow({position, rotation});
+            Pose pose = Pose::Identity();
+            if (node.has(position))
+                pose.translation() = readMoveItVector(node.at(position));
+            if (node.has(rotation))
+                pose.linear() = readRotation(node.at(rotation));
+            return pose;
+        }
+
+        Body readPrimitive(const YamlNode &node)
+        {
+            node.allow({"type", "dimensions"});
+            const YamlNode sizes = node.at("dimensions");
+            const std::string type = node.at("type").text();
+            if (type == "box" || type == "1")
+            {
+                const auto size = sizes.positives(3);
+                return Body::box(size[0], size[1], size[2]);
+            }
+            if (type == "sphere" || type == "2")
+                return Body::sphere(sizes.positives(1).front());
+            if (type == "cylinder" || type == "3")
+            {
+                const auto size = sizes.positives(2);
+                return Body::cylinder(size[1], size[0]);
+            }
+            node.at("type").fail("must be one of box, sphere, cylinder, not '" + type + "'");
+        }
+
+        std::size_t readIndex(const YamlNode &node, std::size_t count)
+        {
+            const double value = node.number();
+            if (!(value >= 0.0 && value < static_cast<double>(count) && value == std::floor(value)))
+                node.fail("must be the number of a vertex, below " + std::to_string(count) + ", not " +
+                          node.describe());
+            return static_cast<std::size_t>(value);
+        }
+
+        /** What \e make makes; what it throws is wrong with \e node. */
+        template <typename Make>
+        auto orFail(const YamlNode &node, const Make &make)
+        {
+            try
+            {
+                return make();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                node.fail(exception.what());
+            }
+        }
+
+        Body readTriangles(const YamlNode &node)
+        {
+            node.allow({"vertices", "triangles"});
+            std::vector<Eigen::Vector3d> vertices;
+            for (const YamlNode &item : node.at("vertices").items(3, MAX_ITEMS))
+                vertices.push_back(readMoveItVector(item));
+            std::vector<TriangleMesh::Triangle> triangles;
+            for (const YamlNode &item : node.at("triangles").items(1, MAX_ITEMS))
+            {
+                if (item.isMap())
+                    item.allow({"vertex_indices"});
+                const auto corners = (item.isMap() ? item.at("vertex_indices") : item).items(3, 3);
+                TriangleMesh::Triangle triangle{};
+                for (std::size_t i = 0; i < 3; ++i)
+                    triangle[i] =
+                        static_cast<TriangleMesh::Triangle::value_type>(readIndex(corners[i], vertices.size()));
+                triangles.push_back(triangle);
+            }
+            return orFail(node, [&] { return Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)); });
+        }
+
+        /** The mesh of a file, which robowflex writes in place of triangles */
+        Body readResource(const YamlNode &node, const std::string &folder)
+        {
+            node.allow({"resource", "dimensions"});
+            std::string name = node.at("resource").text();
+            if (name.rfind("package://", 0) == 0)
+                node.at("resource").fail("package:// is not supported in scenes; give a path");
+            if (name.rfind("file://", 0) == 0)
+                name.erase(0, 7);
+            Eigen::Affine3d scale = Eigen::Affine3d::Identity();
+            if (node.has("dimensions"))
+            {
+                const auto factors = node.at("dimensions").positives(3);
+                scale.linear().diagonal() = Eigen::Map<const Eigen::Vector3d>(factors.data());
+            }
+            const std::string path = (std::filesystem::path(folder) / name).lexically_normal().string();
+            return orFail(node.at("resource"), [&] { return Body::mesh(MeshFile(path, true).transformed(scale)); });
+        }
+
+        Body readMesh(const YamlNode &node, const std::string &folder)
+        {
+            return node.has("resource") ? readResource(node, folder) : readTriangles(node);
+        }
+
+        /** Add the shapes of \e key, with their poses, which may be left out together, to \e object. */
+        template <typename Read>
+        void addShapes(const YamlNode &node, const std::string &key, const std::string &poseKey, const Pose &origin,
+                       const Read &read, MoveItObject &object)
+        {
+            const auto shapes = moveItItems(node, key), poses = moveItItems(node, poseKey);
+            if (!poses.empty() && poses.size() != shapes.size())
+                node.at(poseKey).fail("must have as many items as " + key + ", " + std::to_string(shapes.size()) +
+                                      ", not " + std::to_string(poses.size()));
+            for (std::size_t i = 0; i < shapes.size(); ++i)
+            {
+                const Pose pose = poses.empty() ? Pose::Identity() : readPose(poses[i], "position", "orientation");
+                object.shapes.push_back({shapes[i], {read(shapes[i]), origin * pose}});
+            }
+        }
+
+        AttachedBody readAttached(const YamlNode &node, const KinematicTree &tree, const std::string &folder)
+        {
+            node.allow({"link_name", "object", "touch_links", "detach_posture", "weight"});
+            AttachedBody attached{"", node.at("link_name").text(), Body::sphere(0.0)};
+            if (!tree.hasLink(attached.link))
+                node.at("link_name").fail("there is no link '" + attached.link + "'");
+            const MoveItObject object = readMoveItObject(node.at("object"), folder);
+            if (object.frame != attached.link)
+                node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
+                                       object.frame + "', are not supported");
+            std::vector<Body::Part> parts;
+            for (const MoveItObject::Placed &placed : object.shapes)
+                for (const Body::Part &part : placed.shape.body.getParts())
+                    parts.push_back({part.shape, placed.shape.pose * part.pose});
+            attached.name = object.name;
+            attached.body = Body(parts);
+            for (const YamlNode &link : moveItItems(node, "touch_links"))
+            {
+                attached.touchLinks.push_back(link.text());
+                if (!tree.hasLink(attached.touchLinks.back()))
+                    link.fail("there is no link '" + attached.touchLinks.back() + "'");
+            }
+            return attached;
+        }
+
+        void readJointState(const YamlNode &node, const KinematicTree &tree, MoveItRobotState &state)
+        {
+            node.allow({"header", "name", "position", "velocity", "effort"});
+            const auto names = moveItItems(node, "name");
+            const auto positions =
+                node.has("position") ? node.at("position").numbers(names.size()) : std::vector<double>();
+            if (positions.size() != names.size())
+                node.at("position");
+            std::set<std::string> seen;
+            for (std::size_t i = 0; i < names.size(); ++i)
+            {
+                const std::string name = names[i].text();
+                if (!tree.hasJoint(name))
+                    names[i].fail("there is no joint '" + name + "'");
+                if (!seen.insert(name).second)
+                    names[i].fail("'" + name + "' is given twice");
+                // MoveIt's messages may list fixed joints, too.
+                const KinematicTree::JointType type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                if (type != KinematicTree::JointType::FIXED)
+                    state.joints[name] = positions[i];
+            }
+        }
+
+        /** Where the robot stands: the transform of the joint between its root and the world */
+        void readBase(const YamlNode &node, const KinematicTree &tree, MoveItRobotState &state)
+        {
+            node.allow({"header", "joint_names", "transforms", "twist", "wrench"});
+            const auto names = moveItItems(node, "joint_names"), transforms = moveItItems(node, "transforms");
+            if (names.size() != transforms.size())
+                node.fail("must have as many transforms as joint_names, " + std::to_string(names.size()) + ", not " +
+                          std::to_string(transforms.size()));
+            if (names.size() > 1)
+                names[1].fail("more than one joint of several degrees of freedom is not supported");
+            if (names.empty())
+                return;
+            if (tree.hasJoint(names.front().text()))
+                names.front().fail("joints of several degrees of freedom are not supported but that of the root");
+            state.base = readMoveItTransform(transforms.front());
+        }
+    }
+
+    std::vector<YamlNode> moveItItems(const YamlNode &node, const std::string &key)
+    {
+        if (!node.has(key) || node.at(key).isEmpty())
+            return {};
+        return node.at(key).items(0, MAX_ITEMS);
+    }
+
+    std::string moveItText(const YamlNode &node, const std::string &key)
+    {
+        return node.has(key) && !node.at(key).isEmpty() ? node.at(key).text() : "";
+    }
+
+    std::string moveItFrame(const YamlNode &node)
+    {
+        if (!node.has("header"))
+            return "";
+        node.at("header").allow({"seq", "stamp", "frame_id"});
+        return moveItText(node.at("header"), "frame_id");
+    }
+
+    void refuse(const YamlNode &node, const std::vector<std::string> &keys)
+    {
+        for (const std::string &key : keys)
+            if (node.has(key) && !node.at(key).isEmpty())
+                node.at(key).fail("not supported");
+    }
+
+    Eigen::Vector3d readMoveItVector(const YamlNode &node)
+    {
+        return Eigen::Map<const Eigen::Vector3d>(readNumbers(node, {"x", "y", "z"}).data());
+    }
+
+    Pose readMoveItTransform(const YamlNode &node)
+    {
+        return readPose(node, "translation", "rotation");
+    }
+
+    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder)
+    {
+        node.allow({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes", "mesh_poses", "planes",
+                    "plane_poses", "subframe_names", "subframe_poses", "operation"});
+        refuse(node, {"planes", "plane_poses"});
+        if (const std::string operation = moveItText(node, "operation");
+            !operation.empty() && operation != "add" && operation != "0")
+            node.at("operation").fail("must be add or 0, not '" + operation + "'");
+        MoveItObject object{node.at("id").text(), moveItFrame(node), {}};
+        const Pose pose =
+            node.has("pose") ? readPose(node.at("pose"), "position", "orientation") : Pose(Pose::Identity());
+        addShapes(node, "primitives", "primitive_poses", pose, readPrimitive, object);
+        addShapes(
+            node, "meshes", "mesh_poses", pose, [&](const YamlNode &mesh) { return readMesh(mesh, folder); }, object);
+        if (object.shapes.empty())
+            node.fail("object '" + object.name + "' has no shape");
+        return object;
+    }
+
+    MoveItRobotState readMoveItRobotState(const YamlNode &node, const KinematicTree &tree, const std::string &folder)
+    {
+        node.allow({"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
+        MoveItRobotState state;
+        if (node.has("joint_state"))
+            readJointState(node.at("joint_state"), tree, state);
+        if (node.has("multi_dof_joint_state"))
+            readBase(node.at("multi_dof_joint_state"), tree, state);
+        for (const YamlNode &item : moveItItems(node, "attached_collision_objects"))
+            state.attached.push_back(readAttached(item, tree, folder));
+        return state;
+    }
+}

@@ -1,0 +1,67 @@
+#ifndef OMPL_CERTIFICATES_SCENE_MOVE_IT_MESSAGES_
+#define OMPL_CERTIFICATES_SCENE_MOVE_IT_MESSAGES_
+
+#include "YamlNode.h"
+#include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/scene/ArmFile.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What a scene or a request of MoveIt says of its robot */
+    struct MoveItRobotState
+    {
+        /** \brief The values of joints, by their names */
+        std::map<std::string, double> joints;
+
+        /** \brief Where the robot stands, if the message says so */
+        std::optional<Pose> base;
+
+        /** \brief The objects that it holds */
+        std::vector<AttachedBody> attached;
+    };
+
+    /** \brief An object of MoveIt: its shapes, each at its pose in the object's header frame */
+    struct MoveItObject
+    {
+        /** \brief The node of a shape, and where it is */
+        struct Placed
+        {
+            YamlNode node;
+            PlacedBody shape;
+        };
+
+        std::string name, frame;
+        std::vector<Placed> shapes;
+    };
+
+    /** \brief The items of the list \e key of \e node; none if it is not there, or empty */
+    std::vector<YamlNode> moveItItems(const YamlNode &node, const std::string &key);
+
+    /** \brief The text of \e key of \e node; empty if it is not there */
+    std::string moveItText(const YamlNode &node, const std::string &key);
+
+    /** \brief The frame_id in the header of \e node; empty if there is none */
+    std::string moveItFrame(const YamlNode &node);
+
+    /** \brief Complain about those of \e keys that have a value: they would change the plan. */
+    void refuse(const YamlNode &node, const std::vector<std::string> &keys);
+
+    /** \brief Three numbers, or a map of x, y and z */
+    Eigen::Vector3d readMoveItVector(const YamlNode &node);
+
+    /** \brief A Transform: translation and rotation */
+    Pose readMoveItTransform(const YamlNode &node);
+
+    /** \brief A CollisionObject; meshes of files are looked for in \e folder */
+    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder);
+
+    /** \brief A RobotState of the robot with the links and joints of \e tree */
+    MoveItRobotState readMoveItRobotState(const YamlNode &node, const KinematicTree &tree, const std::string &folder);
+}
+
+#endif

@@ -1,0 +1,67 @@
+#include "YamlText.h"
+
+#include <ompl/util/Exception.h>
+#include <sstream>
+#include <yaml-cpp/eventhandler.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** Takes no notice of what a document holds. */
+        class Ignored : public YAML::EventHandler
+        {
+            void OnDocumentStart(const YAML::Mark & /*mark*/) override
+            {
+            }
+            void OnDocumentEnd() override
+            {
+            }
+            void OnNull(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
+            {
+            }
+            void OnAlias(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
+            {
+            }
+            void OnScalar(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                          const std::string & /*value*/) override
+            {
+            }
+            void OnSequenceStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                                 YAML::EmitterStyle::value /*style*/) override
+            {
+            }
+            void OnSequenceEnd() override
+            {
+            }
+            void OnMapStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
+                            YAML::EmitterStyle::value /*style*/) override
+            {
+            }
+            void OnMapEnd() override
+            {
+            }
+        };
+    }
+
+    YamlNode parseYaml(const std::string &text, const std::string &source)
+    {
+        try
+        {
+            // Not YAML::LoadAll: of a text such as "," it makes documents for ever.
+            std::istringstream stream(text);
+            YAML::Parser parser(stream);
+            Ignored ignored;
+            if (!parser.HandleNextDocument(ignored))
+                throw ompl::Exception(source, "is empty");
+            if (parser.HandleNextDocument(ignored))
+                throw ompl::Exception(source, "must hold one YAML document, not several");
+            return YamlNode(YAML::Load(text), "", source);
+        }
+        catch (const YAML::Exception &exception)
+        {
+            const std::string line = exception.mark.is_null() ? "" : ":" + std::to_string(exception.mark.line + 1);
+            throw ompl::Exception(source + line, "not valid YAML: " + exception.msg);
+        }
+    }
+}

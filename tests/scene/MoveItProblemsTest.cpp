@@ -1,0 +1,117 @@
+#include "ompl_certificates/planning/Planners.h"
+#include "ompl_certificates/scene/MoveItFiles.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        namespace fs = std::filesystem;
+        namespace ob = ompl::base;
+
+        const fs::path ROBOTS = fs::path(OMPL_CERTIFICATES_SHARED_DIR) / "robots";
+
+        /** The problems of MotionBenchMaker for a robot */
+        class MoveItProblems : public ::testing::TestWithParam<std::string>
+        {
+        protected:
+            void SetUp() override
+            {
+                if (!fs::is_directory(ROBOTS / GetParam()))
+                    GTEST_SKIP() << "there is no " << ROBOTS / GetParam();
+                const std::string description = (ROBOTS / GetParam() / GetParam()).string();
+                robot_ = std::make_unique<const ArmFile>(description + ".urdf", description + ".srdf");
+                for (const auto &family : fs::directory_iterator(ROBOTS / GetParam() / "problems"))
+                    families_.push_back(family.path());
+                std::sort(families_.begin(), families_.end());
+            }
+
+            Scene read(const fs::path &family, unsigned int number) const
+            {
+                char name[16];
+                std::snprintf(name, sizeof(name), "%04u.yaml", number);
+                const std::string scene = std::string("scene") + name, request = std::string("request") + name;
+                return readMoveItFiles((family / scene).string(), (family / request).string(), *robot_).scene;
+            }
+
+            std::unique_ptr<const ArmFile> robot_;
+            std::vector<fs::path> families_;
+        };
+
+        TEST_P(MoveItProblems, StartsAndGoalsAreFree)
+        {
+            ASSERT_EQ(families_.size(), 7u);
+            // Each arm of large meshes takes half a second to prepare; the benchmark of arms looks at all of them.
+            const unsigned int step = GetParam() == "ur5" ? 4 : 1;
+            for (const fs::path &family : families_)
+                for (unsigned int i = 1; i <= 20; i += step)
+                {
+                    SCOPED_TRACE(family.string() + " " + std::to_string(i));
+                    EXPECT_NO_THROW(read(family, i).validate());
+                }
+        }
+
+        TEST_P(MoveItProblems, PlansAreFreeForFcl)
+        {
+            ompl::RNG::setSeed(1);
+            for (const char *family : {"bookshelf_small", "box", "table_pick"})
+                for (unsigned int i = 1; i <= 2; ++i)
+                {
+                    SCOPED_TRACE(family + std::string(" ") + std::to_string(i));
+                    const Scene scene = read(ROBOTS / GetParam() / "problems" / family, i);
+                    const TeamSetupPtr setup = scene.makeSetup();
+                    setup->setPlanner(makePlanner("RRTConnect", setup->getSpaceInformation()));
+                    ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+                    const TeamSetupPtr fcl = scene.makeSetup(Method::FCL);
+                    fcl->setup();
+                    const auto &states = setup->getSolutionPath().getStates();
+                    for (std::size_t k = 1; k < states.size(); ++k)
+                        EXPECT_TRUE(fcl->getSpaceInformation()->checkMotion(states[k - 1], states[k]));
+                }
+        }
+
+        TEST_P(MoveItProblems, AllMethodsGiveFclsVerdicts)
+        {
+            ompl::RNG::setSeed(1);
+            std::size_t free = 0, colliding = 0;
+            for (const fs::path &family : families_)
+            {
+                SCOPED_TRACE(family);
+                const Scene scene = read(family, 1);
+                std::vector<TeamSetupPtr> setups;
+                for (const Method method : {Method::FCL, Method::STANDARD, Method::SHARED_PROJECTION})
+                {
+                    setups.push_back(scene.makeSetup(method));
+                    setups.back()->setup();
+                }
+                const auto &space = setups.front()->getStateSpace();
+                const auto sampler = space->allocStateSampler();
+                ob::ScopedState<> state(space), near(space);
+                const auto check = [&](auto verdictOf)
+                {
+                    const bool expected = verdictOf(*setups[0]->getSpaceInformation());
+                    ++(expected ? free : colliding);
+                    EXPECT_EQ(verdictOf(*setups[1]->getSpaceInformation()), expected) << state;
+                    EXPECT_EQ(verdictOf(*setups[2]->getSpaceInformation()), expected) << state;
+                };
+                for (int i = 0; i < 200; ++i)
+                {
+                    sampler->sampleUniform(state.get());
+                    check([&](const ob::SpaceInformation &si) { return si.isValid(state.get()); });
+                    sampler->sampleUniformNear(near.get(), state.get(), 0.2);
+                    if (setups[0]->getSpaceInformation()->isValid(state.get()) && i % 5 == 0)
+                        check([&](const ob::SpaceInformation &si) { return si.checkMotion(state.get(), near.get()); });
+                }
+            }
+            EXPECT_GT(free, 100u);
+            EXPECT_GT(colliding, 100u);
+        }
+
+        INSTANTIATE_TEST_SUITE_P(Shared, MoveItProblems, ::testing::Values("panda", "ur5"),
+                                 [](const auto &robot) { return robot.param; });
+    }
+}
