@@ -1,5 +1,5 @@
 // Two arms at one table, from URDF and SRDF files. They are checked against the table, the post on it, each other, and
-// themselves. The planner is DRRTstar, as for all teams: two seconds for a short way.
+// themselves. The planner is DRRTstar, as for all teams: two seconds for a short way. In continuous mode all of it is proved.
 //
 //     08_arms [FOLDER]        the folder of the arm's files, else demos/scenes/arms
 
@@ -30,7 +30,8 @@ int main(int argc, char **argv)
     const std::vector<PlacedBody> obstacles{
         {Body::box(1.6, 0.9, 0.1), Pose(Eigen::Translation3d(0.0, 0.0, 0.35))},   // the table
         {Body::cylinder(0.04, 0.4), Pose(Eigen::Translation3d(0.0, 0.0, 0.6))}};  // a post on it
-    TeamSetup setup(team, std::make_shared<FclObstacles>(obstacles, 3));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(obstacles, 3), Method::SHARED_PROJECTION,
+                    CertificateMotionValidator::CONTINUOUS);
 
     // The six joints of the left arm, then those of the right one. Both hands go to the other side of the post.
     ompl::base::ScopedState<> start(team), goal(team);

@@ -112,6 +112,12 @@ namespace ompl_certificates
         if (query.isProofOnly())
         {
             settleByClearances(query, learn, verdict, counts);
+            if (!verdict.free && query.standsStill())
+            {
+                ObstaclePart hit;
+                verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
+                verdict.validInterval = verdict.free ? INF : 0.0;
+            }
             return verdict;
         }
         TimedSettling settling(policy, SwitchingPolicy::ANY);
@@ -137,6 +143,8 @@ namespace ompl_certificates
             if (hit != NO_PART)
                 hits_.note(enclosingBall(query), hit);
         }
+        if (verdict.free && query.standsStill())
+            verdict.validInterval = INF;
         settling.noteExact();
         return verdict;
     }

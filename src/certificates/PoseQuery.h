@@ -23,8 +23,8 @@ namespace ompl_certificates
         const MotionBound *motionBound{nullptr};
 
         /** \brief If positive, a few balls of the sphere tree must be proved free for this long, in time of the motion.
-            That verdict depends only on the obstacles and the motion, not on the certificates kept. If 0, a pose that
-            clearances do not settle gets the exact check. */
+            That verdict depends only on the obstacles and the motion, not on the certificates kept. If 0, or if the
+            body stands still, a pose that clearances do not settle gets the exact check. */
         double requiredInterval{0.0};
 
         /** \brief How many samples a proof for the whole motion would probably spare, if the pose lies between free
@@ -37,7 +37,13 @@ namespace ompl_certificates
             return motionBound ? motionBound->at(ball.center.norm()) : 0.0;
         }
 
-        /** \brief Whether only a proof settles the body as free */
+        /** \brief Whether the body does not move: then one pose speaks for the whole motion */
+        bool standsStill() const
+        {
+            return !motionBound || (motionBound->linear == 0.0 && motionBound->angular == 0.0);
+        }
+
+        /** \brief Whether only a proof settles the body as free, unless it stands still */
         bool isProofOnly() const
         {
             return requiredInterval > 0.0;

@@ -38,7 +38,7 @@ namespace
             for (int i = 0; i <= steps; ++i)
             {
                 space->interpolate(from.get(), to.get(), static_cast<double>(i) / steps, between.get());
-                arm.computePoses(between.get(), poses[i].data());
+                arm.computePoses(between.get(), poses[static_cast<std::size_t>(i)].data());
             }
             // In steps, the way is what was covered; the bound holds for each of them.
             const auto compare = [&](const MotionBound &bound, double radius, auto poseAtStep, double &sum, double &n)
@@ -65,8 +65,8 @@ namespace
             };
             for (std::size_t k = 0; k < count; ++k)
                 compare(
-                    bounds[k], arm.getBodies()[k].getBoundingRadius(), [&](int i) { return poses[i][k]; },
-                    tightness.bodies, tightness.count);
+                    bounds[k], arm.getBodies()[k].getBoundingRadius(),
+                    [&](int i) { return poses[static_cast<std::size_t>(i)][k]; }, tightness.bodies, tightness.count);
             for (std::size_t p = 0; p < pairs.size(); ++p)
                 for (const bool swapped : {false, true})
                 {
@@ -74,8 +74,12 @@ namespace
                                       observer = swapped ? pairs[p].first : pairs[p].second;
                     compare(
                         swapped ? pairBounds[p].second : pairBounds[p].first, arm.getBodies()[seen].getBoundingRadius(),
-                        [&](int i) { return Pose(poses[i][observer].inverse() * poses[i][seen]); }, tightness.pairs,
-                        tightness.pairCount);
+                        [&](int i)
+                        {
+                            const std::vector<Pose> &now = poses[static_cast<std::size_t>(i)];
+                            return Pose(now[observer].inverse() * now[seen]);
+                        },
+                        tightness.pairs, tightness.pairCount);
                 }
         }
         return tightness;
