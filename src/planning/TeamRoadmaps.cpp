@@ -1,7 +1,6 @@
 #include "TeamRoadmaps.h"
 
 #include <algorithm>
-#include <atomic>
 #include <boost/functional/hash.hpp>
 #include <future>
 #include <thread>
@@ -65,16 +64,16 @@ namespace ompl_certificates
             open.erase(std::remove_if(open.begin(), open.end(), isDone), open.end());
             if (open.empty() || condition)
                 return;
-            std::atomic<std::size_t> next{0};
-            const auto growSome = [&]
+            const std::size_t threads = std::min<std::size_t>(threads_, open.size());
+            const auto growSome = [&open, threads](std::size_t first)
             {
-                for (std::size_t i = next++; i < open.size(); i = next++)
+                for (std::size_t i = first; i < open.size(); i += threads)
                     open[i].roadmap->grow(BATCH, open[i].most);
             };
             std::vector<std::future<void>> others;
-            for (std::size_t i = 1; i < std::min<std::size_t>(threads_, open.size()); ++i)
-                others.push_back(std::async(std::launch::async, growSome));
-            growSome();
+            for (std::size_t i = 1; i < threads; ++i)
+                others.push_back(std::async(std::launch::async, growSome, i));
+            growSome(0);
             for (auto &other : others)
                 other.get();
         }
