@@ -134,15 +134,25 @@ namespace ompl_certificates
                 file.fail("has no link");
             if (links > MAX_LINKS)
                 file.fail("has " + std::to_string(links) + " links, more than " + std::to_string(MAX_LINKS));
-            std::map<std::string, std::string> parents;
+            // The joint of each child, and its parent
+            std::map<std::string, std::pair<std::string, std::string>> joints;
             for (const pugi::xml_node joint : robot.children("joint"))
             {
                 const std::string name = joint.attribute("name").value(),
-                                  child = joint.child("child").attribute("link").value();
-                const auto [other, isNew] = parents.emplace(child, name);
+                                  child = joint.child("child").attribute("link").value(),
+                                  parent = joint.child("parent").attribute("link").value();
+                const auto [other, isNew] = joints.insert({child, {name, parent}});
                 if (!isNew)
-                    file.fail("link '" + child + "' is the child of two joints, '" + other->second + "' and '" + name +
-                              "'");
+                    file.fail("link '" + child + "' is the child of two joints, '" + other->second.first + "' and '" +
+                              name + "'");
+            }
+            // urdfdom never frees the links of a loop.
+            for (const auto &[child, joint] : joints)
+            {
+                std::size_t steps = 0;
+                for (auto up = joints.find(child); up != joints.end(); up = joints.find(up->second.second))
+                    if (++steps > joints.size())
+                        file.fail("link '" + child + "' hangs on a loop of joints");
             }
         }
 
@@ -202,8 +212,6 @@ namespace ompl_certificates
         std::ostringstream text;
         robot.print(text, "", pugi::format_raw);
         const Model model(xml, text.str());
-        if (!model.get().getRoot())
-            xml.fail("has no root link");
 
         UrdfGeometry geometry(file, options);
         const auto fail = [&](const urdf::Joint &joint, const std::string &complaint)
@@ -236,10 +244,6 @@ namespace ompl_certificates
             }
             open.insert(open.end(), link->child_links.rbegin(), link->child_links.rend());
         }
-        // What the root does not reach hangs on a loop.
-        for (const auto &[name, link] : model.get().links_)
-            if (!result.tree.hasLink(name))
-                xml.fail("link '" + name + "' is part of a loop");
         try
         {
             result.tree.checkMimics();
