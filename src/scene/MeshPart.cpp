@@ -38,6 +38,7 @@ namespace ompl_certificates
             if (normal[axis] < 0.0)
                 std::swap(x, y);
             std::vector<Eigen::Vector2d> flat;
+            flat.reserve(points.size());
             for (const Eigen::Vector3d &point : points)
                 flat.emplace_back(point[x], point[y]);
             return flat;
@@ -80,14 +81,16 @@ namespace ompl_certificates
         if (rest.size() > 3)
         {
             std::vector<Eigen::Vector3d> points;
+            points.reserve(rest.size());
             for (const std::uint32_t corner : rest)
                 points.push_back(vertices[corner].point);
             flat = flatten(points);
         }
         // The order in which Assimp cuts: from a convex polygon it takes the fan about the last corner, of four the first.
-        for (std::size_t ear = rest.size() == 4 ? 1 : 0; rest.size() > 3; ear %= rest.size())
+        std::size_t ear = rest.size() == 4 ? 1 : 0;
+        for (std::size_t count = rest.size(); count > 3; --count)
         {
-            const std::size_t count = rest.size();
+            ear %= count;
             std::size_t tries = 0;
             for (; tries < count && !isEar(flat, ear); ++tries)
                 ear = (ear + 1) % count;
