@@ -1,5 +1,6 @@
 #include "ompl_certificates/geometry/Body.h"
 
+#include "ConvexCover.h"
 #include "SphereTreeBuilder.h"
 
 #include <algorithm>
@@ -197,6 +198,22 @@ namespace ompl_certificates
             made.store(balls.get(), std::memory_order_release);
         }
         return *balls;
+    }
+
+    const std::vector<ConvexCover> &Body::getConvexCovers() const
+    {
+        if (const auto *known = data_->madeCovers.load(std::memory_order_acquire))
+            return *known;
+        const std::lock_guard<std::mutex> lock(data_->mutex);
+        if (!data_->covers)
+        {
+            auto covers = std::make_shared<std::vector<ConvexCover>>();
+            for (const Part &part : data_->parts)
+                covers->emplace_back(part.shape, part.pose);
+            data_->covers = covers;
+            data_->madeCovers.store(covers.get(), std::memory_order_release);
+        }
+        return *data_->covers;
     }
 
     unsigned int Body::getDimension() const

@@ -69,6 +69,11 @@ namespace ompl_certificates
         Touching touches(const TriangleTree &other, const Pose &pose, double margin,
                          std::uint32_t *hit = nullptr) const;
 
+        /** \brief Whether every triangle of \e other is certain to be farther than \e distance from every one of this tree.
+            False if not, or if too many are near. All must have an area.
+            \param pose from the frame of \e other to the frame of this tree */
+        bool isFartherThan(double distance, const TriangleTree &other, const Pose &pose) const;
+
         /** \brief The triangle at a position, from 0 to size() - 1 */
         const Facet &getTriangle(std::uint32_t position) const
         {
@@ -121,6 +126,11 @@ namespace ompl_certificates
         {
             return (leaf & ((1U << COUNT_BITS) - 1)) + 1;
         }
+
+        /** \brief Calls \e visit with the position of a triangle of this tree and a facet of \e other in this frame, for all
+            pairs of triangles that may be within \e distance of each other, until it returns false */
+        template <typename Visit>
+        void visitNear(const TriangleTree &other, const Pose &pose, double distance, const Visit &visit) const;
 
         /** \brief The stack that a depth-first walk needs: three open children per level */
         static constexpr std::size_t STACK_SIZE = 256;

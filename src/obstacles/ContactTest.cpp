@@ -2,6 +2,9 @@
 
 #include "geometry/TriangleDistance.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace ompl_certificates
 {
     ContactTest::ContactTest(const MeshSurface &surface, const ClearanceTree &primitives, unsigned int dimension,
@@ -30,6 +33,24 @@ namespace ompl_certificates
             unknown = unknown || answer == Touching::UNKNOWN;
         }
         return unknown ? Touching::UNKNOWN : Touching::NO;
+    }
+
+    bool ContactTest::isFartherThan(double distance, const Body &body, const Pose &pose) const
+    {
+        const double margin = distance + marginOf(body);
+        const Ball &ball = body.getSphereTree().getRoot();
+        const Eigen::Vector3d center = pose * ball.center;
+        if (primitives_.size() > 0 && !(primitives_.signedDistance(center) > ball.radius + margin))
+            return false;
+        if (surface_.isEmpty())
+            return true;
+        const auto isFar = [&](const Body::Part &part)
+        {
+            const TriangleMesh *mesh = part.shape.getMesh();
+            return mesh ? surface_.getTriangles().isFartherThan(margin, mesh->getTree(), pose * part.pose)
+                        : surface_.distance(center, std::numeric_limits<double>::infinity()) > ball.radius + margin;
+        };
+        return std::all_of(body.getParts().begin(), body.getParts().end(), isFar);
     }
 
     bool ContactTest::certainlyHits(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const

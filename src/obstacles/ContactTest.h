@@ -18,6 +18,9 @@ namespace ompl_certificates
         /** \brief See FclObstacles::touches() */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const;
 
+        /** \brief See FclObstacles::isFartherThan() */
+        bool isFartherThan(double distance, const Body &body, const Pose &pose) const;
+
         /** \brief See FclObstacles::certainlyHits() */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const;
 

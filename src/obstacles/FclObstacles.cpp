@@ -113,6 +113,11 @@ namespace ompl_certificates
         return contactTest_->touches(body, pose, hit);
     }
 
+    bool FclObstacles::isFartherThan(double distance, const Body &body, const Pose &pose) const
+    {
+        return contactTest_->isFartherThan(distance, body, pose);
+    }
+
     bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
         return contactTest_->certainlyHits(body, pose, part);

@@ -72,48 +72,47 @@ namespace ompl_certificates
         return true;
     }
 
-    PoseVerdict BasicMethod::settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const
+    SubjectVerdict BasicMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                            const MotionSample &sample) const
     {
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
-        PoseVerdict whole;
-        whole.free = true;
-        whole.validInterval = std::numeric_limits<double>::infinity();
+        SubjectVerdict whole = SubjectVerdict::always();
+        SettledBy by = SettledBy::CERTIFICATE;
         for (std::size_t body = first; whole.free && body < end; ++body)
         {
             const PoseQuery query = queryOf(robot, body - first, context, sample);
             SwitchingPolicy untrained;  // A new policy tries everything.
             const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
             whole.free = one.free;
-            whole.validInterval = std::min(whole.validInterval, one.validInterval);
-            whole.by = std::max(whole.by, one.by);
+            whole.narrow(one.validInterval);
+            by = std::max(by, one.by);
             context.fresh[body] = {query.pose * query.body.getSphereTree().getRoot().center, one.clearance};
         }
-        countRobotPose(context.counts, whole.by, whole.free);
+        countRobotPose(context.counts, by, whole.free);
         return whole;
     }
 
-    PoseVerdict BasicMethod::settleTeam(CheckContext &context, const MotionSample &sample) const
+    SubjectVerdict BasicMethod::settleTeam(CheckContext &context, const MotionSample &sample) const
     {
         const unsigned int robots = context.team.getRobotCount();
-        PoseVerdict whole;
-        if (proveTeamFree(context.hints.front(), context, sample, whole))
+        SubjectVerdict whole = SubjectVerdict::always();
+        if (PoseVerdict proved; proveTeamFree(context.hints.front(), context, sample, proved))
         {
             context.counts.robotPoses += robots;
             context.counts.certifiedFree += robots;
+            whole.narrow(proved.validInterval);
             return whole;
         }
-        whole = {true, std::numeric_limits<double>::infinity()};
         for (unsigned int robot = 0; whole.free && robot < robots; ++robot)
         {
-            const PoseVerdict one = settleRobot(robot, context, sample);
+            const SubjectVerdict one = settleRobot(robot, context, sample);
             whole.free = one.free;
-            whole.validInterval = std::min(whole.validInterval, one.validInterval);
+            whole.narrow(one.before);
         }
         if (!whole.free)
             return whole;
-        whole.reference = keep(context.fresh);
-        if (whole.reference != NO_CERTIFICATE)
-            std::fill(context.hints.begin(), context.hints.end(), whole.reference);
+        if (const CertificateIndex kept = keep(context.fresh); kept != NO_CERTIFICATE)
+            std::fill(context.hints.begin(), context.hints.end(), kept);
         return whole;
     }
 

@@ -2,7 +2,7 @@
 
 namespace ompl_certificates
 {
-    CheckContext::CheckContext(const Team &theTeam)
+    CheckContext::CheckContext(const Team &theTeam, std::size_t bodyPairs)
       : team(theTeam)
       , poses(team.getBodyCount())
       , hints(team.getBodyCount(), NO_CERTIFICATE)
@@ -12,6 +12,9 @@ namespace ompl_certificates
       , sampledAt(team.getRobotCount())
       , motionBounds(team.getBodyCount())
       , knowsPairMotionBounds(team.getRobotCount())
+      , bodyTimes(team.getBodyCount())
+      , bodyPairTimes(bodyPairs)
+      , bodyPairDirections(bodyPairs, Eigen::Vector3d::Zero())
       , sample(team.getStateSpace()->allocState())
       , last(team.getStateSpace()->allocState())
     {

@@ -1,12 +1,14 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 #define OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 
+#include "ProvenTimes.h"
 #include "ThreadNumber.h"
 
 #include "ompl_certificates/certificates/Certificate.h"
 #include "ompl_certificates/certificates/CheckCounts.h"
 #include "ompl_certificates/team/Team.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <vector>
@@ -25,7 +27,8 @@ namespace ompl_certificates
         allocate. */
     struct CheckContext
     {
-        explicit CheckContext(const Team &theTeam);
+        /** \param bodyPairs how many pairs of bodies are checked against each other */
+        CheckContext(const Team &theTeam, std::size_t bodyPairs);
         ~CheckContext();
 
         CheckContext(const CheckContext &) = delete;
@@ -56,6 +59,25 @@ namespace ompl_certificates
         std::vector<std::vector<PairMotionBound>> pairMotionBounds;
         std::vector<bool> knowsPairMotionBounds;
 
+        /** \brief The number of the motion that is checked, and when each body, and each pair of bodies, is known to be
+            free. Kept only for robots of several bodies. */
+        std::uint64_t motion{0};
+        std::vector<ProvenTimes> bodyTimes, bodyPairTimes;
+
+        /** \brief For each pair of bodies: across which planes they were last apart, or zero */
+        std::vector<Eigen::Vector3d> bodyPairDirections;
+
+        /** \brief Notes that a body, or a pair of bodies, is free at less than \e interval from \e time */
+        void noteFree(ProvenTimes &times, double time, double interval) const
+        {
+            const double most = std::min(interval, 1.0) * (1.0 - OVERLAP);
+            if (most > 0.0)
+                times.add(motion, {time - most, time + most});
+        }
+
+        /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
+        static constexpr double OVERLAP = 1e-9;
+
         /** \brief How long each subject is proved free after the start, and before the end, of the motion */
         std::vector<double> startInterval, endInterval;
 
@@ -76,8 +98,9 @@ namespace ompl_certificates
     class CheckContextPool
     {
     public:
-        /** \brief Contexts for \e team, which must outlive the pool */
-        explicit CheckContextPool(const Team &team) : team_(team)
+        /** \brief Contexts for \e team, which must outlive the pool
+            \param bodyPairs how many pairs of bodies are checked against each other */
+        CheckContextPool(const Team &team, std::size_t bodyPairs) : team_(team), bodyPairs_(bodyPairs)
         {
         }
 
@@ -99,7 +122,7 @@ namespace ompl_certificates
               , context_(slot_.exchange(nullptr, std::memory_order_acquire))
             {
                 if (!context_)
-                    context_ = new CheckContext(pool.team_);
+                    context_ = new CheckContext(pool.team_, pool.bodyPairs_);
             }
 
             ~Lease()
@@ -134,6 +157,7 @@ namespace ompl_certificates
         };
 
         const Team &team_;
+        const std::size_t bodyPairs_;
         std::array<Slot, SLOTS> slots_;
     };
 }

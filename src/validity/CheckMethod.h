@@ -7,7 +7,9 @@
 
 #include "ompl_certificates/obstacles/ObstacleChange.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace ompl_certificates
@@ -23,6 +25,46 @@ namespace ompl_certificates
 
         /** \brief See PoseQuery::samplesAhead */
         double samplesAhead{0.0};
+
+        /** \brief The time of the motion */
+        double time{0.0};
+
+        /** \brief Whether what is known of single bodies at other times of the motion may settle them. In continuous
+            mode each time has a verdict of its own. */
+        bool usesOtherTimes() const
+        {
+            return moves && requiredInterval == 0.0;
+        }
+    };
+
+    /** \brief The answer about all bodies of some robots, at one time of a motion */
+    struct SubjectVerdict
+    {
+        /** \brief Whether they touch nothing */
+        bool free{false};
+
+        /** \brief They stay free for so long before that time, and after it */
+        double before{0.0}, after{0.0};
+
+        /** \brief Free at all times, until narrow() says otherwise */
+        static SubjectVerdict always()
+        {
+            return {true, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+        }
+
+        /** \brief Takes into account that one of them stays free for no longer than this */
+        void narrow(double least)
+        {
+            before = std::min(before, least);
+            after = std::min(after, least);
+        }
+
+        /** \brief Takes into account that one of them stays free in \e interval, which contains \e time */
+        void narrow(const ProvenTimes::Interval &interval, double time)
+        {
+            before = std::min(before, time - interval.first);
+            after = std::min(after, interval.last - time);
+        }
     };
 
     /** \brief Settles all robots of a team at once */
@@ -32,7 +74,7 @@ namespace ompl_certificates
         virtual ~TeamMethod() = default;
 
         /** \brief Settles all robots; see CheckMethod::settleRobot() */
-        virtual PoseVerdict settleTeam(CheckContext &context, const MotionSample &sample) const = 0;
+        virtual SubjectVerdict settleTeam(CheckContext &context, const MotionSample &sample) const = 0;
 
         /** \brief How long the hints prove all robots free; 0 if they do not */
         virtual double provenTeamInterval(const CheckContext &context) const = 0;
@@ -50,11 +92,12 @@ namespace ompl_certificates
 
         /** \brief Settles a robot whose poses are in \e context, first by its hints. Updates hints and counts in \e
             context. */
-        virtual PoseVerdict settleRobot(unsigned int robot, CheckContext &context,
-                                        const MotionSample &sample) const = 0;
+        virtual SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                           const MotionSample &sample) const = 0;
 
-        /** \brief How long its hints prove a robot free; 0 if they do not. Looks no further. */
-        virtual double provenInterval(unsigned int /*robot*/, const CheckContext & /*context*/) const
+        /** \brief How long its hints prove a robot free after the start of a motion, where its bodies are; 0 if they do
+            not. Looks no further. Notes in \e context what it finds of each body. */
+        virtual double provenInterval(unsigned int /*robot*/, CheckContext & /*context*/) const
         {
             return 0.0;
         }

@@ -52,9 +52,9 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, int &around)
     {
         const int counted = reversed_ ? cells_ - 1 - cell : cell;
-        const PoseVerdict verdict =
+        const SubjectVerdict verdict =
             settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, cell == cells_ - 1 ? 0.0 : 1.0);
-        const double interval = std::min(verdict.validInterval, 1.0) * (1.0 - OVERLAP);
+        const double interval = std::min({verdict.before, verdict.after, 1.0}) * (1.0 - OVERLAP);
         around = std::max(0, static_cast<int>(interval * cells_ - 0.5));
         return verdict.free;
     }

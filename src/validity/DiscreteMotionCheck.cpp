@@ -30,11 +30,11 @@ namespace ompl_certificates
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             // samplesAhead is 0: a motion that collides is mostly refused after few samples.
-            const PoseVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
+            const SubjectVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
             countEnds();
             if (!verdict.free)
                 return false;
-            context_.endInterval[subject] = verdict.validInterval;
+            context_.endInterval[subject] = verdict.before;
         }
         giveReferences(s2_);
         return true;
@@ -54,7 +54,7 @@ namespace ompl_certificates
                 context_.startInterval[subject] = check_.provenInterval(subjects_[subject], context_);
     }
 
-    PoseVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
+    SubjectVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
     {
         const double samplesAhead = std::max(context_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
         return settle(subject, static_cast<double>(sample) / segments_, 0.0, samplesAhead);
@@ -101,15 +101,15 @@ namespace ompl_certificates
         {
             const auto [subject, first, last] = queue[next];
             const int middle = (first + last) / 2;
-            const PoseVerdict verdict = settleSample(subject, middle);
+            const SubjectVerdict verdict = settleSample(subject, middle);
             if (!verdict.free)
                 return false;
-            const int within = samplesWithin(verdict.validInterval);
-            skip(subject, std::min(within, middle - first) + std::min(within, last - middle));
-            if (middle - 1 - within >= first)
-                queue.push_back({subject, first, middle - 1 - within});
-            if (middle + 1 + within <= last)
-                queue.push_back({subject, middle + 1 + within, last});
+            const int before = samplesWithin(verdict.before), after = samplesWithin(verdict.after);
+            skip(subject, std::min(before, middle - first) + std::min(after, last - middle));
+            if (middle - 1 - before >= first)
+                queue.push_back({subject, first, middle - 1 - before});
+            if (middle + 1 + after <= last)
+                queue.push_back({subject, middle + 1 + after, last});
         }
         return true;
     }
@@ -129,13 +129,13 @@ namespace ompl_certificates
                 skip(subject, std::min(first, end) - 1);
                 for (int sample = first; sample <= last && sample < invalid;)
                 {
-                    const PoseVerdict verdict = settleSample(subject, sample);
+                    const SubjectVerdict verdict = settleSample(subject, sample);
                     if (!verdict.free)
                     {
                         invalid = sample;
                         break;
                     }
-                    const int within = samplesWithin(verdict.validInterval);
+                    const int within = samplesWithin(verdict.after);
                     skip(subject, std::min(within, last - sample));
                     sample += 1 + within;
                 }

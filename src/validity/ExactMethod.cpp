@@ -11,22 +11,22 @@ namespace ompl_certificates
     {
     }
 
-    PoseVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
-                                         const MotionSample & /*sample*/) const
+    SubjectVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                            const MotionSample & /*sample*/) const
     {
         const auto &bodies = context.team.getRobot(robot).getBodies();
         const std::size_t first = context.team.getFirstBody(robot);
-        PoseVerdict verdict;
-        verdict.free = true;
-        for (std::size_t k = 0; verdict.free && k < bodies.size(); ++k)
+        bool free = true;
+        SettledBy settledBy = SettledBy::CERTIFICATE;
+        for (std::size_t k = 0; free && k < bodies.size(); ++k)
         {
             SettledBy by = SettledBy::CERTIFICATE;
-            verdict.free = !collidesWithoutMemory(*obstacles_, bodies[k], context.poses[first + k],
+            free = !collidesWithoutMemory(*obstacles_, bodies[k], context.poses[first + k],
                                                   contactTest_ ? &policies_[first + k] : nullptr, by, context.counts);
-            verdict.by = std::max(verdict.by, by);
+            settledBy = std::max(settledBy, by);
         }
-        countRobotPose(context.counts, verdict.by, verdict.free);
-        return verdict;
+        countRobotPose(context.counts, settledBy, free);
+        return {free};
     }
 
     void ExactMethod::clear()

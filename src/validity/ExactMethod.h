@@ -14,7 +14,7 @@ namespace ompl_certificates
         /** \param contactTest whether the contact test may precede FCL */
         ExactMethod(const Team &team, ObstaclesPtr obstacles, bool contactTest);
 
-        PoseVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
 
         void clear() override;
 

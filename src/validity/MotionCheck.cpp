@@ -37,6 +37,7 @@ namespace ompl_certificates
     {
         before_ = context_.counts;
         ++context_.counts.motions;
+        ++context_.motion;
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
         context_.knowsPairMotionBounds.assign(context_.knowsPairMotionBounds.size(), false);
         context_.startInterval.assign(subjectCount_, 0.0);
@@ -110,10 +111,15 @@ namespace ompl_certificates
         context_.knowsPairMotionBounds[robot] = true;
     }
 
-    PoseVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
+    SubjectVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
     {
+        const MotionSample sample{true, requiredInterval, samplesAhead, t};
+        SubjectVerdict verdict = SubjectVerdict::always();
+        // Poses cost time, so what is known comes first.
+        if (sample.usesOtherTimes() && check_.isKnownFree(subjects_[subject], context_, t, verdict))
+            return verdict;
         pose(subject, t);
-        return check_.settle(subjects_[subject], context_, {true, requiredInterval, samplesAhead});
+        return check_.settle(subjects_[subject], context_, sample);
     }
 
     unsigned int MotionCheck::countSegments() const

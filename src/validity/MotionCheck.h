@@ -33,7 +33,7 @@ namespace ompl_certificates
         /** \brief Settles a subject at time \e t
             \param requiredInterval see PoseQuery::requiredInterval
             \param samplesAhead see PoseQuery::samplesAhead */
-        PoseVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
+        SubjectVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
         /** \brief Puts the poses of a subject's robots at time \e t into the context; the first time, also their motion
             bounds */
@@ -71,8 +71,7 @@ namespace ompl_certificates
         const Subject *const subjects_;
         const unsigned int subjectCount_;
 
-        /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
-        static constexpr double OVERLAP = 1e-9;
+        static constexpr double OVERLAP = CheckContext::OVERLAP;
 
     private:
         void begin();

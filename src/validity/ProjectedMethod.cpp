@@ -14,42 +14,59 @@ namespace ompl_certificates
             environments_.push_back(std::make_unique<CertifiedEnvironment>(obstacles, limit));
     }
 
-    PoseVerdict ProjectedMethod::settleRobot(unsigned int robot, CheckContext &context,
-                                             const MotionSample &sample) const
+    SubjectVerdict ProjectedMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                                const MotionSample &sample) const
     {
         const CertifiedEnvironment &environment = environmentOf(robot);
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
-        PoseVerdict whole;
-        whole.free = true;
-        whole.validInterval = std::numeric_limits<double>::infinity();
+        const bool usesOtherTimes = sample.usesOtherTimes() && end - first > 1;
+        SubjectVerdict whole = SubjectVerdict::always();
+        SettledBy by = SettledBy::CERTIFICATE;
         for (std::size_t body = first; whole.free && body < end; ++body)
         {
+            if (usesOtherTimes)
+                if (const auto *known = context.bodyTimes[body].find(context.motion, sample.time))
+                {
+                    whole.narrow(*known, sample.time);
+                    continue;
+                }
             SwitchingPolicy untrained;  // A new policy tries everything.
             SwitchingPolicy &policy = adaptive_ ? policies_[body] : untrained;
             CertificateIndex &hint = context.hints[body];
             const PoseVerdict one =
                 environment.settle(queryOf(robot, body - first, context, sample), hint, policy, context.counts);
             whole.free = one.free;
-            whole.validInterval = std::min(whole.validInterval, one.validInterval);
-            whole.by = std::max(whole.by, one.by);
+            whole.narrow(one.validInterval);
+            by = std::max(by, one.by);
             if (one.reference != NO_CERTIFICATE)
                 hint = one.reference;
+            if (usesOtherTimes && one.free)
+                context.noteFree(context.bodyTimes[body], sample.time, one.validInterval);
         }
-        countRobotPose(context.counts, whole.by, whole.free);
+        countRobotPose(context.counts, by, whole.free);
         return whole;
     }
 
-    double ProjectedMethod::provenInterval(unsigned int robot, const CheckContext &context) const
+    double ProjectedMethod::provenInterval(unsigned int robot, CheckContext &context) const
     {
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
         double interval = std::numeric_limits<double>::infinity();
         for (std::size_t body = first; body < end; ++body)
         {
+            ProvenTimes &times = context.bodyTimes[body];
+            if (const auto *known = end - first > 1 ? times.find(context.motion, 0.0) : nullptr)
+            {
+                interval = std::min(interval, known->last);
+                continue;
+            }
             PoseVerdict verdict;
-            if (!environmentOf(robot).settleByHint(queryOf(robot, body - first, context, {true}), context.hints[body],
-                                                   verdict))
-                return 0.0;
-            interval = std::min(interval, verdict.validInterval);
+            const bool free = environmentOf(robot).settleByHint(queryOf(robot, body - first, context, {true}),
+                                                                context.hints[body], verdict);
+            interval = std::min(interval, free ? verdict.validInterval : 0.0);
+            if (end - first == 1)
+                break;
+            if (free)
+                context.noteFree(times, 0.0, verdict.validInterval);
         }
         return interval;
     }

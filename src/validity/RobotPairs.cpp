@@ -3,6 +3,7 @@
 #include "BodyClearance.h"
 #include "certificates/CertifiedEnvironment.h"
 #include "certificates/ExactCheck.h"
+#include "geometry/ConvexCover.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -108,6 +109,8 @@ namespace ompl_certificates
                 pairs_.back().bodies.push_back(bodies);
             }
         }
+        for (const Pair &pair : pairs_)
+            firstBodyPairs_.push_back(firstBodyPairs_.back() + pair.bodies.size());
     }
 
     RobotPairs::~RobotPairs() = default;
@@ -153,37 +156,55 @@ namespace ompl_certificates
         throw ompl::Exception("There is no pair of robots " + std::to_string(first) + " and " + std::to_string(second));
     }
 
-    PoseVerdict RobotPairs::settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const
+    SubjectVerdict RobotPairs::settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const
     {
         ++context.counts.pairPoses;
-        PoseVerdict verdict;
-        verdict.validInterval = INF;
-        for (const TwoBodies &bodies : pairs_[pair].bodies)
+        SubjectVerdict whole = SubjectVerdict::always();
+        const std::vector<TwoBodies> &all = pairs_[pair].bodies;
+        const bool usesOtherTimes = sample.usesOtherTimes() && all.size() > 1;
+        ProvenTimes *times = context.bodyPairTimes.data() + firstBodyPairs_[pair];
+        for (std::size_t i = 0; whole.free && i < all.size(); ++i)
         {
-            const double gap = bodies.gap(context);
-            const double speed = sample.moves ? bodies.speed(context) : 0.0;
-            if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
-            {
-                verdict.validInterval = std::min(verdict.validInterval, intervalOf(gap, bodies.margin, speed));
-                continue;
-            }
-            if (!bodies.frame)
-            {
-                verdict.validInterval = 0.0;
-                if (!(gap > 0.0) || sample.requiredInterval > 0.0)  // Also true for NaN
-                    return verdict;
-                continue;
-            }
-            const PoseVerdict one = settleBodies(bodies, context, sample);
-            verdict.validInterval = std::min(verdict.validInterval, one.validInterval);
-            if (!one.free)
-                return verdict;
+            if (usesOtherTimes)
+                if (const auto *known = times[i].find(context.motion, sample.time))
+                {
+                    whole.narrow(*known, sample.time);
+                    continue;
+                }
+            const PoseVerdict one = settleTwo(all[i], context.bodyPairDirections[firstBodyPairs_[pair] + i], context, sample);
+            whole.free = one.free;
+            whole.narrow(one.validInterval);
+            if (usesOtherTimes && one.free)
+                context.noteFree(times[i], sample.time, one.validInterval);
         }
-        verdict.free = true;
-        return verdict;
+        return whole;
     }
 
-    PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, CheckContext &context,
+    PoseVerdict RobotPairs::settleTwo(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context, const MotionSample &sample) const
+    {
+        PoseVerdict verdict;
+        const double gap = bodies.gap(context);
+        const double speed = sample.moves ? bodies.speed(context) : 0.0;
+        if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
+        {
+            verdict.free = true;
+            verdict.validInterval = intervalOf(gap, bodies.margin, speed);
+            if (verdict.validInterval >= 1.0 || sample.samplesAhead == 0.0 || sample.requiredInterval > 0.0 ||
+                !bodies.frame || method_ == Method::FCL)
+                return verdict;
+        }
+        else if (!bodies.frame)
+        {
+            verdict.free = gap > 0.0 && sample.requiredInterval == 0.0;  // False for NaN
+            return verdict;
+        }
+        const PoseVerdict nearer = settleBodies(bodies, direction, context, sample);
+        if (verdict.free && !(nearer.validInterval > verdict.validInterval))
+            return verdict;
+        return nearer;
+    }
+
+    PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
                                          const MotionSample &sample) const
     {
         const BodyFrame &frame = *bodies.frame;
@@ -193,30 +214,46 @@ namespace ompl_certificates
         PoseVerdict verdict;
         SwitchingPolicy untrained;  // A new policy tries everything.
         SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : untrained;
-        if (frame.certified)
-        {
-            const MotionBound bound = sample.moves ? bodies.relativeMotionBound(context) : MotionBound();
+        const MotionBound bound = sample.moves ? bodies.relativeMotionBound(context) : MotionBound();
+        if (sample.requiredInterval > 0.0)
             verdict = frame.certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE, policy,
                                               asked);
+        else if (method_ == Method::FCL)
+            verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative, nullptr, verdict.by, asked);
+        else if (isFinite(relative))
+        {
+            const double speed = bound.at(body.getBoundingRadius());
+            const double gap = convexGap(frame.body, body, relative, bodies.margin,
+                                         bodies.margin + (sample.samplesAhead > 0.0 ? speed : 0.0), direction);
+            verdict.free = gap > bodies.margin;
+            if (verdict.free)
+                verdict.validInterval = intervalOf(gap, bodies.margin, speed);
+            if (!verdict.free)
+                verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative, &policy, verdict.by, asked);
         }
-        else
-            verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative,
-                                                  method_ == Method::FCL ? nullptr : &policy, verdict.by, asked);
         context.counts.clearanceQueries += asked.clearanceQueries;
         context.counts.contactTests += asked.contactTests;
         context.counts.pairExact += asked.exactCalls;
         return verdict;
     }
 
-    double RobotPairs::provenInterval(unsigned int pair, const CheckContext &context) const
+    double RobotPairs::provenInterval(unsigned int pair, CheckContext &context) const
     {
         double interval = INF;
-        for (const TwoBodies &bodies : pairs_[pair].bodies)
+        const std::vector<TwoBodies> &all = pairs_[pair].bodies;
+        ProvenTimes *times = context.bodyPairTimes.data() + firstBodyPairs_[pair];
+        for (std::size_t i = 0; i < all.size(); ++i)
         {
-            const double gap = bodies.gap(context);
-            if (gap <= bodies.margin)
-                return 0.0;
-            interval = std::min(interval, intervalOf(gap, bodies.margin, bodies.speed(context)));
+            if (const auto *known = times[i].find(context.motion, 0.0))
+            {
+                interval = std::min(interval, known->last);
+                continue;
+            }
+            const double gap = all[i].gap(context);
+            const double own = gap > all[i].margin ? intervalOf(gap, all[i].margin, all[i].speed(context)) : 0.0;
+            interval = std::min(interval, own);
+            if (all.size() > 1)
+                context.noteFree(times[i], 0.0, own);
         }
         return interval;
     }

@@ -33,6 +33,19 @@ namespace ompl_certificates
             return static_cast<unsigned int>(pairs_.size());
         }
 
+        /** \brief The number of pairs of bodies, in all pairs */
+        std::size_t getBodyPairCount() const
+        {
+            return getFirstBodyPair(getPairCount());
+        }
+
+        /** \brief The number of pairs of bodies in all pairs before \e pair: the index of its first one in
+            CheckContext::bodyPairTimes */
+        std::size_t getFirstBodyPair(unsigned int pair) const
+        {
+            return firstBodyPairs_[pair];
+        }
+
         /** \brief The robot of a pair with the smaller index */
         unsigned int getFirst(unsigned int pair) const
         {
@@ -51,10 +64,11 @@ namespace ompl_certificates
 
         /** \brief Settles whether the robots of a pair stay apart. Reads their poses from \e context and counts
             there. */
-        PoseVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
+        SubjectVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
 
-        /** \brief How long the robots of a pair stay apart, by their bounding spheres alone; 0 if these touch */
-        double provenInterval(unsigned int pair, const CheckContext &context) const;
+        /** \brief How long the robots of a pair stay apart after the start of a motion, by their bounding spheres alone;
+            0 if these touch */
+        double provenInterval(unsigned int pair, CheckContext &context) const;
 
         /** \brief Two bodies of a pair that touch each other, by FCL: the first of the first robot, the second of the
             second. None if the robots stay apart. */
@@ -129,7 +143,12 @@ namespace ompl_certificates
         };
 
         /** \brief Settles two bodies whose bounding spheres are too close to decide, in the environment's frame */
-        PoseVerdict settleBodies(const TwoBodies &bodies, CheckContext &context, const MotionSample &sample) const;
+        PoseVerdict settleBodies(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
+                                 const MotionSample &sample) const;
+
+        /** \brief Settles two bodies */
+        PoseVerdict settleTwo(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
+                              const MotionSample &sample) const;
 
         /** \brief Body \e a of robot \e first and body \e b of robot \e second */
         TwoBodies makeTwoBodies(const Team &team, unsigned int first, std::size_t a, unsigned int second,
@@ -141,6 +160,7 @@ namespace ompl_certificates
         const std::shared_ptr<CertificateLimit> limit_;
         const unsigned int robotCount_;
         std::vector<Pair> pairs_;
+        std::vector<std::size_t> firstBodyPairs_{0};
         bool adaptive_{true};
         std::vector<std::unique_ptr<BodyFrame>> frames_;
     };

@@ -85,7 +85,7 @@ namespace ompl_certificates
       , checkMethod_(checkMethod ? std::move(checkMethod) : makeMethod(method, team_, obstacles_, limit_))
       , teamMethod_(checkMethod_->getTeamMethod())
       , pairs_(team_, method, limit_)
-      , contexts_(team_)
+      , contexts_(team_, pairs_.getBodyPairCount())
     {
         if (teamMethod_)
             subjects_.push_back({Subject::TEAM, 0, team_.getRobotCount() - 1, 0});
@@ -114,7 +114,7 @@ namespace ompl_certificates
         return {subjects_.data() + subjects_.size() - pairs_.getPairCount() + pair, 1};
     }
 
-    PoseVerdict TeamCheck::settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const
+    SubjectVerdict TeamCheck::settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const
     {
         switch (subject.kind)
         {
@@ -128,7 +128,32 @@ namespace ompl_certificates
         return pairs_.settle(subject.pair, context, sample);
     }
 
-    double TeamCheck::provenInterval(const Subject &subject, const CheckContext &context) const
+    bool TeamCheck::isKnownFree(const Subject &subject, CheckContext &context, double time,
+                                SubjectVerdict &verdict) const
+    {
+        if (subject.kind == Subject::TEAM)
+            return false;
+        const bool isPair = subject.kind == Subject::PAIR;
+        const auto &times = isPair ? context.bodyPairTimes : context.bodyTimes;
+        const std::size_t first =
+            isPair ? pairs_.getFirstBodyPair(subject.pair) : team_.getFirstBody(subject.first);
+        const std::size_t end =
+            isPair ? pairs_.getFirstBodyPair(subject.pair + 1) : team_.getFirstBody(subject.first + 1);
+        for (std::size_t i = first; i < end; ++i)
+        {
+            const ProvenTimes::Interval *known = times[i].find(context.motion, time);
+            if (!known)
+                return false;
+            verdict.narrow(*known, time);
+        }
+        if (isPair)
+            ++context.counts.pairPoses;
+        else
+            countRobotPose(context.counts, SettledBy::CERTIFICATE, true);
+        return true;
+    }
+
+    double TeamCheck::provenInterval(const Subject &subject, CheckContext &context) const
     {
         switch (subject.kind)
         {

@@ -111,10 +111,15 @@ namespace ompl_certificates
         SubjectRange getPair(unsigned int first, unsigned int second) const;
 
         /** \brief Settles a subject whose robots' poses are in \e context */
-        PoseVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
+        SubjectVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
 
-        /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free; 0 if they do not */
-        double provenInterval(const Subject &subject, const CheckContext &context) const;
+        /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free after the start of a
+            motion, where its robots are; 0 if they do not. Notes what is found of each body. */
+        double provenInterval(const Subject &subject, CheckContext &context) const;
+
+        /** \brief Whether all bodies of a subject are known to be free at a time of the motion; if so, narrows \e
+            verdict and counts */
+        bool isKnownFree(const Subject &subject, CheckContext &context, double time, SubjectVerdict &verdict) const;
 
         /** \brief Whether a state of the team is free */
         bool isFree(const ompl::base::State *state, CheckContext &context) const;

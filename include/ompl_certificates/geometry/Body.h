@@ -13,6 +13,8 @@
 
 namespace ompl_certificates
 {
+    class ConvexCover;
+
     /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
         A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
@@ -101,6 +103,9 @@ namespace ompl_certificates
             return data_->getBalls().sphereTree;
         }
 
+        /** \brief A convex set around each of the shapes, in the body's frame. Made when first asked for: see ConvexCover. */
+        const std::vector<ConvexCover> &getConvexCovers() const;
+
         /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
             nothing else: a point has a ball of radius 0. */
         const std::vector<Ball> &getInnerSpheres() const
@@ -159,6 +164,8 @@ namespace ompl_certificates
             mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;
             mutable std::atomic<const Balls *> made{nullptr};
+            mutable std::shared_ptr<const std::vector<ConvexCover>> covers;
+            mutable std::atomic<const std::vector<ConvexCover> *> madeCovers{nullptr};
 
             const Balls &getBalls() const
             {

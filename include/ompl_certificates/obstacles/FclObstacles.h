@@ -68,6 +68,9 @@ namespace ompl_certificates
             to 20 µs, mostly a tenth of collides(). Allocates nothing and does not ask FCL. */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
+        /** \brief Proves it of meshes from the distances of their triangles; of other shapes by their bounding spheres */
+        bool isFartherThan(double distance, const Body &body, const Pose &pose) const override;
+
         /** \brief Looks for a triangle of the body that crosses triangle \e part of the obstacles, or for a point of
             that triangle inside a primitive of the body. Takes 0.05 to 0.5 µs. */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;

@@ -61,6 +61,14 @@ namespace ompl_certificates
             return Touching::UNKNOWN;
         }
 
+        /** \brief Whether all of \e body at \e pose is certain to be farther than \e distance from the obstacles, by a quick
+            test. False if not, or if unknown. So a stretch of a motion is proved free where clearances of points prove
+            nothing. */
+        virtual bool isFartherThan(double /*distance*/, const Body & /*body*/, const Pose & /*pose*/) const
+        {
+            return false;
+        }
+
         /** \brief Whether \e body at \e pose is certain to collide() because of \e part alone, such as one that it
             touched nearby. Cheaper than touches(). False if unknown. */
         virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
