@@ -11,8 +11,10 @@
 
 namespace ompl_certificates
 {
+    class Shape;
+
     /** \brief A tree of boxes over triangles. It finds the triangle nearest to a point, and whether triangles cross
-        others.
+        others or touch primitives.
 
         Each node holds the boxes of four children, in single precision and rounded outwards. Triangles are tested in
         double precision. Uses about 140 bytes per triangle. Only add() and build() change the tree. */
@@ -68,6 +70,11 @@ namespace ompl_certificates
             \param hit if not null and the answer is YES: the position of the triangle of this tree */
         Touching touches(const TriangleTree &other, const Pose &pose, double margin,
                          std::uint32_t *hit = nullptr) const;
+
+        /** \brief Whether a triangle touches \e primitive, which is solid and of space.
+            \param pose from the frame of this tree to the frame of \e primitive
+            \param hit if not null and the answer is YES: the position of the triangle */
+        Touching touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit = nullptr) const;
 
         /** \brief The triangle at a position, from 0 to size() - 1 */
         const Facet &getTriangle(std::uint32_t position) const

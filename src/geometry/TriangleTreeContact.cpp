@@ -1,5 +1,6 @@
 #include "TriangleTree.h"
 
+#include "PrimitiveContact.h"
 #include "TriangleContact.h"
 
 #include <algorithm>
@@ -179,6 +180,51 @@ namespace ompl_certificates
                     if (overlap[k])
                         stack[open++] = {pair.here, node.child[k], pair.boxHere, boxOf(node, k)};
             }
+        }
+        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
+    }
+
+    Touching TriangleTree::touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit) const
+    {
+        if (nodes_.empty())
+            return Touching::NO;
+        const Eigen::AlignedBox3d bounds = primitive.getBounds();
+        const Box box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
+        const Eigen::Matrix3d toHere = pose.linear().transpose();
+        const Eigen::Vector3d shift = -(toHere * (pose * origin_));
+        const Turn turn(toHere, shift);
+        const auto slack = static_cast<float>(
+            margin + ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
+        std::uint32_t stack[STACK_SIZE];
+        std::size_t open = 0;
+        stack[open++] = 0;
+        unsigned int unknown = 0;
+        while (open > 0)
+        {
+            const std::uint32_t current = stack[--open];
+            if (isLeaf(current))
+            {
+                for (std::uint32_t i = firstOf(current), last = i + countOf(current); i < last; ++i)
+                {
+                    const auto &[a, b, c] = triangles_[i].corners;
+                    const Touching answer = touching(primitive, {pose * a, pose * b, pose * c}, margin);
+                    if (answer == Touching::YES)
+                    {
+                        if (hit)
+                            *hit = i;
+                        return answer;
+                    }
+                    if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
+                        return answer;
+                }
+                continue;
+            }
+            const Node &node = nodes_[current];
+            bool overlap[4];
+            overlaps(node, box, turn, slack, overlap);
+            for (int k = 0; k < 4; ++k)
+                if (overlap[k])
+                    stack[open++] = node.child[k];
         }
         return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
     }

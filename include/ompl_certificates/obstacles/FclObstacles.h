@@ -14,6 +14,7 @@ namespace ompl_certificates
     class ContactTest;
     class FclCheck;
     class MeshSurface;
+    class PrimitiveList;
 
     /** \brief Obstacles made of primitives and meshes, checked by FCL. A broadphase compares their boxes, then an exact
         check compares each pair of shapes that the boxes do not separate.
@@ -97,6 +98,7 @@ namespace ompl_certificates
 
         std::unique_ptr<ClearanceTree> primitives_;
         std::unique_ptr<MeshSurface> surface_;
+        std::unique_ptr<PrimitiveList> primitiveList_;
         std::unique_ptr<FclCheck> check_;
         std::unique_ptr<ContactTest> contactTest_;
         double tolerance_{0.0};
