@@ -145,7 +145,7 @@ TEST(PrimitiveContact, OfTrianglesFollowsTheSignedDistance)
         EXPECT_GT(count, cases / 20);
 }
 
-// Where the signed distance tells nothing of how deep a thin part is, FCL is asked: see PrimitiveTouch.
+// Whether the answers are true FCL tells: see PrimitiveTouch.
 TEST(PrimitiveContact, OfPrimitivesIsTheSameEitherWayAndForAnyMargin)
 {
     unsigned int counts[3] = {}, cases = scaled(20000);
@@ -159,7 +159,7 @@ TEST(PrimitiveContact, OfPrimitivesIsTheSameEitherWayAndForAnyMargin)
         const auto other = placed(randomShape(random, dimension, unit * random.logUniform(0.1, 3.0)), Pose::Identity());
         Pose pose = random.pose(dimension, unit);
         pose.translation() = pointOf(random, Body({other})) - pose.linear() * pointOf(random, Body({one})) +
-                             random.point(dimension, random.chance(0.5) ? 3.0 * margin : unit);
+                             random.point(dimension, random.chance(0.5) ? 3.0 * margin : 3.0 * unit);
         const Pose toOther = other.pose.inverse() * pose * one.pose;
         const Touching answer = touching(one.shape, other.shape, toOther, margin);
         ++counts[static_cast<int>(answer)];
@@ -170,7 +170,7 @@ TEST(PrimitiveContact, OfPrimitivesIsTheSameEitherWayAndForAnyMargin)
         ASSERT_TRUE(larger == Touching::UNKNOWN || larger == answer);
     }
     for (const unsigned int count : counts)
-        EXPECT_GT(count, cases / 20);
+        EXPECT_GT(count, cases / 50);
 }
 
 TEST(PrimitiveContact, OfThingsInsideEachOther)
