@@ -168,6 +168,35 @@ namespace ompl_certificates
             return polygon.isComplete() ? answer : Touching::UNKNOWN;
         }
 
+        /** How far apart two boxes are along the axis that separates them best: an edge of either, or across an edge of
+            both. That is a lower bound of their distance. If it is negative, one of them must move so far until they
+            only touch.
+            \param enough larger gaps may be returned as any number above it */
+        double gapOfBoxes(const Eigen::AlignedBox3d &boxA, const Eigen::AlignedBox3d &boxB, const Pose &pose,
+                          double enough)
+        {
+            const Eigen::Matrix3d &turn = pose.linear(), absolute = turn.cwiseAbs();
+            const Eigen::Vector3d halfA = 0.5 * boxA.sizes(), halfB = 0.5 * boxB.sizes(),
+                                  shift = pose * boxA.center() - boxB.center();
+            double gap =
+                std::max((shift.cwiseAbs() - halfB - absolute * halfA).maxCoeff(),
+                         ((turn.transpose() * shift).cwiseAbs() - halfA - absolute.transpose() * halfB).maxCoeff());
+            for (Eigen::Index i = 0; i < 3 && gap <= enough; ++i)
+                for (Eigen::Index j = 0; j < 3; ++j)
+                {
+                    const Eigen::Index i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+                    const double x = turn(i1, j), y = turn(i2, j), squared = x * x + y * y;
+                    // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from that
+                    // of a face.
+                    if (squared < 1e-14)
+                        continue;
+                    const double both = halfB[i1] * std::abs(y) + halfB[i2] * std::abs(x) +
+                                        halfA[j1] * absolute(i, j2) + halfA[j2] * absolute(i, j1);
+                    gap = std::max(gap, (std::abs(shift[i2] * x - shift[i1] * y) - both) / std::sqrt(squared));
+                }
+            return gap;
+        }
+
         /** The faces of a box or a polytope against another one or a cylinder */
         Touching touchingFaces(const Shape &shape, const Shape &other, const Pose &pose, double margin)
         {
@@ -190,13 +219,11 @@ namespace ompl_certificates
             return hull.signedDistance(pose.inverse() * point) < 0.0 ? Touching::YES : Touching::NO;
         }
 
-        /** A capsule against a convex shape. Along a line the signed distance to that is a convex function, which
-            changes no faster than the point moves. */
-        Touching touchingSegment(const Shape &capsule, const Shape &other, const Pose &pose, double margin)
+        /** All points within \e radius of the z axis within \e half of the origin, against a convex shape. Along a line
+            the signed distance to that is a convex function, which changes no faster than the point moves. */
+        Touching touchingSegment(double radius, double half, const Shape &other, const Pose &pose, double margin)
         {
-            const double radius = capsule.getRadius();
             const Eigen::Vector3d along = pose.linear().col(2);
-            double half = 0.5 * capsule.getSize().z();
             Eigen::Vector3d center = pose.translation();
             double lowest = other.signedDistance(center);
             for (;;)
@@ -220,6 +247,22 @@ namespace ompl_certificates
                     }
                 }
             }
+        }
+
+        Touching touchingCapsule(const Shape &capsule, const Shape &other, const Pose &pose, double margin)
+        {
+            return touchingSegment(capsule.getRadius(), 0.5 * capsule.getSize().z(), other, pose, margin);
+        }
+
+        /** One cylinder against another: a capsule around it that does not touch, or one inside it that does */
+        Touching touchingCylinders(const Shape &cylinder, const Shape &other, const Pose &pose, double margin)
+        {
+            const double radius = cylinder.getRadius(), half = 0.5 * cylinder.getSize().z();
+            if (touchingSegment(radius, half, other, pose, margin) == Touching::NO)
+                return Touching::NO;
+            const double inner = std::min(radius, half);
+            return touchingSegment(inner, half - inner, other, pose, margin) == Touching::YES ? Touching::YES
+                                                                                              : Touching::UNKNOWN;
         }
     }
 
@@ -254,35 +297,14 @@ namespace ompl_certificates
         if (gap > margin || (kindA == Kind::BOX && kindB == Kind::BOX && a.getDimension() == 3))
             return fromGap(gap, margin);
         if (kindA == Kind::CAPSULE)
-            return touchingSegment(a, b, pose, margin);
+            return touchingCapsule(a, b, pose, margin);
         if (kindB == Kind::CAPSULE)
-            return touchingSegment(b, a, pose.inverse(), margin);
+            return touchingCapsule(b, a, pose.inverse(), margin);
         if (a.getHull())
             return touchingFaces(a, b, pose, margin);
-        return b.getHull() ? touchingFaces(b, a, pose.inverse(), margin) : Touching::UNKNOWN;
-    }
-
-    double gapOfBoxes(const Eigen::AlignedBox3d &boxA, const Eigen::AlignedBox3d &boxB, const Pose &pose, double enough)
-    {
-        const Eigen::Matrix3d &turn = pose.linear(), absolute = turn.cwiseAbs();
-        const Eigen::Vector3d halfA = 0.5 * boxA.sizes(), halfB = 0.5 * boxB.sizes(),
-                              shift = pose * boxA.center() - boxB.center();
-        double gap =
-            std::max((shift.cwiseAbs() - halfB - absolute * halfA).maxCoeff(),
-                     ((turn.transpose() * shift).cwiseAbs() - halfA - absolute.transpose() * halfB).maxCoeff());
-        for (Eigen::Index i = 0; i < 3 && gap <= enough; ++i)
-            for (Eigen::Index j = 0; j < 3; ++j)
-            {
-                const Eigen::Index i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-                const double x = turn(i1, j), y = turn(i2, j), squared = x * x + y * y;
-                // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from that
-                // of a face.
-                if (squared < 1e-14)
-                    continue;
-                const double both = halfB[i1] * std::abs(y) + halfB[i2] * std::abs(x) + halfA[j1] * absolute(i, j2) +
-                                    halfA[j2] * absolute(i, j1);
-                gap = std::max(gap, (std::abs(shift[i2] * x - shift[i1] * y) - both) / std::sqrt(squared));
-            }
-        return gap;
+        if (b.getHull())
+            return touchingFaces(b, a, pose.inverse(), margin);
+        const Touching answer = touchingCylinders(a, b, pose, margin);
+        return answer == Touching::UNKNOWN ? touchingCylinders(b, a, pose.inverse(), margin) : answer;
     }
 }

@@ -15,17 +15,10 @@ namespace ompl_certificates
     Touching touching(const Shape &primitive, const std::array<Eigen::Vector3d, 3> &triangle, double margin);
 
     /** \brief Whether two primitives touch, both of the plane or both of space. YES and NO stay true if one of them
-        moves by less than \e margin. UNKNOWN where they just touch, for two cylinders that are near each other, and for
+        moves by less than \e margin. UNKNOWN where they just touch, for some cylinders that are near each other, and for
         some polytopes of more than 20 faces. Allocates nothing.
         \param pose from the frame of \e a to the frame of \e b */
     Touching touching(const Shape &a, const Shape &b, const Pose &pose, double margin);
-
-    /** \brief How far apart two boxes are along the axis that separates them best: an edge of either, or across an edge
-        of both. That is a lower bound of their distance. If it is negative, one of them must move that far until they
-        only touch.
-        \param pose from the frame of \e a to the frame of \e b
-        \param enough larger gaps may be returned as any number above it */
-    double gapOfBoxes(const Eigen::AlignedBox3d &a, const Eigen::AlignedBox3d &b, const Pose &pose, double enough);
 }
 
 #endif

@@ -62,15 +62,15 @@ namespace ompl_certificates
 
         double clearance(const Eigen::Vector3d &point) const override;
 
-        /** \brief A part is a triangle; NO_PART where a primitive is nearest. */
+        /** \brief A part is a triangle or a primitive; here NO_PART where a primitive is nearest. */
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
-        /** \brief Decides nearly all mesh-mesh queries. For other shapes it only reports meshes that cross. Takes 0.1
-            to 20 µs, mostly a tenth of collides(). Allocates nothing and does not ask FCL. */
+        /** \brief Decides nearly all queries. In the plane it leaves meshes near primitives, and primitives among meshes,
+            to collides(). Takes 0.1 to 20 µs, mostly a tenth of collides(). Allocates nothing and does not ask FCL. */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
-        /** \brief Looks for a triangle of the body that crosses triangle \e part of the obstacles, or for a point of
-            that triangle inside a primitive of the body. Takes 0.05 to 0.5 µs. */
+        /** \brief Looks for a part of the body that crosses a triangle or a primitive of the obstacles, \e part. Takes
+            0.05 to 1 µs. */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
 
         double getTolerance() const override
