@@ -60,6 +60,8 @@ namespace ompl_certificates
             return verdict;
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
+        if (!query.isProofOnly() && !query.body.isBall() && obstacles_->hasGap())
+            return settleByGap(query, policy, counts);
         // One search settles a ball either way, and mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
@@ -75,6 +77,29 @@ namespace ompl_certificates
         verdict.reference = covering.certificate;
         if (verdict.free)
             verdict.validInterval = (covering.slack + query.leastSlack(ball)) / query.speedOf(ball);
+        return verdict;
+    }
+
+    PoseVerdict CertifiedEnvironment::settleByGap(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
+    {
+        PoseVerdict verdict;
+        verdict.by = SettledBy::CLEARANCES;
+        const double margin = getMargin(query.body);
+        const double speed = query.motionBound ? query.motionBound->at(query.body.getBoundingRadius()) : 0.0;
+        ++counts.clearanceQueries;
+        const double gap =
+            obstacles_->gap(query.body, query.pose, margin, margin + (query.samplesAhead > 0.0 ? speed : 0.0));
+        if (gap > margin)
+        {
+            verdict.free = true;
+            verdict.validInterval = speed > 0.0 ? (gap - margin) / speed : INF;
+            return verdict;
+        }
+        ObstaclePart hit;
+        verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
+        if (!verdict.free && hit != NO_PART && !query.body.isBall())
+            hits_.note(enclosingBall(query), hit);
+        (void)policy;
         return verdict;
     }
 

@@ -114,6 +114,10 @@ namespace ompl_certificates
         static constexpr double PROOF_CUSHION = 1e-3;
 
     private:
+        /** \brief Settles \e query by the gap between the body and the obstacles, else by the contact test and the exact
+            check */
+        PoseVerdict settleByGap(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const;
+
         /** \brief ask(), which also keeps certificates that settled a ball if \e learn is set */
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy, CheckCounts &counts) const;
 

@@ -1,7 +1,5 @@
 #include "TriangleContact.h"
 
-#include "TriangleDistance.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,37 +54,6 @@ namespace ompl_certificates
                 return Touching::NO;
             return from * to < 0 && a * b * c != 0 ? Touching::YES : Touching::UNKNOWN;
         }
-    }
-
-    namespace
-    {
-        /** Whether a corner of \e triangle is within \e distance straight above or below \e face */
-        bool isCornerNear(const TriangleTree::Facet &triangle, const TriangleTree::Facet &face, double distance)
-        {
-            const auto &[a, b, c] = face.corners;
-            for (const Eigen::Vector3d &corner : triangle.corners)
-                if (std::abs(face.normal.dot(corner - a)) <= distance &&
-                    face.normal.dot((b - a).cross(corner - a)) >= 0.0 &&
-                    face.normal.dot((c - b).cross(corner - b)) >= 0.0 &&
-                    face.normal.dot((a - c).cross(corner - c)) >= 0.0)
-                    return true;
-            return false;
-        }
-    }
-
-    bool areFartherApart(const TriangleTree::Facet &a, const TriangleTree::Facet &b, double distance)
-    {
-        // The quick test knows all directions across faces and edges, but not those between corners.
-        if (crossing(a, b, distance) == Touching::NO)
-            return true;
-        if (crossing(a, b, 0.0) != Touching::NO || isCornerNear(a, b, distance) || isCornerNear(b, a, distance))
-            return false;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                if (squaredDistanceBetweenSegments(a.corners[i], a.corners[(i + 1) % 3] - a.corners[i], b.corners[j],
-                                                   b.corners[(j + 1) % 3] - b.corners[j]) <= distance * distance)
-                    return false;
-        return true;
     }
 
     Touching crossing(const TriangleTree::Facet &first, const TriangleTree::Facet &second, double margin)

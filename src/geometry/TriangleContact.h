@@ -12,9 +12,6 @@ namespace ompl_certificates
         of the face, and if it passes the three edges of the face on the same side. If no edge can, for any shift of one
         triangle by less than the margin, they are at least that far apart. */
     Touching crossing(const TriangleTree::Facet &a, const TriangleTree::Facet &b, double margin);
-
-    /** \brief Whether two triangles are farther apart than \e distance, up to rounding */
-    bool areFartherApart(const TriangleTree::Facet &a, const TriangleTree::Facet &b, double distance);
 }
 
 #endif

@@ -62,21 +62,6 @@ namespace ompl_certificates
         return std::min(
             {squaredDistanceToSegment(ap, ab), squaredDistanceToSegment(bp, bc), squaredDistanceToSegment(cp, ca)});
     }
-
-    /** \brief Squared distance between two segments, which may have length zero: from \e p along \e d, and from \e q along \e
-        e */
-    inline double squaredDistanceBetweenSegments(const Eigen::Vector3d &p, const Eigen::Vector3d &d,
-                                                 const Eigen::Vector3d &q, const Eigen::Vector3d &e)
-    {
-        const Eigen::Vector3d r = p - q;
-        const double dd = d.squaredNorm(), ee = e.squaredNorm(), de = d.dot(e), dr = d.dot(r), er = e.dot(r);
-        const double denominator = dd * ee - de * de;
-        // Parallel ones have a nearest point at an end, too.
-        double s = denominator > 1e-14 * dd * ee ? std::clamp((de * er - dr * ee) / denominator, 0.0, 1.0) : 0.0;
-        double t = ee > 0.0 ? std::clamp((de * s + er) / ee, 0.0, 1.0) : 0.0;
-        s = dd > 0.0 ? std::clamp((de * t - dr) / dd, 0.0, 1.0) : 0.0;
-        return (r + s * d - t * e).squaredNorm();
-    }
 }
 
 #endif

@@ -11,8 +11,10 @@
 
 namespace ompl_certificates
 {
+    class Shape;
+
     /** \brief A tree of boxes over triangles. It finds the triangle nearest to a point, and whether triangles cross
-        others.
+        others or touch primitives.
 
         Each node holds the boxes of four children, in single precision and rounded outwards. Triangles are tested in
         double precision. Uses about 140 bytes per triangle. Only add() and build() change the tree. */
@@ -69,10 +71,10 @@ namespace ompl_certificates
         Touching touches(const TriangleTree &other, const Pose &pose, double margin,
                          std::uint32_t *hit = nullptr) const;
 
-        /** \brief Whether every triangle of \e other is certain to be farther than \e distance from every one of this tree.
-            False if not, or if too many are near. All must have an area.
-            \param pose from the frame of \e other to the frame of this tree */
-        bool isFartherThan(double distance, const TriangleTree &other, const Pose &pose) const;
+        /** \brief Whether a triangle touches \e primitive, which is solid and of space.
+            \param pose from the frame of this tree to the frame of \e primitive
+            \param hit if not null and the answer is YES: the position of the triangle */
+        Touching touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit = nullptr) const;
 
         /** \brief The triangle at a position, from 0 to size() - 1 */
         const Facet &getTriangle(std::uint32_t position) const
@@ -126,11 +128,6 @@ namespace ompl_certificates
         {
             return (leaf & ((1U << COUNT_BITS) - 1)) + 1;
         }
-
-        /** \brief Calls \e visit with the position of a triangle of this tree and a facet of \e other in this frame, for all
-            pairs of triangles that may be within \e distance of each other, until it returns false */
-        template <typename Visit>
-        void visitNear(const TriangleTree &other, const Pose &pose, double distance, const Visit &visit) const;
 
         /** \brief The stack that a depth-first walk needs: three open children per level */
         static constexpr std::size_t STACK_SIZE = 256;

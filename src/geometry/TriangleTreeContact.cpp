@@ -1,5 +1,6 @@
 #include "TriangleTree.h"
 
+#include "PrimitiveContact.h"
 #include "TriangleContact.h"
 
 #include <algorithm>
@@ -15,9 +16,6 @@ namespace ompl_certificates
         /** After so many triangles that may just touch, the exact check decides. Where meshes lie upon each other,
             nearly all triangles do, and the first one ends the exact check. */
         constexpr unsigned int MOST_UNKNOWN = 32;
-
-        /** After so many triangles that are near each other, it is no longer worth while to prove how far they are. */
-        constexpr unsigned int MOST_NEAR = 8;
 
         struct Box
         {
@@ -125,15 +123,14 @@ namespace ompl_certificates
         return unknown ? Touching::UNKNOWN : Touching::NO;
     }
 
-    template <typename Visit>
-    void TriangleTree::visitNear(const TriangleTree &other, const Pose &pose, double distance, const Visit &visit) const
+    Touching TriangleTree::touches(const TriangleTree &other, const Pose &pose, double margin, std::uint32_t *hit) const
     {
         if (nodes_.empty() || other.nodes_.empty())
-            return;
+            return Touching::NO;
         const Eigen::Vector3d shift = pose * other.origin_ - origin_;
         const Turn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
-        const auto slack = static_cast<float>(distance + ROUNDING * (extent_ + other.extent_ + shift.norm()));
+        const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + other.extent_ + shift.norm()));
         struct Open
         {
             std::uint32_t here, there;
@@ -142,6 +139,7 @@ namespace ompl_certificates
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = {0, 0, {Eigen::Vector3f::Zero(), half_}, {Eigen::Vector3f::Zero(), other.half_}};
+        unsigned int unknown = 0;
         while (open > 0)
         {
             const Open pair = stack[--open];
@@ -151,8 +149,17 @@ namespace ompl_certificates
                 {
                     const Facet triangle(other.triangles_[j], pose);
                     for (std::uint32_t i = firstOf(pair.here), lastI = i + countOf(pair.here); i < lastI; ++i)
-                        if (!visit(i, triangle))
-                            return;
+                    {
+                        const Touching answer = crossing(triangles_[i], triangle, margin);
+                        if (answer == Touching::YES)
+                        {
+                            if (hit)
+                                *hit = i;
+                            return answer;
+                        }
+                        if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
+                            return answer;
+                    }
                 }
                 continue;
             }
@@ -174,35 +181,51 @@ namespace ompl_certificates
                         stack[open++] = {pair.here, node.child[k], pair.boxHere, boxOf(node, k)};
             }
         }
+        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
     }
 
-    Touching TriangleTree::touches(const TriangleTree &other, const Pose &pose, double margin, std::uint32_t *hit) const
+    Touching TriangleTree::touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit) const
     {
+        if (nodes_.empty())
+            return Touching::NO;
+        const Eigen::AlignedBox3d bounds = primitive.getBounds();
+        const Box box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
+        const Eigen::Matrix3d toHere = pose.linear().transpose();
+        const Eigen::Vector3d shift = -(toHere * (pose * origin_));
+        const Turn turn(toHere, shift);
+        const auto slack = static_cast<float>(
+            margin + ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
+        std::uint32_t stack[STACK_SIZE];
+        std::size_t open = 0;
+        stack[open++] = 0;
         unsigned int unknown = 0;
-        bool touch = false;
-        visitNear(other, pose, margin,
-                  [&](std::uint32_t i, const Facet &triangle)
-                  {
-                      const Touching answer = crossing(triangles_[i], triangle, margin);
-                      touch = answer == Touching::YES;
-                      if (touch && hit)
-                          *hit = i;
-                      unknown += answer == Touching::UNKNOWN ? 1 : 0;
-                      return !touch && unknown < MOST_UNKNOWN;
-                  });
-        return touch ? Touching::YES : unknown > 0 ? Touching::UNKNOWN : Touching::NO;
-    }
-
-    bool TriangleTree::isFartherThan(double distance, const TriangleTree &other, const Pose &pose) const
-    {
-        bool farther = true;
-        unsigned int left = MOST_NEAR;
-        visitNear(other, pose, distance,
-                  [&](std::uint32_t i, const Facet &triangle)
-                  {
-                      farther = left-- > 0 && areFartherApart(triangles_[i], triangle, distance);
-                      return farther;
-                  });
-        return farther;
+        while (open > 0)
+        {
+            const std::uint32_t current = stack[--open];
+            if (isLeaf(current))
+            {
+                for (std::uint32_t i = firstOf(current), last = i + countOf(current); i < last; ++i)
+                {
+                    const auto &[a, b, c] = triangles_[i].corners;
+                    const Touching answer = touching(primitive, {pose * a, pose * b, pose * c}, margin);
+                    if (answer == Touching::YES)
+                    {
+                        if (hit)
+                            *hit = i;
+                        return answer;
+                    }
+                    if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
+                        return answer;
+                }
+                continue;
+            }
+            const Node &node = nodes_[current];
+            bool overlap[4];
+            overlaps(node, box, turn, slack, overlap);
+            for (int k = 0; k < 4; ++k)
+                if (overlap[k])
+                    stack[open++] = node.child[k];
+        }
+        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
     }
 }

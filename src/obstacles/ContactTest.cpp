@@ -1,13 +1,14 @@
 #include "ContactTest.h"
 
-#include "geometry/TriangleDistance.h"
+#include "geometry/ConvexCover.h"
+#include "geometry/PrimitiveContact.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace ompl_certificates
 {
-    ContactTest::ContactTest(const MeshSurface &surface, const ClearanceTree &primitives, unsigned int dimension,
+    ContactTest::ContactTest(const MeshSurface &surface, const PrimitiveList &primitives, unsigned int dimension,
                              double tolerance)
       : surface_(surface), primitives_(primitives), dimension_(dimension), tolerance_(tolerance)
     {
@@ -16,65 +17,103 @@ namespace ompl_certificates
     Touching ContactTest::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
         const double margin = marginOf(body);
-        bool unknown = false;
-        if (primitives_.size() > 0)
+        Touching all = Touching::NO;
+        // Whether this answer settles the matter
+        const auto note = [&all](Touching answer)
         {
-            const Ball &ball = body.getSphereTree().getRoot();
-            unknown = primitives_.signedDistance(pose * ball.center) <= ball.radius + margin;
-        }
-        for (const auto &part : body.getParts())
-        {
-            const TriangleMesh *mesh = part.shape.getMesh();
-            const Touching answer =
-                mesh ? surface_.getTriangles().touches(mesh->getTree(), pose * part.pose, margin, hit)
-                     : Touching::UNKNOWN;
-            if (answer == Touching::YES)
-                return answer;
-            unknown = unknown || answer == Touching::UNKNOWN;
-        }
-        return unknown ? Touching::UNKNOWN : Touching::NO;
+            if (answer != Touching::NO)
+                all = answer;
+            return answer == Touching::YES;
+        };
+        if (!surface_.isEmpty())
+            for (const auto &part : body.getParts())
+                if (note(touchesTriangles(part.shape, pose * part.pose, margin, hit)))
+                    return all;
+        if (primitives_.size() == 0)
+            return all;
+        const Ball &ball = body.getSphereTree().getRoot();
+        primitives_.visitNear({pose * ball.center, ball.radius + margin},
+                              [&](std::size_t primitive)
+                              {
+                                  for (const auto &part : body.getParts())
+                                      if (note(touchesPrimitive(part.shape, pose * part.pose, primitive, margin)))
+                                      {
+                                          if (hit)
+                                              *hit =
+                                                  static_cast<ObstaclePart>(surface_.getTriangles().size() + primitive);
+                                          return true;
+                                      }
+                                  return false;
+                              });
+        return all;
     }
 
-    bool ContactTest::isFartherThan(double distance, const Body &body, const Pose &pose) const
+    Touching ContactTest::touchesTriangles(const Shape &shape, const Pose &pose, double margin, ObstaclePart *hit) const
     {
-        const double margin = distance + marginOf(body);
-        const Ball &ball = body.getSphereTree().getRoot();
-        const Eigen::Vector3d center = pose * ball.center;
-        if (primitives_.size() > 0 && !(primitives_.signedDistance(center) > ball.radius + margin))
-            return false;
-        if (surface_.isEmpty())
-            return true;
-        const auto isFar = [&](const Body::Part &part)
+        if (const TriangleMesh *mesh = shape.getMesh())
+            return surface_.getTriangles().touches(mesh->getTree(), pose, margin, hit);
+        // A planar primitive touches meshes at any z.
+        return dimension_ == 3 ? surface_.getTriangles().touches(shape, pose.inverse(), margin, hit)
+                               : Touching::UNKNOWN;
+    }
+
+    Touching ContactTest::touchesPrimitive(const Shape &shape, const Pose &pose, std::size_t primitive,
+                                           double margin) const
+    {
+        const auto &[obstacle, toObstacle] = primitives_[primitive];
+        const TriangleMesh *mesh = shape.getMesh();
+        if (!mesh)
+            return touching(shape, obstacle, toObstacle * pose, margin);
+        return dimension_ == 3 ? mesh->getTree().touches(obstacle, toObstacle * pose, margin) : Touching::UNKNOWN;
+    }
+
+    double ContactTest::gap(const Body &body, const Pose &pose, double needed, double wanted) const
+    {
+        if (!surface_.isEmpty())
+            return -std::numeric_limits<double>::infinity();
+        double least = wanted;
+        const auto lower = [&](const PrimitiveList::Primitive &primitive, const ConvexCover &cover)
         {
-            const TriangleMesh *mesh = part.shape.getMesh();
-            return mesh ? surface_.getTriangles().isFartherThan(margin, mesh->getTree(), pose * part.pose)
-                        : surface_.distance(center, std::numeric_limits<double>::infinity()) > ball.radius + margin;
+            const Eigen::Vector3d center = primitive.toShape * (pose * cover.getCenter());
+            const double radius = cover.getExtent() + cover.getRounding();
+            if (primitive.shape.signedDistance(center) - radius >= least)
+                return;
+            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+            least = std::min(least, convexGap(primitive.cover, cover, primitive.toShape * pose, needed, least, direction));
         };
-        return std::all_of(body.getParts().begin(), body.getParts().end(), isFar);
+        const Ball &ball = body.getSphereTree().getRoot();
+        primitives_.visitNear({pose * ball.center, ball.radius + wanted},
+                              [&](std::size_t primitive)
+                              {
+                                  for (const ConvexCover &cover : body.getConvexCovers())
+                                      lower(primitives_[primitive], cover);
+                                  return least <= needed;
+                              });
+        return least;
     }
 
     bool ContactTest::certainlyHits(const Body &body, const Pose &pose, ObstaclePart obstaclePart) const
     {
-        const TriangleTree &triangles = surface_.getTriangles();
-        if (obstaclePart >= triangles.size())
+        const std::size_t triangles = surface_.getTriangles().size();
+        if (obstaclePart >= triangles + primitives_.size())
             return false;
         const double margin = marginOf(body);
         for (const auto &part : body.getParts())
         {
-            const TriangleTree::Facet triangle(triangles.getTriangle(obstaclePart), (pose * part.pose).inverse());
-            if (const TriangleMesh *mesh = part.shape.getMesh())
-            {
-                if (mesh->getTree().touches(triangle, margin) == Touching::YES)
-                    return true;
-            }
-            else if (dimension_ == 3)
-            {
-                const auto &[a, b, c] = triangle.corners;
-                const Eigen::Vector3d nearest = nearestOfTriangle(part.shape.getBounds().center(), a, b, c);
-                if (part.shape.signedDistance(nearest) < -margin)
-                    return true;
-            }
+            const Pose partPose = pose * part.pose;
+            if (obstaclePart < triangles
+                    ? hitsTriangle(part.shape, partPose, obstaclePart, margin)
+                    : touchesPrimitive(part.shape, partPose, obstaclePart - triangles, margin) == Touching::YES)
+                return true;
         }
         return false;
+    }
+
+    bool ContactTest::hitsTriangle(const Shape &shape, const Pose &pose, std::uint32_t triangle, double margin) const
+    {
+        const TriangleTree::Facet facet(surface_.getTriangles().getTriangle(triangle), pose.inverse());
+        if (const TriangleMesh *mesh = shape.getMesh())
+            return mesh->getTree().touches(facet, margin) == Touching::YES;
+        return dimension_ == 3 && touching(shape, facet.corners, margin) == Touching::YES;
     }
 }

@@ -1,5 +1,6 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
+#include "ClearanceTree.h"
 #include "ContactTest.h"
 #include "FclBodies.h"
 #include "FclTolerance.h"
@@ -82,7 +83,8 @@ namespace ompl_certificates
         else
             check_ = std::make_unique<SpatialCheck>(shapes);
         tolerance_ = fclTolerance(shapes, prismHeight);
-        contactTest_ = std::make_unique<ContactTest>(*surface_, *primitives_, dimension, tolerance_);
+        primitiveList_ = std::make_unique<PrimitiveList>(shapes);
+        contactTest_ = std::make_unique<ContactTest>(*surface_, *primitiveList_, dimension, tolerance_);
     }
 
     FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
@@ -113,9 +115,14 @@ namespace ompl_certificates
         return contactTest_->touches(body, pose, hit);
     }
 
-    bool FclObstacles::isFartherThan(double distance, const Body &body, const Pose &pose) const
+    double FclObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
     {
-        return contactTest_->isFartherThan(distance, body, pose);
+        return contactTest_->gap(body, pose, needed, wanted);
+    }
+
+    bool FclObstacles::hasGap() const
+    {
+        return surface_->isEmpty();
     }
 
     bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const

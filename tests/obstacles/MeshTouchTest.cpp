@@ -91,7 +91,10 @@ TEST(MeshTouch, HitsATriangleWithASolidBody)
     EXPECT_TRUE(obstacles.certainlyHits(Body::sphere(1.5), poseAt({4, 1, 0.5}), part));
     EXPECT_FALSE(obstacles.certainlyHits(Body::sphere(0.9), poseAt({4, 1, 0.5}), part));
     EXPECT_TRUE(obstacles.certainlyHits(Body::box(4, 1, 1), poseAt({4, 1, 0.5}), part));
-    EXPECT_EQ(obstacles.touches(Body::sphere(1.5), poseAt({4, 1, 0.5})), Touching::UNKNOWN);
+    ObstaclePart hit = NO_PART;
+    EXPECT_EQ(obstacles.touches(Body::sphere(1.5), poseAt({4, 1, 0.5}), &hit), Touching::YES);
+    EXPECT_TRUE(obstacles.certainlyHits(Body::sphere(1.5), poseAt({4, 1, 0.5}), hit));
+    EXPECT_EQ(obstacles.touches(Body::sphere(0.9), poseAt({4, 1, 0.5})), Touching::NO);
     const FclObstacles primitives({{Body::box(1.0, 1.0, 1.0)}}, 3);
     EXPECT_DOUBLE_EQ(primitives.findNearest({4, 0, 0}, part), 3.5);
     EXPECT_EQ(part, NO_PART);

@@ -61,10 +61,17 @@ namespace ompl_certificates
             return Touching::UNKNOWN;
         }
 
-        /** \brief Whether all of \e body at \e pose is certain to be farther than \e distance from the obstacles, by a quick
-            test. False if not, or if unknown. So a stretch of a motion is proved free where clearances of points prove
-            nothing. */
-        virtual bool isFartherThan(double /*distance*/, const Body & /*body*/, const Pose & /*pose*/) const
+        /** \brief A lower bound of the distance between \e body at \e pose and the obstacles, if there is a quick one;
+            else minus infinity. It proves a stretch of a motion free, as clearances of single points do, but of the whole body.
+            \param needed a larger bound proves the body free; the search ends when it finds none
+            \param wanted the search ends when the bound is larger */
+        virtual double gap(const Body & /*body*/, const Pose & /*pose*/, double /*needed*/, double /*wanted*/) const
+        {
+            return -std::numeric_limits<double>::infinity();
+        }
+
+        /** \brief Whether gap() is ever more than minus infinity. Then it is asked before clearances. */
+        virtual bool hasGap() const
         {
             return false;
         }
