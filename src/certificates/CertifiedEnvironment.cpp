@@ -88,7 +88,7 @@ namespace ompl_certificates
         const double speed = query.motionBound ? query.motionBound->at(query.body.getBoundingRadius()) : 0.0;
         ++counts.clearanceQueries;
         const double gap =
-            obstacles_->gap(query.body, query.pose, margin, margin + (query.samplesAhead > 0.0 ? speed : 0.0));
+            obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, 0.07 * speed));
         if (gap > margin)
         {
             verdict.free = true;
@@ -99,6 +99,8 @@ namespace ompl_certificates
         verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
         if (!verdict.free && hit != NO_PART && !query.body.isBall())
             hits_.note(enclosingBall(query), hit);
+        if (verdict.free && query.standsStill())
+            verdict.validInterval = INF;
         (void)policy;
         return verdict;
     }

@@ -10,7 +10,7 @@ namespace ompl_certificates
     namespace
     {
         /** How many points a cover has, at most, and the rounding that is good enough, as a fraction of its extent */
-        constexpr std::size_t MOST_POINTS = 64;
+        constexpr std::size_t MOST_POINTS = 48;
         constexpr double SMALL_ROUNDING = 0.005;
 
         /** Pays for the rounding of coordinates in single precision, relative to the extent */

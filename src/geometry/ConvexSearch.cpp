@@ -4,7 +4,7 @@ namespace ompl_certificates
 {
     bool ConvexSearch::add(const Eigen::Vector3d &point, double bound)
     {
-        if (count_ > 0 && bound > 0.99 * nearest_.norm())
+        if (count_ > 0 && bound > 0.9 * nearest_.norm())
             return false;
         points_[count_] = point;
         Simplex next;

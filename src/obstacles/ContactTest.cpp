@@ -4,6 +4,7 @@
 #include "geometry/PrimitiveContact.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace ompl_certificates
@@ -60,7 +61,8 @@ namespace ompl_certificates
     Touching ContactTest::touchesPrimitive(const Shape &shape, const Pose &pose, std::size_t primitive,
                                            double margin) const
     {
-        const auto &[obstacle, toObstacle] = primitives_[primitive];
+        const Shape &obstacle = primitives_[primitive].shape;
+        const Pose &toObstacle = primitives_[primitive].toShape;
         const TriangleMesh *mesh = shape.getMesh();
         if (!mesh)
             return touching(shape, obstacle, toObstacle * pose, margin);
@@ -72,23 +74,40 @@ namespace ompl_certificates
         if (!surface_.isEmpty())
             return -std::numeric_limits<double>::infinity();
         double least = wanted;
-        const auto lower = [&](const PrimitiveList::Primitive &primitive, const ConvexCover &cover)
+        struct Near
         {
-            const Eigen::Vector3d center = primitive.toShape * (pose * cover.getCenter());
-            const double radius = cover.getExtent() + cover.getRounding();
-            if (primitive.shape.signedDistance(center) - radius >= least)
-                return;
-            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-            least = std::min(least, convexGap(primitive.cover, cover, primitive.toShape * pose, needed, least, direction));
+            double bound;
+            std::size_t primitive;
         };
-        const Ball &ball = body.getSphereTree().getRoot();
-        primitives_.visitNear({pose * ball.center, ball.radius + wanted},
-                              [&](std::size_t primitive)
-                              {
-                                  for (const ConvexCover &cover : body.getConvexCovers())
-                                      lower(primitives_[primitive], cover);
-                                  return least <= needed;
-                              });
+        std::array<Near, 32> near;
+        for (const ConvexCover &cover : body.getConvexCovers())
+        {
+            const Eigen::Vector3d center = pose * cover.getCenter();
+            const double radius = cover.getExtent() + cover.getRounding();
+            std::size_t count = 0;
+            primitives_.visitNear({center, radius + least},
+                                  [&](std::size_t primitive)
+                                  {
+                                      const PrimitiveList::Primitive &one = primitives_[primitive];
+                                      const double bound = one.shape.signedDistance(one.toShape * center) - radius;
+                                      if (bound < least)
+                                          near[count++] = {bound, primitive};
+                                      return count == near.size();
+                                  });
+            if (count == near.size())
+                return -std::numeric_limits<double>::infinity();
+            std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
+                      [](const Near &x, const Near &y) { return x.bound < y.bound; });
+            for (std::size_t i = 0; i < count && near[i].bound < least; ++i)
+            {
+                const PrimitiveList::Primitive &one = primitives_[near[i].primitive];
+                const Eigen::Vector3d local = one.toShape * center;
+                Eigen::Vector3d direction = local - local.cwiseMax(one.bounds.min()).cwiseMin(one.bounds.max());
+                least = std::min(least, convexGap(one.cover, cover, one.toShape * pose, needed, least, direction));
+                if (least <= needed)
+                    return least;
+            }
+        }
         return least;
     }
 

@@ -41,7 +41,8 @@ namespace ompl_certificates
         {
             const auto &[placed, box] = bounded[i];
             primitives_.push_back(
-                {placed->shape, placed->pose.inverse(), ConvexCover(placed->shape, Pose::Identity())});
+                {placed->shape, placed->pose.inverse(), placed->shape.getBounds(),
+                 ConvexCover(placed->shape, Pose::Identity())});
             const std::size_t k = i % BLOCK_SIZE;
             if (k == 0)
                 blocks_.emplace_back();

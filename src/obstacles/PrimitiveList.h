@@ -29,7 +29,8 @@ namespace ompl_certificates
             /** \brief From the workspace to the shape's frame */
             Pose toShape;
 
-            /** \brief Its cover, in that frame */
+            /** \brief Its bounds and its cover, in that frame */
+            Eigen::AlignedBox3d bounds;
             ConvexCover cover;
         };
 

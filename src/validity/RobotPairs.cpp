@@ -189,7 +189,7 @@ namespace ompl_certificates
         {
             verdict.free = true;
             verdict.validInterval = intervalOf(gap, bodies.margin, speed);
-            if (verdict.validInterval >= 1.0 || sample.samplesAhead == 0.0 || sample.requiredInterval > 0.0 ||
+            if (verdict.validInterval >= 0.06 || sample.samplesAhead == 0.0 || sample.requiredInterval > 0.0 ||
                 !bodies.frame || method_ == Method::FCL)
                 return verdict;
         }
@@ -224,7 +224,7 @@ namespace ompl_certificates
         {
             const double speed = bound.at(body.getBoundingRadius());
             const double gap = convexGap(frame.body, body, relative, bodies.margin,
-                                         bodies.margin + (sample.samplesAhead > 0.0 ? speed : 0.0), direction);
+                                         bodies.margin + (sample.samplesAhead > 0.0 ? 0.12 * speed : 0.0), direction);
             verdict.free = gap > bodies.margin;
             if (verdict.free)
                 verdict.validInterval = intervalOf(gap, bodies.margin, speed);
