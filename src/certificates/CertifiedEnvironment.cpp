@@ -21,6 +21,9 @@ namespace ompl_certificates
 
         /** How many clearances to ask for one pose before the exact check is cheaper */
         constexpr unsigned int MOST_CLEARANCES = 8;
+
+        /** A gap that proves so much of a motion on either side is not made more precise. */
+        constexpr double LONG_STRETCH = 0.1;
     }
 
     CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit)
@@ -60,19 +63,17 @@ namespace ompl_certificates
             return verdict;
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
-        if (!query.isProofOnly() && !query.body.isBall() && obstacles_->hasGap())
-            return settleByGap(query, policy, counts);
         // One search settles a ball either way, and mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
-            return askAndLearn(query, false, policy, counts);
+            return askAndLearn(query, false, obstacles_->hasGap() && !query.body.isBall(), policy, counts);
 
         // Search from the root: seeded at the hint, which has failed, it takes about twice as long.
         const Ball &ball = query.body.getSphereTree().getRoot();
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.noteLookup(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
-            return askAndLearn(query, true, policy, counts);
+            return askAndLearn(query, true, false, policy, counts);
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
@@ -80,29 +81,16 @@ namespace ompl_certificates
         return verdict;
     }
 
-    PoseVerdict CertifiedEnvironment::settleByGap(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
+    bool CertifiedEnvironment::settleByGap(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const
     {
-        PoseVerdict verdict;
-        verdict.by = SettledBy::CLEARANCES;
         const double margin = getMargin(query.body);
         const double speed = query.motionBound ? query.motionBound->at(query.body.getBoundingRadius()) : 0.0;
         ++counts.clearanceQueries;
-        const double gap =
-            obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, 0.07 * speed));
-        if (gap > margin)
-        {
-            verdict.free = true;
+        const double gap = obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, LONG_STRETCH * speed));
+        verdict.free = gap > margin;
+        if (verdict.free)
             verdict.validInterval = speed > 0.0 ? (gap - margin) / speed : INF;
-            return verdict;
-        }
-        ObstaclePart hit;
-        verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
-        if (!verdict.free && hit != NO_PART && !query.body.isBall())
-            hits_.note(enclosingBall(query), hit);
-        if (verdict.free && query.standsStill())
-            verdict.validInterval = INF;
-        (void)policy;
-        return verdict;
+        return verdict.free;
     }
 
     BallQuery CertifiedEnvironment::wholeBodyQuery(const PoseQuery &query) const
@@ -117,7 +105,7 @@ namespace ompl_certificates
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
     {
-        return isFinite(query.pose) ? askAndLearn(query, false, policy, counts) : PoseVerdict();
+        return isFinite(query.pose) ? askAndLearn(query, false, false, policy, counts) : PoseVerdict();
     }
 
     bool CertifiedEnvironment::hitsAgain(const PoseQuery &query, CheckCounts &counts) const
@@ -131,7 +119,7 @@ namespace ompl_certificates
         return true;
     }
 
-    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy,
+    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, bool gap, SwitchingPolicy &policy,
                                                   CheckCounts &counts) const
     {
         PoseVerdict verdict;
@@ -147,11 +135,14 @@ namespace ompl_certificates
             }
             return verdict;
         }
-        TimedSettling settling(policy, SwitchingPolicy::ANY);
+        // The gap is as good as the contact test, and dearer, unless it also settles other samples.
+        TimedSettling settling(policy, gap && query.samplesAhead == 0.0 ? SwitchingPolicy::WITHOUT_CLEARANCES :
+                                                                          SwitchingPolicy::ANY);
         const auto [clearances, contact] = settling.getWay();
         if (clearances)
         {
-            const bool settled = settleByClearances(query, learn, verdict, counts);
+            const bool settled =
+                gap ? settleByGap(query, verdict, counts) : settleByClearances(query, learn, verdict, counts);
             // The proof also settles the samples within its valid interval.
             const double more = verdict.free ? std::min(verdict.validInterval, 1.0) * query.samplesAhead : 0.0;
             settling.noteClearances(settled ? 1.0 + more : 0.0);

@@ -114,12 +114,15 @@ namespace ompl_certificates
         static constexpr double PROOF_CUSHION = 1e-3;
 
     private:
-        /** \brief Settles \e query by the gap between the body and the obstacles, else by the contact test and the exact
-            check */
-        PoseVerdict settleByGap(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const;
+        /** \brief ask(), which also keeps certificates that settled a ball if \e learn is set
+            \param gap whether to ask for the gap of the whole body in place of clearances of points */
+        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, bool gap, SwitchingPolicy &policy,
+                                CheckCounts &counts) const;
 
-        /** \brief ask(), which also keeps certificates that settled a ball if \e learn is set */
-        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, SwitchingPolicy &policy, CheckCounts &counts) const;
+        /** \brief Tries to settle \e query by the gap between the body and the obstacles; updates \e verdict and \e
+            counts
+            \return whether it is settled */
+        bool settleByGap(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const;
 
         /** \brief Tries to settle \e query by new clearances; updates \e verdict and \e counts
             \return whether it is settled */

@@ -122,7 +122,7 @@ namespace ompl_certificates
 
     bool FclObstacles::hasGap() const
     {
-        return surface_->isEmpty();
+        return surface_->isEmpty() && primitives_->size() <= 256;
     }
 
     bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const

@@ -15,6 +15,8 @@ namespace ompl_certificates
       , bodyTimes(team.getBodyCount())
       , bodyPairTimes(bodyPairs)
       , bodyPairDirections(bodyPairs, Eigen::Vector3d::Zero())
+      , lastColliding(team.getRobotCount())
+      , lastCollidingPair(team.getRobotCount() * (team.getRobotCount() + std::size_t(1)) / 2)
       , sample(team.getStateSpace()->allocState())
       , last(team.getStateSpace()->allocState())
     {

@@ -18,12 +18,16 @@ namespace ompl_certificates
         const std::size_t first = context.team.getFirstBody(robot);
         bool free = true;
         SettledBy settledBy = SettledBy::CERTIFICATE;
-        for (std::size_t k = 0; free && k < bodies.size(); ++k)
+        const std::size_t likely = contactTest_ ? context.lastColliding[robot] : 0;
+        for (std::size_t i = 0; free && i < bodies.size(); ++i)
         {
+            const std::size_t k = CheckContext::inOrder(i, likely);
             SettledBy by = SettledBy::CERTIFICATE;
             free = !collidesWithoutMemory(*obstacles_, bodies[k], context.poses[first + k],
                                                   contactTest_ ? &policies_[first + k] : nullptr, by, context.counts);
             settledBy = std::max(settledBy, by);
+            if (!free)
+                context.lastColliding[robot] = k;
         }
         countRobotPose(context.counts, settledBy, free);
         return {free};

@@ -18,12 +18,14 @@ namespace ompl_certificates
                                                 const MotionSample &sample) const
     {
         const CertifiedEnvironment &environment = environmentOf(robot);
-        const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
-        const bool usesOtherTimes = sample.usesOtherTimes() && end - first > 1;
+        const std::size_t first = context.team.getFirstBody(robot), count = context.team.getFirstBody(robot + 1) - first;
+        const bool usesOtherTimes = sample.usesOtherTimes() && count > 1;
+        const std::size_t likely = context.lastColliding[robot];
         SubjectVerdict whole = SubjectVerdict::always();
         SettledBy by = SettledBy::CERTIFICATE;
-        for (std::size_t body = first; whole.free && body < end; ++body)
+        for (std::size_t i = 0; whole.free && i < count; ++i)
         {
+            const std::size_t body = first + CheckContext::inOrder(i, likely);
             if (usesOtherTimes)
                 if (const auto *known = context.bodyTimes[body].find(context.motion, sample.time))
                 {
@@ -37,6 +39,8 @@ namespace ompl_certificates
                 environment.settle(queryOf(robot, body - first, context, sample), hint, policy, context.counts);
             whole.free = one.free;
             whole.narrow(one.validInterval);
+            if (!one.free)
+                context.lastColliding[robot] = body - first;
             by = std::max(by, one.by);
             if (one.reference != NO_CERTIFICATE)
                 hint = one.reference;

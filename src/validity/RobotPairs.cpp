@@ -16,6 +16,10 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
+        /** Bounding spheres that prove so much of a motion on either side are not looked into; a gap that proves so much is
+            not made more precise. */
+        constexpr double SHORT_STRETCH = 0.06, LONG_STRETCH = 0.12;
+
         /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that
             interval prove this, too. */
         double intervalOf(double gap, double margin, double speed)
@@ -39,7 +43,6 @@ namespace ompl_certificates
         ObstaclesPtr obstacles;
         /** \brief Null if the method makes no certificates */
         std::unique_ptr<CertifiedEnvironment> certified;
-        SwitchingPolicy policy;
     };
 
     // The same arithmetic as in FCL's test of two spheres
@@ -111,6 +114,7 @@ namespace ompl_certificates
         }
         for (const Pair &pair : pairs_)
             firstBodyPairs_.push_back(firstBodyPairs_.back() + pair.bodies.size());
+        policies_ = std::vector<SwitchingPolicy>(getBodyPairCount());
     }
 
     RobotPairs::~RobotPairs() = default;
@@ -138,7 +142,7 @@ namespace ompl_certificates
         for (const auto &frame : frames_)
             if (frame->body == body)
                 return frame.get();
-        auto frame = std::unique_ptr<BodyFrame>(new BodyFrame{body, nullptr, nullptr, {}});
+        auto frame = std::unique_ptr<BodyFrame>(new BodyFrame{body, nullptr, nullptr});
         frame->obstacles =
             std::make_shared<FclObstacles>(std::vector<PlacedBody>{{body}}, body.getDimension(), zInterval);
         if (makesCertificates(method_))
@@ -163,16 +167,20 @@ namespace ompl_certificates
         const std::vector<TwoBodies> &all = pairs_[pair].bodies;
         const bool usesOtherTimes = sample.usesOtherTimes() && all.size() > 1;
         ProvenTimes *times = context.bodyPairTimes.data() + firstBodyPairs_[pair];
-        for (std::size_t i = 0; whole.free && i < all.size(); ++i)
+        const std::size_t likely = method_ == Method::FCL ? 0 : context.lastCollidingPair[pair];
+        for (std::size_t k = 0; whole.free && k < all.size(); ++k)
         {
+            const std::size_t i = CheckContext::inOrder(k, likely);
             if (usesOtherTimes)
                 if (const auto *known = times[i].find(context.motion, sample.time))
                 {
                     whole.narrow(*known, sample.time);
                     continue;
                 }
-            const PoseVerdict one = settleTwo(all[i], context.bodyPairDirections[firstBodyPairs_[pair] + i], context, sample);
+            const PoseVerdict one = settleTwo(all[i], firstBodyPairs_[pair] + i, context, sample);
             whole.free = one.free;
+            if (!one.free)
+                context.lastCollidingPair[pair] = i;
             whole.narrow(one.validInterval);
             if (usesOtherTimes && one.free)
                 context.noteFree(times[i], sample.time, one.validInterval);
@@ -180,7 +188,8 @@ namespace ompl_certificates
         return whole;
     }
 
-    PoseVerdict RobotPairs::settleTwo(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context, const MotionSample &sample) const
+    PoseVerdict RobotPairs::settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
+                                      const MotionSample &sample) const
     {
         PoseVerdict verdict;
         const double gap = bodies.gap(context);
@@ -189,51 +198,70 @@ namespace ompl_certificates
         {
             verdict.free = true;
             verdict.validInterval = intervalOf(gap, bodies.margin, speed);
-            if (verdict.validInterval >= 0.06 || sample.samplesAhead == 0.0 || sample.requiredInterval > 0.0 ||
-                !bodies.frame || method_ == Method::FCL)
+            if (!bodies.frame || !searchesGaps(sample) || verdict.validInterval >= SHORT_STRETCH)
                 return verdict;
+            const PoseVerdict closer =
+                settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context),
+                            context.bodyPairDirections[number]);
+            return closer.validInterval > verdict.validInterval ? closer : verdict;
         }
-        else if (!bodies.frame)
+        if (!bodies.frame)
         {
             verdict.free = gap > 0.0 && sample.requiredInterval == 0.0;  // False for NaN
             return verdict;
         }
-        const PoseVerdict nearer = settleBodies(bodies, direction, context, sample);
-        if (verdict.free && !(nearer.validInterval > verdict.validInterval))
-            return verdict;
-        return nearer;
+        return settleBodies(bodies, number, context, sample);
     }
 
-    PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
+    PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,
                                          const MotionSample &sample) const
     {
-        const BodyFrame &frame = *bodies.frame;
         const Body &body = bodies.lookedUp();
         const Pose relative = bodies.relativePose(context);
-        CheckCounts asked;
-        PoseVerdict verdict;
         SwitchingPolicy untrained;  // A new policy tries everything.
-        SwitchingPolicy &policy = adaptive_ ? bodies.frame->policy : untrained;
+        SwitchingPolicy &policy = adaptive_ ? policies_[number] : untrained;
         const MotionBound bound = sample.moves ? bodies.relativeMotionBound(context) : MotionBound();
+        PoseVerdict verdict;
+        CheckCounts asked;
         if (sample.requiredInterval > 0.0)
-            verdict = frame.certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE, policy,
-                                              asked);
-        else if (method_ == Method::FCL)
-            verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative, nullptr, verdict.by, asked);
+            verdict = bodies.frame->certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE,
+                                                      policy, asked);
         else if (isFinite(relative))
         {
-            const double speed = bound.at(body.getBoundingRadius());
-            const double gap = convexGap(frame.body, body, relative, bodies.margin,
-                                         bodies.margin + (sample.samplesAhead > 0.0 ? 0.12 * speed : 0.0), direction);
-            verdict.free = gap > bodies.margin;
-            if (verdict.free)
-                verdict.validInterval = intervalOf(gap, bodies.margin, speed);
+            TimedSettling settling(policy, searchesGaps(sample) ? SwitchingPolicy::ANY
+                                                                : SwitchingPolicy::WITHOUT_CLEARANCES);
+            const auto [gaps, contact] = settling.getWay();
+            if (gaps && searchesGaps(sample))
+            {
+                verdict = settleByGap(bodies, relative, bound, context.bodyPairDirections[number]);
+                const double more = std::min(verdict.validInterval, 1.0) * sample.samplesAhead;
+                settling.noteClearances(verdict.free ? 1.0 + more : 0.0);
+            }
             if (!verdict.free)
-                verdict.free = !collidesWithoutMemory(*frame.obstacles, body, relative, &policy, verdict.by, asked);
+            {
+                ObstaclePart hit;
+                verdict.free = !collides(*bodies.frame->obstacles, body, relative, contact && method_ != Method::FCL,
+                                         verdict.by, hit, asked);
+                settling.noteExact();
+            }
         }
         context.counts.clearanceQueries += asked.clearanceQueries;
         context.counts.contactTests += asked.contactTests;
         context.counts.pairExact += asked.exactCalls;
+        return verdict;
+    }
+
+    PoseVerdict RobotPairs::settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
+                                        Eigen::Vector3d &direction) const
+    {
+        const Body &body = bodies.lookedUp();
+        const double speed = bound.at(body.getBoundingRadius());
+        const double gap = convexGap(bodies.frame->body, body, relative, bodies.margin,
+                                     bodies.margin + LONG_STRETCH * speed, direction);
+        PoseVerdict verdict;
+        verdict.free = gap > bodies.margin;
+        if (verdict.free)
+            verdict.validInterval = intervalOf(gap, bodies.margin, speed);
         return verdict;
     }
 
@@ -288,10 +316,9 @@ namespace ompl_certificates
     void RobotPairs::clear()
     {
         for (const auto &frame : frames_)
-        {
             if (frame->certified)
                 frame->certified->clear();
-            frame->policy.reset();
-        }
+        for (SwitchingPolicy &policy : policies_)
+            policy.reset();
     }
 }

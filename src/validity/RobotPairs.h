@@ -4,6 +4,7 @@
 #include "CheckMethod.h"
 
 #include "certificates/CertificateLimit.h"
+#include "certificates/SwitchingPolicy.h"
 
 #include "ompl_certificates/validity/Method.h"
 
@@ -142,13 +143,24 @@ namespace ompl_certificates
             std::vector<TwoBodies> bodies;
         };
 
-        /** \brief Settles two bodies whose bounding spheres are too close to decide, in the environment's frame */
-        PoseVerdict settleBodies(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
+        /** \brief Whether it pays to know how long two bodies stay apart */
+        bool searchesGaps(const MotionSample &sample) const
+        {
+            return makesCertificates(method_) && sample.samplesAhead > 0.0 && sample.requiredInterval == 0.0;
+        }
+
+        /** \brief Settles two bodies; \e number is that of their pair in the whole team */
+        PoseVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
+                              const MotionSample &sample) const;
+
+        /** \brief Settles two bodies in the environment's frame, where their bounding spheres do not decide */
+        PoseVerdict settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,
                                  const MotionSample &sample) const;
 
-        /** \brief Settles two bodies */
-        PoseVerdict settleTwo(const TwoBodies &bodies, Eigen::Vector3d &direction, CheckContext &context,
-                              const MotionSample &sample) const;
+        /** \brief Tries to settle two bodies by the gap between their convex covers
+            \param direction where their planes were last; updated */
+        PoseVerdict settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
+                                Eigen::Vector3d &direction) const;
 
         /** \brief Body \e a of robot \e first and body \e b of robot \e second */
         TwoBodies makeTwoBodies(const Team &team, unsigned int first, std::size_t a, unsigned int second,
@@ -163,6 +175,8 @@ namespace ompl_certificates
         std::vector<std::size_t> firstBodyPairs_{0};
         bool adaptive_{true};
         std::vector<std::unique_ptr<BodyFrame>> frames_;
+        /** \brief One for each pair of bodies */
+        mutable std::vector<SwitchingPolicy> policies_;
     };
 }
 

@@ -33,7 +33,7 @@ namespace ompl_certificates
         /** \brief Those of \e asked that were found to collide */
         std::uint64_t askedColliding{0};
 
-        /** \brief Clearances that the obstacles computed */
+        /** \brief Clearances of points, and gaps of whole bodies, that the obstacles computed */
         std::uint64_t clearanceQueries{0};
 
         /** \brief Calls of the contact test of the obstacles */

@@ -70,7 +70,7 @@ namespace ompl_certificates
             return -std::numeric_limits<double>::infinity();
         }
 
-        /** \brief Whether gap() is ever more than minus infinity. Then it is asked before clearances. */
+        /** \brief Whether gap() mostly knows a bound, and quickly. Then it is asked in place of clearances. */
         virtual bool hasGap() const
         {
             return false;
