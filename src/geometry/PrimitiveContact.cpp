@@ -13,6 +13,9 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
+        /** Polytopes with more pairs of faces take longer than FCL. */
+        constexpr std::size_t MOST_FACE_PAIRS = 1000;
+
         using Triangle = std::array<Eigen::Vector3d, 3>;
 
         /** What it means that two shapes are so far apart, or, if it is negative, so deep in each other */
@@ -201,6 +204,8 @@ namespace ompl_certificates
         Touching touchingFaces(const Shape &shape, const Shape &other, const Pose &pose, double margin)
         {
             const ConvexHull &hull = *shape.getHull();
+            if (other.getHull() && hull.faces.size() * other.getHull()->faces.size() > MOST_FACE_PAIRS)
+                return Touching::UNKNOWN;
             bool unknown = false;
             for (const auto &face : hull.faces)
             {
