@@ -189,8 +189,8 @@ namespace ompl_certificates
                 {
                     const Eigen::Index i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
                     const double x = turn(i1, j), y = turn(i2, j), squared = x * x + y * y;
-                    // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from that
-                    // of a face.
+                    // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from
+                    // that of a face.
                     if (squared < 1e-14)
                         continue;
                     const double both = halfB[i1] * std::abs(y) + halfB[i2] * std::abs(x) +
