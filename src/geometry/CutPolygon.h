@@ -27,25 +27,31 @@ namespace ompl_certificates
         bool cut(const Height &heightOf)
         {
             const Corners &from = buffers_[current_];
+            const std::size_t size = size_;
             double heights[MOST_CORNERS];
             std::size_t above = 0;
-            for (std::size_t i = 0; i < size_; ++i)
+            for (std::size_t i = 0; i < size; ++i)
             {
                 heights[i] = heightOf(from[i]);
                 above += heights[i] > 0.0 ? 1 : 0;
             }
             if (above == 0)
-                return size_ > 0;
+                return size > 0;
+            if (above == size)
+            {
+                size_ = 0;
+                return false;
+            }
             Corners &to = buffers_[1 - current_];
             std::size_t kept = 0;
-            for (std::size_t i = 0; above < size_ && i < size_; ++i)
+            for (std::size_t i = 0; i < size; ++i)
             {
                 if (kept + 2 > MOST_CORNERS)
                 {
                     isComplete_ = false;
                     break;
                 }
-                const std::size_t next = i + 1 < size_ ? i + 1 : 0;
+                const std::size_t next = i + 1 < size ? i + 1 : 0;
                 if (heights[i] <= 0.0)
                     to[kept++] = from[i];
                 if ((heights[i] > 0.0) != (heights[next] > 0.0))
@@ -53,7 +59,7 @@ namespace ompl_certificates
             }
             current_ = 1 - current_;
             size_ = kept;
-            return kept > 0;
+            return true;
         }
 
         /** \brief Whether all corners had room */

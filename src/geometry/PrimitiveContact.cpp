@@ -13,6 +13,9 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
+        /** Polytopes with more pairs of faces take longer than FCL. */
+        constexpr std::size_t MOST_FACE_PAIRS = 1000;
+
         using Triangle = std::array<Eigen::Vector3d, 3>;
 
         /** What it means that two shapes are so far apart, or, if it is negative, so deep in each other */
@@ -186,8 +189,8 @@ namespace ompl_certificates
                 {
                     const Eigen::Index i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
                     const double x = turn(i1, j), y = turn(i2, j), squared = x * x + y * y;
-                    // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from that
-                    // of a face.
+                    // Edges that are parallel to a ten-millionth need no axis across them: it differs too little from
+                    // that of a face.
                     if (squared < 1e-14)
                         continue;
                     const double both = halfB[i1] * std::abs(y) + halfB[i2] * std::abs(x) +
@@ -201,6 +204,8 @@ namespace ompl_certificates
         Touching touchingFaces(const Shape &shape, const Shape &other, const Pose &pose, double margin)
         {
             const ConvexHull &hull = *shape.getHull();
+            if (other.getHull() && hull.faces.size() * other.getHull()->faces.size() > MOST_FACE_PAIRS)
+                return Touching::UNKNOWN;
             bool unknown = false;
             for (const auto &face : hull.faces)
             {
@@ -233,7 +238,7 @@ namespace ompl_certificates
                     return Touching::YES;
                 if (lowest - half > radius + margin)
                     return Touching::NO;
-                if (half < 0.25 * margin)
+                if (half <= 0.25 * margin)
                     return Touching::UNKNOWN;
                 half *= 0.5;
                 for (const double side : {-half, half})

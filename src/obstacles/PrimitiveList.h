@@ -49,8 +49,8 @@ namespace ompl_certificates
             return primitives_[position];
         }
 
-        /** \brief Call \e visit with the position of each primitive whose bounds \e ball touches, until it returns true.
-            Cost: linear in the number of blocks, some nanoseconds each. */
+        /** \brief Call \e visit with the position of each primitive whose bounds \e ball touches, until it returns
+            true. Cost: linear in the number of blocks, some nanoseconds each. */
         template <typename Visit>
         void visitNear(const Ball &ball, const Visit &visit) const
         {

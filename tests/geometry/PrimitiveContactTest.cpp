@@ -197,3 +197,17 @@ TEST(PrimitiveContact, OfThingsInsideEachOther)
     EXPECT_EQ(touching(Shape::ball(3, 0.0), {Eigen::Vector3d(-1, -1, 0), {1, -1, 0}, {0, 1, 0}}, 1e-3),
               Touching::UNKNOWN);
 }
+
+TEST(PrimitiveContact, OfPolytopesOfManyFacesIsLeftToTheExactCheck)
+{
+    Random random(1);
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 100; ++i)
+        points.push_back(random.direction(3));
+    const Shape round = Shape::polytope(3, points), cylinder = Shape::cylinder(0.5, 1.0);
+    EXPECT_EQ(touching(round, round, poseAt({0.5, 0, 0}), 1e-3), Touching::UNKNOWN);
+    EXPECT_EQ(touching(round, round, poseAt({2.5, 0, 0}), 1e-3), Touching::NO);
+    EXPECT_EQ(touching(round, cylinder, poseAt({1.2, 0, 0}), 1e-3), Touching::YES);
+    EXPECT_EQ(touching(round, {Eigen::Vector3d(0, 0, 0), {2, 0, 0}, {0, 2, 0}}, 1e-3), Touching::YES);
+    EXPECT_EQ(touching(round, {Eigen::Vector3d(1.1, 0, 0), {2, 0, 0}, {1.1, 2, 0}}, 1e-3), Touching::NO);
+}

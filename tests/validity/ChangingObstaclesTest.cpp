@@ -266,7 +266,8 @@ TEST_F(ChangingObstacles, AreRefusedWhereTheyMakeNoSense)
 {
     const TeamStateSpacePtr team = teamOfDiscs();
     const auto meddling = std::make_shared<Meddling>(std::vector<PlacedBody>(), 2U);
-    TeamSetup setup(team, meddling, Method::STANDARD);
+    // The method that calls collides() for every pose
+    TeamSetup setup(team, meddling, Method::FCL);
     setup.getSpaceInformation()->setup();
     TeamValidityChecker &checker = *setup.getTeamChecker();
     const auto inSpace = std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 3U);
