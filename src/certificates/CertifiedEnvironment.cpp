@@ -86,7 +86,8 @@ namespace ompl_certificates
         const double margin = getMargin(query.body);
         const double speed = query.motionBound ? query.motionBound->at(query.body.getBoundingRadius()) : 0.0;
         ++counts.clearanceQueries;
-        const double gap = obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, LONG_STRETCH * speed));
+        const double gap =
+            obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, LONG_STRETCH * speed));
         verdict.free = gap > margin;
         if (verdict.free)
             verdict.validInterval = speed > 0.0 ? (gap - margin) / speed : INF;
@@ -110,7 +111,8 @@ namespace ompl_certificates
 
     bool CertifiedEnvironment::hitsAgain(const PoseQuery &query, CheckCounts &counts) const
     {
-        if (query.body.isBall())
+        // Among a few primitives the contact test itself is as quick.
+        if (query.body.isBall() || obstacles_->hasGap())
             return false;
         const ObstaclePart part = hits_.find(enclosingBall(query));
         if (part == NO_PART || !obstacles_->certainlyHits(query.body, query.pose, part))
@@ -128,18 +130,17 @@ namespace ompl_certificates
         {
             settleByClearances(query, learn, verdict, counts);
             if (!verdict.free && query.standsStill())
-            {
-                ObstaclePart hit;
-                verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
-                verdict.validInterval = verdict.free ? INF : 0.0;
-            }
+                collide(query, verdict, counts);
             return verdict;
         }
-        // The gap is as good as the contact test, and dearer, unless it also settles other samples.
-        TimedSettling settling(policy, gap && query.samplesAhead == 0.0 ? SwitchingPolicy::WITHOUT_CLEARANCES :
-                                                                          SwitchingPolicy::ANY);
-        const auto [clearances, contact] = settling.getWay();
-        if (clearances)
+        // Unless it also settles other samples, a gap is worth no more than the contact test, and costs more.
+        if (gap && query.samplesAhead <= 10.0)
+        {
+            collide(query, verdict, counts);
+            return verdict;
+        }
+        TimedSettling settling(policy);
+        if (settling.asksClearances())
         {
             const bool settled =
                 gap ? settleByGap(query, verdict, counts) : settleByClearances(query, learn, verdict, counts);
@@ -153,18 +154,20 @@ namespace ompl_certificates
             ++counts.steppedAside;
         verdict.validInterval = 0.0;
         if (query.samplesAhead > 0.0 && hitsAgain(query, counts))
-            verdict.by = clearances ? SettledBy::CLEARANCES : SettledBy::CERTIFICATE;
+            verdict.by = settling.asksClearances() ? SettledBy::CLEARANCES : SettledBy::CERTIFICATE;
         else
-        {
-            ObstaclePart hit;
-            verdict.free = !collides(*obstacles_, query.body, query.pose, contact, verdict.by, hit, counts);
-            if (hit != NO_PART)
-                hits_.note(enclosingBall(query), hit);
-        }
-        if (verdict.free && query.standsStill())
-            verdict.validInterval = INF;
+            collide(query, verdict, counts);
         settling.noteExact();
         return verdict;
+    }
+
+    void CertifiedEnvironment::collide(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const
+    {
+        ObstaclePart hit;
+        verdict.free = !collides(*obstacles_, query.body, query.pose, true, verdict.by, hit, counts);
+        verdict.validInterval = verdict.free && query.standsStill() ? INF : 0.0;
+        if (hit != NO_PART && !obstacles_->hasGap())
+            hits_.note(enclosingBall(query), hit);
     }
 
     bool CertifiedEnvironment::settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict,

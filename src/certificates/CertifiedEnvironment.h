@@ -128,6 +128,9 @@ namespace ompl_certificates
             \return whether it is settled */
         bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
 
+        /** \brief Settles \e query by the contact test, and by the exact check if needed */
+        void collide(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const;
+
         /** \brief Whether the body certainly hits the part of the obstacles that was hit last nearby */
         bool hitsAgain(const PoseQuery &query, CheckCounts &counts) const;
 

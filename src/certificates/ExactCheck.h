@@ -15,16 +15,17 @@ namespace ompl_certificates
     class TimedSettling
     {
     public:
-        TimedSettling(SwitchingPolicy &policy, SwitchingPolicy::Choice choice)
-          : policy_(policy), timed_(policy.isTimed()), way_(policy.choose(choice, timed_))
+        explicit TimedSettling(SwitchingPolicy &policy)
+          : policy_(policy), timed_(policy.isTimed()), asksClearances_(policy.asksClearances(timed_))
         {
             if (timed_)
                 start_ = std::chrono::steady_clock::now();
         }
 
-        SwitchingPolicy::Way getWay() const
+        /** \brief Whether to ask clearances first */
+        bool asksClearances() const
         {
-            return way_;
+            return asksClearances_;
         }
 
         /** \brief Reports that clearances were asked and settled that many samples */
@@ -38,7 +39,7 @@ namespace ompl_certificates
         void noteExact()
         {
             if (timed_)
-                policy_.noteExact(way_, lap());
+                policy_.noteExact(asksClearances_, lap());
         }
 
     private:
@@ -52,7 +53,7 @@ namespace ompl_certificates
 
         SwitchingPolicy &policy_;
         const bool timed_;
-        const SwitchingPolicy::Way way_;
+        const bool asksClearances_;
         std::chrono::steady_clock::time_point start_;
     };
 
@@ -76,23 +77,6 @@ namespace ompl_certificates
         return obstacles.collides(body, pose);
     }
 
-    /** \brief Whether a body collides, without any memory: the contact test where it pays, then the exact check. A pose
-        that is not finite collides.
-        \param policy whether the contact test pays; if null, only the exact check is used
-        \param by set to the test that settled it; unchanged if the pose is not finite */
-    inline bool collidesWithoutMemory(const Obstacles &obstacles, const Body &body, const Pose &pose,
-                                      SwitchingPolicy *policy, SettledBy &by, CheckCounts &counts)
-    {
-        if (!isFinite(pose))
-            return true;
-        ObstaclePart hit;
-        if (!policy)
-            return collides(obstacles, body, pose, false, by, hit, counts);
-        TimedSettling settling(*policy, SwitchingPolicy::WITHOUT_CLEARANCES);
-        const bool collide = collides(obstacles, body, pose, settling.getWay().contact, by, hit, counts);
-        settling.noteExact();
-        return collide;
-    }
 }
 
 #endif

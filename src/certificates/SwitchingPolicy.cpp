@@ -51,12 +51,12 @@ namespace ompl_certificates
         judge();
     }
 
-    void SwitchingPolicy::noteExact(Way way, std::chrono::nanoseconds time)
+    void SwitchingPolicy::noteExact(bool afterClearances, std::chrono::nanoseconds time)
     {
         float largest = 0.0F;
         for (const Cost &cost : exact_)
             largest = std::max(largest, cost.mean.load(std::memory_order_relaxed));
-        note(exact_[numberOf(way)], time,
+        note(exact_[afterClearances ? WITH_CLEARANCES : WITHOUT_CLEARANCES], time,
              largest == 0.0F ? std::numeric_limits<float>::max() : LARGEST_SURPRISE * largest);
         judge();
     }
@@ -64,7 +64,7 @@ namespace ompl_certificates
     float SwitchingPolicy::costOf(std::uint32_t way) const
     {
         const float exact = exact_[way].mean.load(std::memory_order_relaxed);
-        if (!wayOf(way).clearances)
+        if (way == WITHOUT_CLEARANCES)
             return WORTH_OF_PROOFS * exact;
         return (clearances_.mean.load(std::memory_order_relaxed) + unsettled_.load(std::memory_order_relaxed) * exact) /
                samples_.load(std::memory_order_relaxed);
@@ -72,41 +72,23 @@ namespace ompl_certificates
 
     void SwitchingPolicy::judge()
     {
-        for (const Choice choice : {ANY, WITHOUT_CLEARANCES})
-        {
-            std::uint32_t best = best_[choice].load(std::memory_order_relaxed);
-            float least = costOf(best) / HYSTERESIS;
-            const auto [first, end] = waysOf(choice);
-            for (std::uint32_t way = first; way < end; ++way)
-                if (exact_[way].notes.load(std::memory_order_relaxed) == ENOUGH_NOTES && costOf(way) < least)
-                {
-                    best = way;
-                    least = costOf(way);
-                }
-            best_[choice].store(best, std::memory_order_relaxed);
-        }
+        const std::uint32_t best = best_.load(std::memory_order_relaxed), other = WAYS - 1 - best;
+        if (exact_[other].notes.load(std::memory_order_relaxed) == ENOUGH_NOTES &&
+            HYSTERESIS * costOf(other) < costOf(best))
+            best_.store(other, std::memory_order_relaxed);
     }
 
-    std::uint32_t SwitchingPolicy::tryOut(Choice choice)
+    std::uint32_t SwitchingPolicy::tryOut()
     {
-        const auto [first, end] = waysOf(choice);
-        const std::uint32_t best = best_[choice].load(std::memory_order_relaxed);
+        const std::uint32_t best = best_.load(std::memory_order_relaxed), other = WAYS - 1 - best;
         const std::uint32_t turn = turns_.load(std::memory_order_relaxed) + 1;
         turns_.store(turn, std::memory_order_relaxed);
-        const float least = std::max(costOf(best), 1.0F);
-        for (std::uint32_t i = 0; i < end - first; ++i)
-        {
-            const std::uint32_t way = first + (turn + i) % (end - first);
-            const std::uint32_t notes = exact_[way].notes.load(std::memory_order_relaxed);
-            if (notes < FEW_NOTES)
-                return way;
-            const float ratio = std::max(costOf(way) / least, 1.0F);
-            const float interval = ratio * (notes < ENOUGH_NOTES ? FIRST_TRIAL_INTERVAL : TRIAL_INTERVAL);
-            if (way != best &&
-                (turn + way) % static_cast<std::uint32_t>(std::min(interval, LONGEST_TRIAL_INTERVAL)) == 0)
-                return way;
-        }
-        return best;
+        const std::uint32_t notes = exact_[other].notes.load(std::memory_order_relaxed);
+        if (notes < FEW_NOTES)
+            return other;
+        const float ratio = std::max(costOf(other) / std::max(costOf(best), 1.0F), 1.0F);
+        const float interval = ratio * (notes < ENOUGH_NOTES ? FIRST_TRIAL_INTERVAL : TRIAL_INTERVAL);
+        return turn % static_cast<std::uint32_t>(std::min(interval, LONGEST_TRIAL_INTERVAL)) == 0 ? other : best;
     }
 
     void SwitchingPolicy::reset()
@@ -116,12 +98,11 @@ namespace ompl_certificates
             count->store(0, std::memory_order_relaxed);
         unsettled_.store(0.0F, std::memory_order_relaxed);
         samples_.store(1.0F, std::memory_order_relaxed);
-        for (Cost *cost : {&clearances_, &exact_[0], &exact_[1], &exact_[2], &exact_[3]})
+        for (Cost *cost : {&clearances_, &exact_[WITH_CLEARANCES], &exact_[WITHOUT_CLEARANCES]})
         {
             cost->mean.store(0.0F, std::memory_order_relaxed);
             cost->notes.store(0, std::memory_order_relaxed);
         }
-        for (const Choice choice : {ANY, WITHOUT_CLEARANCES})
-            best_[choice].store(waysOf(choice)[0], std::memory_order_relaxed);
+        best_.store(WITH_CLEARANCES, std::memory_order_relaxed);
     }
 }

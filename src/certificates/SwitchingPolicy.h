@@ -11,26 +11,15 @@ namespace ompl_certificates
     /** \brief Chooses how to settle the poses of one body, by what each way has cost and settled lately.
 
         Certificate lookups are judged by their success rate. Where they mostly fail, as for long bodies near obstacles,
-        the obstacles are asked at once. How to ask is judged by the clock. There are four ways: with or without
-        clearances first (the paper's crossover), and with or without the contact test before the exact check. The
-        policy chooses the way with the least time for each sample of a motion that it settles. Each way is measured
-        with the poses it gets: what a clearance settles is mostly quick to check, too. The other ways are still tried
-        now and then, more seldom the more they cost.
+        the obstacles are asked at once. How to ask is judged by the clock: with clearances before the exact check, or
+        without (the paper's crossover). The policy chooses the way with the least time for each sample of a motion that
+        it settles. Each way is measured with the poses it gets: what a clearance settles is mostly quick to check, too.
+        The other way is still tried now and then, more seldom the more it costs.
 
         No verdict depends on the policy. May be used by many threads at once; a measurement may then be lost. */
     class alignas(64) SwitchingPolicy
     {
     public:
-        /** \brief The tests that precede the exact check of a pose */
-        struct Way
-        {
-            /** \brief Whether clearances are asked */
-            bool clearances;
-
-            /** \brief Whether the quick contact test is tried, Obstacles::touches() */
-            bool contact;
-        };
-
         /** \brief Whether to look certificates up for this pose. Call it once for each pose. */
         bool looksUp()
         {
@@ -60,29 +49,20 @@ namespace ompl_certificates
             return poses % TIMING_INTERVAL == 0;
         }
 
-        /** \brief Which ways may be chosen */
-        enum Choice
+        /** \brief Whether to ask clearances for a pose before the exact check
+            \param timed whether the time will be noted; only then is tried what does not pay */
+        bool asksClearances(bool timed)
         {
-            /// All four.
-            ANY,
-            /// Those without clearances, where nothing is to be remembered.
-            WITHOUT_CLEARANCES
-        };
-
-        /** \brief Chooses how to settle a pose
-            \param timed whether the time will be noted; only then are ways tried that do not pay */
-        Way choose(Choice choice, bool timed)
-        {
-            return wayOf(timed ? tryOut(choice) : best_[choice].load(std::memory_order_relaxed));
+            return (timed ? tryOut() : best_.load(std::memory_order_relaxed)) == WITH_CLEARANCES;
         }
 
         /** \brief Notes how long asking clearances took for a pose, and how many samples it settled: 0 if not even this
             one, else 1 plus others within the valid interval */
         void noteClearances(std::chrono::nanoseconds time, double samples);
 
-        /** \brief Notes how long the exact check of a pose took, with the contact test if \e way has it. If \e way has
-            clearances, they did not settle the pose. */
-        void noteExact(Way way, std::chrono::nanoseconds time);
+        /** \brief Notes how long the exact check of a pose took, and the contact test before it
+            \param afterClearances whether clearances were asked before, and did not settle the pose */
+        void noteExact(bool afterClearances, std::chrono::nanoseconds time);
 
         /** \brief Forgets all measurements */
         void reset();
@@ -93,24 +73,14 @@ namespace ompl_certificates
         static constexpr std::uint32_t PROBE_INTERVAL = 16;
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
 
-        /** \brief A way's number has one bit for each test that is left out */
-        static constexpr std::uint32_t WAYS = 4, FIRST_WITHOUT_CLEARANCES = 2;
-
-        static Way wayOf(std::uint32_t number)
+        /** \brief The ways to settle a pose */
+        enum Way : std::uint32_t
         {
-            return {number < FIRST_WITHOUT_CLEARANCES, number % 2 == 0};
-        }
+            WITH_CLEARANCES,
+            WITHOUT_CLEARANCES
+        };
 
-        static std::uint32_t numberOf(Way way)
-        {
-            return (way.clearances ? 0 : FIRST_WITHOUT_CLEARANCES) + (way.contact ? 0 : 1);
-        }
-
-        /** \brief The numbers of the ways of a choice: from the first, up to but without the second */
-        static std::array<std::uint32_t, 2> waysOf(Choice choice)
-        {
-            return {choice == WITHOUT_CLEARANCES ? FIRST_WITHOUT_CLEARANCES : 0, WAYS};
-        }
+        static constexpr std::uint32_t WAYS = 2;
 
         /** \brief A running mean of times */
         struct Cost
@@ -135,12 +105,12 @@ namespace ompl_certificates
         static float note(Cost &cost, std::chrono::nanoseconds time, float most);
 
         /** \brief The way for a timed pose: mostly the best one */
-        std::uint32_t tryOut(Choice choice);
+        std::uint32_t tryOut();
 
         /** \brief The cost of a way for each sample of a motion that it settles (nanoseconds) */
         float costOf(std::uint32_t way) const;
 
-        /** \brief Determines the best way of each choice */
+        /** \brief Determines the best way */
         void judge();
 
         std::atomic<float> lookupRate_{1.0F};
@@ -154,8 +124,8 @@ namespace ompl_certificates
         /** \brief The cost of the exact check at the end of each way */
         std::array<Cost, WAYS> exact_;
 
-        /** \brief The number of the best way of each choice */
-        std::array<std::atomic<std::uint32_t>, 2> best_{0, FIRST_WITHOUT_CLEARANCES};
+        /** \brief The best way */
+        std::atomic<std::uint32_t> best_{WITH_CLEARANCES};
     };
 }
 

@@ -168,8 +168,8 @@ namespace ompl_certificates
         return search.getNearest().norm();
     }
 
-    double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed, double wanted,
-                     Eigen::Vector3d &direction)
+    double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed,
+                     double wanted, Eigen::Vector3d &direction)
     {
         const Eigen::Matrix3d turn = pose.linear();
         const Eigen::Vector3d shift = pose * second.getCenter() - first.getCenter();

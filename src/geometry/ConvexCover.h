@@ -74,8 +74,8 @@ namespace ompl_certificates
         \param direction where to begin, from \e first to \e second, in the frame of \e first; zero if unknown. Set to the
         direction of the bound.
         \return the bound; negative if the covers may overlap, minus infinity if the pose is not finite */
-    double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed, double wanted,
-                     Eigen::Vector3d &direction);
+    double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed,
+                     double wanted, Eigen::Vector3d &direction);
 
     /** \brief The same for bodies: the least gap between the covers of their shapes */
     double convexGap(const Body &first, const Body &second, const Pose &pose, double needed, double wanted,

@@ -61,8 +61,9 @@ namespace ompl_certificates
     {
         Simplex best{p, 4, Eigen::Vector3d::Zero()};
         bool inside = true;
-        for (const auto &[a, b, c, d] : {std::array<std::size_t, 4>{0, 1, 2, 3}, std::array<std::size_t, 4>{0, 1, 3, 2},
-                                         std::array<std::size_t, 4>{0, 2, 3, 1}, std::array<std::size_t, 4>{1, 2, 3, 0}})
+        for (const auto &[a, b, c, d] :
+             {std::array<std::size_t, 4>{0, 1, 2, 3}, std::array<std::size_t, 4>{0, 1, 3, 2},
+              std::array<std::size_t, 4>{0, 2, 3, 1}, std::array<std::size_t, 4>{1, 2, 3, 0}})
         {
             const Eigen::Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]);
             // The origin is on the other side of this face than the fourth point.

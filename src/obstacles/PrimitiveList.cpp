@@ -40,9 +40,8 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < bounded.size(); ++i)
         {
             const auto &[placed, box] = bounded[i];
-            primitives_.push_back(
-                {placed->shape, placed->pose.inverse(), placed->shape.getBounds(),
-                 ConvexCover(placed->shape, Pose::Identity())});
+            primitives_.push_back({placed->shape, placed->pose.inverse(), placed->shape.getBounds(),
+                                   ConvexCover(placed->shape, Pose::Identity())});
             const std::size_t k = i % BLOCK_SIZE;
             if (k == 0)
                 blocks_.emplace_back();

@@ -72,8 +72,7 @@ namespace ompl_certificates
         return true;
     }
 
-    SubjectVerdict BasicMethod::settleRobot(unsigned int robot, CheckContext &context,
-                                            const MotionSample &sample) const
+    SubjectVerdict BasicMethod::settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const
     {
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
         SubjectVerdict whole = SubjectVerdict::always();

@@ -20,7 +20,8 @@ namespace ompl_certificates
         /** \param limit how many certificates all stores that share it may keep */
         BasicMethod(const Team &team, const ObstaclesPtr &obstacles, std::shared_ptr<CertificateLimit> limit);
 
-        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                   const MotionSample &sample) const override;
 
         SubjectVerdict settleTeam(CheckContext &context, const MotionSample &sample) const override;
 

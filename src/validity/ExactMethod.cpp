@@ -6,8 +6,8 @@
 
 namespace ompl_certificates
 {
-    ExactMethod::ExactMethod(const Team &team, ObstaclesPtr obstacles, bool contactTest)
-      : obstacles_(std::move(obstacles)), contactTest_(contactTest), policies_(team.getBodyCount())
+    ExactMethod::ExactMethod(ObstaclesPtr obstacles, bool contactTest)
+      : obstacles_(std::move(obstacles)), contactTest_(contactTest)
     {
     }
 
@@ -23,19 +23,14 @@ namespace ompl_certificates
         {
             const std::size_t k = CheckContext::inOrder(i, likely);
             SettledBy by = SettledBy::CERTIFICATE;
-            free = !collidesWithoutMemory(*obstacles_, bodies[k], context.poses[first + k],
-                                                  contactTest_ ? &policies_[first + k] : nullptr, by, context.counts);
+            const Pose &pose = context.poses[first + k];
+            ObstaclePart hit;
+            free = isFinite(pose) && !collides(*obstacles_, bodies[k], pose, contactTest_, by, hit, context.counts);
             settledBy = std::max(settledBy, by);
             if (!free)
                 context.lastColliding[robot] = k;
         }
         countRobotPose(context.counts, settledBy, free);
         return {free};
-    }
-
-    void ExactMethod::clear()
-    {
-        for (SwitchingPolicy &policy : policies_)
-            policy.reset();
     }
 }

@@ -3,20 +3,21 @@
 
 #include "CheckMethod.h"
 
-#include "certificates/SwitchingPolicy.h"
-
 namespace ompl_certificates
 {
     /** \brief Method::FCL and Method::STANDARD: keep no certificates */
     class ExactMethod : public CheckMethod
     {
     public:
-        /** \param contactTest whether the contact test may precede FCL */
-        ExactMethod(const Team &team, ObstaclesPtr obstacles, bool contactTest);
+        /** \param contactTest whether the contact test precedes FCL */
+        ExactMethod(ObstaclesPtr obstacles, bool contactTest);
 
-        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                   const MotionSample &sample) const override;
 
-        void clear() override;
+        void clear() override
+        {
+        }
 
         void change(const ObstacleChange &change) override
         {
@@ -26,8 +27,6 @@ namespace ompl_certificates
     private:
         ObstaclesPtr obstacles_;
         const bool contactTest_;
-        /** \brief Whether the contact test pays; one for each body of the team */
-        mutable std::vector<SwitchingPolicy> policies_;
     };
 }
 

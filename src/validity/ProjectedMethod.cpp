@@ -18,7 +18,8 @@ namespace ompl_certificates
                                                 const MotionSample &sample) const
     {
         const CertifiedEnvironment &environment = environmentOf(robot);
-        const std::size_t first = context.team.getFirstBody(robot), count = context.team.getFirstBody(robot + 1) - first;
+        const std::size_t first = context.team.getFirstBody(robot),
+                          count = context.team.getFirstBody(robot + 1) - first;
         const bool usesOtherTimes = sample.usesOtherTimes() && count > 1;
         const std::size_t likely = context.lastColliding[robot];
         SubjectVerdict whole = SubjectVerdict::always();

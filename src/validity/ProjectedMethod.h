@@ -19,7 +19,8 @@ namespace ompl_certificates
         ProjectedMethod(const Team &team, const ObstaclesPtr &obstacles, bool share,
                         const std::shared_ptr<CertificateLimit> &limit);
 
-        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context, const MotionSample &sample) const override;
+        SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                   const MotionSample &sample) const override;
 
         double provenInterval(unsigned int robot, CheckContext &context) const override;
 

@@ -54,9 +54,9 @@ namespace ompl_certificates
                 return;
             }
             const auto length = [](const Interval &one) { return one.last - one.first; };
-            Interval *shortest = std::min_element(intervals_.begin(), intervals_.end(),
-                                                  [&](const Interval &a, const Interval &b)
-                                                  { return length(a) < length(b); });
+            Interval *shortest =
+                std::min_element(intervals_.begin(), intervals_.end(),
+                                 [&](const Interval &a, const Interval &b) { return length(a) < length(b); });
             if (length(*shortest) < length(added))
                 *shortest = added;
         }

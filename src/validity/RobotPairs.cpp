@@ -114,7 +114,6 @@ namespace ompl_certificates
         }
         for (const Pair &pair : pairs_)
             firstBodyPairs_.push_back(firstBodyPairs_.back() + pair.bodies.size());
-        policies_ = std::vector<SwitchingPolicy>(getBodyPairCount());
     }
 
     RobotPairs::~RobotPairs() = default;
@@ -201,7 +200,7 @@ namespace ompl_certificates
             if (!bodies.frame || !searchesGaps(sample) || verdict.validInterval >= SHORT_STRETCH)
                 return verdict;
             const PoseVerdict closer =
-                settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context),
+                settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context), LONG_STRETCH,
                             context.bodyPairDirections[number]);
             return closer.validInterval > verdict.validInterval ? closer : verdict;
         }
@@ -218,32 +217,25 @@ namespace ompl_certificates
     {
         const Body &body = bodies.lookedUp();
         const Pose relative = bodies.relativePose(context);
-        SwitchingPolicy untrained;  // A new policy tries everything.
-        SwitchingPolicy &policy = adaptive_ ? policies_[number] : untrained;
         const MotionBound bound = sample.moves ? bodies.relativeMotionBound(context) : MotionBound();
         PoseVerdict verdict;
         CheckCounts asked;
         if (sample.requiredInterval > 0.0)
+        {
+            SwitchingPolicy untrained;  // has no say where only a proof counts
             verdict = bodies.frame->certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE,
-                                                      policy, asked);
+                                                      untrained, asked);
+        }
         else if (isFinite(relative))
         {
-            TimedSettling settling(policy, searchesGaps(sample) ? SwitchingPolicy::ANY
-                                                                : SwitchingPolicy::WITHOUT_CLEARANCES);
-            const auto [gaps, contact] = settling.getWay();
-            if (gaps && searchesGaps(sample))
-            {
-                verdict = settleByGap(bodies, relative, bound, context.bodyPairDirections[number]);
-                const double more = std::min(verdict.validInterval, 1.0) * sample.samplesAhead;
-                settling.noteClearances(verdict.free ? 1.0 + more : 0.0);
-            }
+            // The gap is also the quickest test of bodies near each other.
+            if (method_ != Method::FCL)
+                verdict = settleByGap(bodies, relative, bound, searchesGaps(sample) ? LONG_STRETCH : 0.0,
+                                      context.bodyPairDirections[number]);
+            ObstaclePart hit;
             if (!verdict.free)
-            {
-                ObstaclePart hit;
-                verdict.free = !collides(*bodies.frame->obstacles, body, relative, contact && method_ != Method::FCL,
-                                         verdict.by, hit, asked);
-                settling.noteExact();
-            }
+                verdict.free =
+                    !collides(*bodies.frame->obstacles, body, relative, method_ != Method::FCL, verdict.by, hit, asked);
         }
         context.counts.clearanceQueries += asked.clearanceQueries;
         context.counts.contactTests += asked.contactTests;
@@ -252,12 +244,12 @@ namespace ompl_certificates
     }
 
     PoseVerdict RobotPairs::settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
-                                        Eigen::Vector3d &direction) const
+                                        double stretch, Eigen::Vector3d &direction) const
     {
         const Body &body = bodies.lookedUp();
         const double speed = bound.at(body.getBoundingRadius());
-        const double gap = convexGap(bodies.frame->body, body, relative, bodies.margin,
-                                     bodies.margin + LONG_STRETCH * speed, direction);
+        const double gap = convexGap(bodies.frame->body, body, relative, bodies.margin, bodies.margin + stretch * speed,
+                                     direction);
         PoseVerdict verdict;
         verdict.free = gap > bodies.margin;
         if (verdict.free)
@@ -318,7 +310,5 @@ namespace ompl_certificates
         for (const auto &frame : frames_)
             if (frame->certified)
                 frame->certified->clear();
-        for (SwitchingPolicy &policy : policies_)
-            policy.reset();
     }
 }

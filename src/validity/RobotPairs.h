@@ -4,7 +4,6 @@
 #include "CheckMethod.h"
 
 #include "certificates/CertificateLimit.h"
-#include "certificates/SwitchingPolicy.h"
 
 #include "ompl_certificates/validity/Method.h"
 
@@ -79,12 +78,6 @@ namespace ompl_certificates
             trees. Negative if they may touch. */
         double distance(unsigned int pair, const CheckContext &context) const;
 
-        /** \brief See TeamValidityChecker::setAdaptive() */
-        void setAdaptive(bool adaptive)
-        {
-            adaptive_ = adaptive;
-        }
-
         /** \brief Removes all certificates. Not while others use the pairs. */
         void clear();
 
@@ -146,7 +139,7 @@ namespace ompl_certificates
         /** \brief Whether it pays to know how long two bodies stay apart */
         bool searchesGaps(const MotionSample &sample) const
         {
-            return makesCertificates(method_) && sample.samplesAhead > 0.0 && sample.requiredInterval == 0.0;
+            return makesCertificates(method_) && sample.samplesAhead > 10.0 && sample.requiredInterval == 0.0;
         }
 
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */
@@ -158,8 +151,9 @@ namespace ompl_certificates
                                  const MotionSample &sample) const;
 
         /** \brief Tries to settle two bodies by the gap between their convex covers
+            \param stretch how much of the motion the gap is to prove, if it can
             \param direction where their planes were last; updated */
-        PoseVerdict settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
+        PoseVerdict settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound, double stretch,
                                 Eigen::Vector3d &direction) const;
 
         /** \brief Body \e a of robot \e first and body \e b of robot \e second */
@@ -173,10 +167,7 @@ namespace ompl_certificates
         const unsigned int robotCount_;
         std::vector<Pair> pairs_;
         std::vector<std::size_t> firstBodyPairs_{0};
-        bool adaptive_{true};
         std::vector<std::unique_ptr<BodyFrame>> frames_;
-        /** \brief One for each pair of bodies */
-        mutable std::vector<SwitchingPolicy> policies_;
     };
 }
 

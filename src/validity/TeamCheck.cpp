@@ -42,7 +42,7 @@ namespace ompl_certificates
             {
                 case Method::FCL:
                 case Method::STANDARD:
-                    return std::make_unique<ExactMethod>(team, obstacles, method == Method::STANDARD);
+                    return std::make_unique<ExactMethod>(obstacles, method == Method::STANDARD);
                 case Method::BASIC:
                     return std::make_unique<BasicMethod>(team, obstacles, limit);
                 case Method::PARTIAL:
@@ -135,8 +135,7 @@ namespace ompl_certificates
             return false;
         const bool isPair = subject.kind == Subject::PAIR;
         const auto &times = isPair ? context.bodyPairTimes : context.bodyTimes;
-        const std::size_t first =
-            isPair ? pairs_.getFirstBodyPair(subject.pair) : team_.getFirstBody(subject.first);
+        const std::size_t first = isPair ? pairs_.getFirstBodyPair(subject.pair) : team_.getFirstBody(subject.first);
         const std::size_t end =
             isPair ? pairs_.getFirstBodyPair(subject.pair + 1) : team_.getFirstBody(subject.first + 1);
         for (std::size_t i = first; i < end; ++i)

@@ -145,7 +145,6 @@ namespace ompl_certificates
         {
             adaptive_ = adaptive;
             checkMethod_->setAdaptive(adaptive);
-            pairs_.setAdaptive(adaptive);
         }
 
         bool isAdaptive() const

@@ -8,14 +8,11 @@ namespace
 {
     using std::chrono::microseconds;
 
-    /** The costs of the steps that settle a pose, and how many of a thousand poses clearances and contact tests
-        settle */
+    /** The costs of the steps that settle a pose, and how many of a thousand poses clearances settle */
     struct Costs
     {
         microseconds clearances{0};
         unsigned int settledByClearances{0};
-        microseconds contact{0};
-        unsigned int settledByContact{0};
         microseconds exact{0};
 
         /** The cost of the exact check of those poses that clearances settle */
@@ -25,34 +22,21 @@ namespace
         double samples{1.0};
     };
 
-    /** The number of poses settled with clearances and with the contact test */
-    struct Tried
+    /** The number of poses for which clearances are asked */
+    unsigned int settle(SwitchingPolicy &policy, unsigned int poses, const Costs &costs)
     {
-        unsigned int clearances{0}, contact{0};
-    };
-
-    Tried settle(SwitchingPolicy &policy, unsigned int poses, const Costs &costs,
-                 SwitchingPolicy::Choice choice = SwitchingPolicy::ANY)
-    {
-        Tried tried;
-        unsigned int luck = 0;
+        unsigned int tried = 0, luck = 0;
         for (unsigned int i = 0; i < poses; ++i)
         {
             luck = (luck + 617) % 1000;
             const bool timed = policy.isTimed();
-            const SwitchingPolicy::Way way = policy.choose(choice, timed);
-            tried.clearances += way.clearances ? 1 : 0;
-            tried.contact += way.contact ? 1 : 0;
+            const bool asks = policy.asksClearances(timed);
+            tried += asks ? 1 : 0;
             const bool clear = luck < costs.settledByClearances;
-            if (way.clearances && timed)
+            if (asks && timed)
                 policy.noteClearances(costs.clearances, clear ? costs.samples : 0.0);
-            if (way.clearances && clear)
-                continue;
-            microseconds time = way.contact ? costs.contact : microseconds(0);
-            if (!way.contact || (luck + 389) % 1000 >= costs.settledByContact)
-                time += clear ? costs.exactWhereClear : costs.exact;
-            if (timed)
-                policy.noteExact(way, time);
+            if (timed && !(asks && clear))
+                policy.noteExact(asks, clear ? costs.exactWhereClear : costs.exact);
         }
         return tried;
     }
@@ -93,18 +77,18 @@ TEST(SwitchingPolicy, AsksClearancesWhereTheySaveMoreThanTheyCost)
 {
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(2, 500, 20));
-    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)).clearances, 9800U);
+    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)), 9800U);
 }
 
 TEST(SwitchingPolicy, StepsAsideWhereClearancesCostMoreThanTheySaveAndReturns)
 {
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(10, 200, 10));
-    const unsigned int tried = settle(policy, 10000, clearancesOf(10, 200, 10)).clearances;
+    const unsigned int tried = settle(policy, 10000, clearancesOf(10, 200, 10));
     EXPECT_LT(tried, 200U);
     EXPECT_GT(tried, 20U) << "it would not notice that they pay again";
     settle(policy, 40000, clearancesOf(1, 900, 20));
-    EXPECT_GT(settle(policy, 10000, clearancesOf(1, 900, 20)).clearances, 9800U);
+    EXPECT_GT(settle(policy, 10000, clearancesOf(1, 900, 20)), 9800U);
 }
 
 TEST(SwitchingPolicy, KnowsThatAProofSavesTheNextSamplesToo)
@@ -112,10 +96,10 @@ TEST(SwitchingPolicy, KnowsThatAProofSavesTheNextSamplesToo)
     SwitchingPolicy alone, lasting;
     Costs costs = clearancesOf(10, 500, 1);
     settle(alone, 1000, costs);
-    EXPECT_LT(settle(alone, 10000, costs).clearances, 200U);
+    EXPECT_LT(settle(alone, 10000, costs), 200U);
     costs.samples = 40.0;
     settle(lasting, 1000, costs);
-    EXPECT_GT(settle(lasting, 10000, costs).clearances, 9800U);
+    EXPECT_GT(settle(lasting, 10000, costs), 9800U);
 }
 
 TEST(SwitchingPolicy, KnowsThatClearancesSettleWhatIsQuicklyCheckedToo)
@@ -124,62 +108,25 @@ TEST(SwitchingPolicy, KnowsThatClearancesSettleWhatIsQuicklyCheckedToo)
     Costs costs = clearancesOf(30, 500, 40);
     costs.exactWhereClear = microseconds(2);
     settle(policy, 1000, costs);
-    EXPECT_LT(settle(policy, 10000, costs).clearances, 200U);
-}
-
-TEST(SwitchingPolicy, LeavesTheContactTestOutWhereItCostsMoreThanItSavesAndReturns)
-{
-    SwitchingPolicy policy;
-    Costs costs = clearancesOf(1, 500, 10);
-    costs.contact = microseconds(20);
-    costs.settledByContact = 900;
-    settle(policy, 1000, costs);
-    Tried tried = settle(policy, 10000, costs);
-    EXPECT_LT(tried.contact, 200U);
-    EXPECT_GT(tried.contact, 20U) << "it would not notice that it pays again";
-    EXPECT_GT(tried.clearances, 9700U);
-    costs.exact = microseconds(200);
-    settle(policy, 40000, costs);
-    tried = settle(policy, 10000, costs);
-    EXPECT_GT(tried.contact, 9800U);
+    EXPECT_LT(settle(policy, 10000, costs), 200U);
 }
 
 TEST(SwitchingPolicy, TriesWhatCostsMuchMoreSeldom)
 {
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(1, 1000, 1000));
-    // The two ways without clearances are a thousand times as expensive.
-    EXPECT_GE(settle(policy, 100000, clearancesOf(1, 1000, 1000)).clearances, 99990U);
-}
-
-TEST(SwitchingPolicy, WithoutClearancesWeighsTheContactTestAlone)
-{
-    SwitchingPolicy policy;
-    // Clearances would settle everything at once.
-    Costs costs = clearancesOf(1, 1000, 10);
-    costs.contact = microseconds(20);
-    costs.settledByContact = 900;
-    settle(policy, 1000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
-    Tried tried = settle(policy, 10000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
-    EXPECT_EQ(tried.clearances, 0U);
-    EXPECT_LT(tried.contact, 300U);
-    EXPECT_GT(tried.contact, 20U) << "it would not notice that it pays again";
-    costs.exact = costs.exactWhereClear = microseconds(200);
-    settle(policy, 40000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
-    tried = settle(policy, 10000, costs, SwitchingPolicy::WITHOUT_CLEARANCES);
-    EXPECT_EQ(tried.clearances, 0U);
-    EXPECT_GT(tried.contact, 9700U);
+    // The way without clearances is a thousand times as expensive.
+    EXPECT_GE(settle(policy, 100000, clearancesOf(1, 1000, 1000)), 99990U);
 }
 
 TEST(SwitchingPolicy, DoesNotCountWhatTheFirstPosePaysForAll)
 {
     SwitchingPolicy policy;
-    const SwitchingPolicy::Way all = policy.choose(SwitchingPolicy::ANY, false);
-    EXPECT_TRUE(all.clearances && all.contact);
+    EXPECT_TRUE(policy.asksClearances(false));
     policy.noteClearances(std::chrono::seconds(1), 0.0);
-    policy.noteExact(all, std::chrono::seconds(1));
+    policy.noteExact(true, std::chrono::seconds(1));
     settle(policy, 1000, clearancesOf(2, 500, 20));
-    EXPECT_GT(settle(policy, 1000, clearancesOf(2, 500, 20)).clearances, 950U);
+    EXPECT_GT(settle(policy, 1000, clearancesOf(2, 500, 20)), 950U);
 }
 
 TEST(SwitchingPolicy, IsNotMisledForLongByAnotherProgramsTurn)
@@ -187,8 +134,8 @@ TEST(SwitchingPolicy, IsNotMisledForLongByAnotherProgramsTurn)
     SwitchingPolicy policy;
     settle(policy, 1000, clearancesOf(2, 500, 20));
     policy.noteClearances(std::chrono::seconds(1), 1.0);
-    policy.noteExact(policy.choose(SwitchingPolicy::ANY, false), std::chrono::seconds(1));
-    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)).clearances, 9000U);
+    policy.noteExact(policy.asksClearances(false), std::chrono::seconds(1));
+    EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)), 9000U);
 }
 
 TEST(SwitchingPolicy, JudgesAnewAfterReset)
@@ -197,8 +144,8 @@ TEST(SwitchingPolicy, JudgesAnewAfterReset)
     settle(policy, 1000, clearancesOf(10, 100, 5));
     for (int i = 0; i < 1000; ++i)
         policy.noteLookup(false);
-    EXPECT_FALSE(policy.choose(SwitchingPolicy::ANY, false).clearances);
+    EXPECT_FALSE(policy.asksClearances(false));
     policy.reset();
     EXPECT_TRUE(policy.looksUp());
-    EXPECT_TRUE(policy.choose(SwitchingPolicy::ANY, false).clearances);
+    EXPECT_TRUE(policy.asksClearances(false));
 }
