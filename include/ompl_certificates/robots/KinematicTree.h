@@ -87,6 +87,10 @@ namespace ompl_certificates
 
             /** \brief The joint to its parent; the root's is FIXED and has no name */
             Joint joint;
+
+            /** \brief The body in a frame parallel to the link's, with its origin in the body's middle, and that frame in the
+                link's. It is made once: all arms of a tree and of its copies share it. */
+            std::optional<PlacedBody> centered{};
         };
 
         /** \brief A tree of the link \e root alone
@@ -100,6 +104,10 @@ namespace ompl_certificates
             limits are missing or reversed, or if the joint mimics what cannot be: see checkMimics() */
         std::size_t addLink(const std::string &parent, const Joint &joint, const std::string &name,
                             std::optional<Body> body = {});
+
+        /** \brief The same tree, hung by \e joint on a new root link without a body. The bodies are shared.
+            \throws ompl::Exception as addLink() */
+        KinematicTree hungOn(const std::string &root, const Joint &joint) const;
 
         /** \brief Check what can be checked only when all joints are there: that each joint that is mimicked exists, has
             one coordinate, and mimics none itself. A joint that follows a CONTINUOUS one must turn, by a whole multiple:
@@ -137,6 +145,8 @@ namespace ompl_certificates
         bool operator==(const KinematicTree &other) const;
 
     private:
+        std::size_t add(Link link);
+
         std::vector<Link> links_;
         std::map<std::string, std::size_t> linkIndices_, jointIndices_;
     };
