@@ -4,6 +4,7 @@
 #include "XmlFile.h"
 
 #include <console_bridge/console.h>
+#include <map>
 #include <mutex>
 #include <ompl/util/Exception.h>
 #include <set>
@@ -156,35 +157,26 @@ namespace ompl_certificates
             }
         }
 
+        KinematicTree::JointType typeOf(const urdf::Joint &joint)
+        {
+            using Type = KinematicTree::JointType;
+            static const std::map<int, Type> types{
+                {urdf::Joint::REVOLUTE, Type::REVOLUTE},   {urdf::Joint::CONTINUOUS, Type::CONTINUOUS},
+                {urdf::Joint::PRISMATIC, Type::PRISMATIC}, {urdf::Joint::FLOATING, Type::FLOATING},
+                {urdf::Joint::PLANAR, Type::PLANAR},       {urdf::Joint::FIXED, Type::FIXED}};
+            const auto type = types.find(joint.type);
+            if (type == types.end())
+                throw ompl::Exception("its type is not known");
+            return type->second;
+        }
+
         KinematicTree::Joint jointOf(const urdf::Joint &joint)
         {
             using Type = KinematicTree::JointType;
             KinematicTree::Joint result;
             result.name = joint.name;
             result.origin = poseOf(joint.parent_to_joint_origin_transform);
-            switch (joint.type)
-            {
-                case urdf::Joint::REVOLUTE:
-                    result.type = Type::REVOLUTE;
-                    break;
-                case urdf::Joint::CONTINUOUS:
-                    result.type = Type::CONTINUOUS;
-                    break;
-                case urdf::Joint::PRISMATIC:
-                    result.type = Type::PRISMATIC;
-                    break;
-                case urdf::Joint::FLOATING:
-                    result.type = Type::FLOATING;
-                    break;
-                case urdf::Joint::PLANAR:
-                    result.type = Type::PLANAR;
-                    break;
-                case urdf::Joint::FIXED:
-                    result.type = Type::FIXED;
-                    break;
-                default:
-                    throw ompl::Exception("its type is not known");
-            }
+            result.type = typeOf(joint);
             result.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
             if (result.type == Type::REVOLUTE || result.type == Type::PRISMATIC)
             {
