@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -175,11 +176,44 @@ namespace ompl_certificates
         }
     }
 
+    TEST(ArmScene, TwoArmsOfOneRobotAreOneRobot)
+    {
+        const Scene scene = loadScene(ARMS + "twin.yaml");
+        EXPECT_NO_THROW(scene.validate());
+        const auto arm = armOf(scene);
+        EXPECT_EQ(arm->getGroup().size(), 6u);
+        // The arms are checked against each other, but not in the pair that the SRDF file leaves out.
+        std::set<std::pair<std::string, std::string>> pairs;
+        for (const BodyPair &pair : arm->getBodyPairs())
+            pairs.emplace(arm->getLinkOfBody(pair.first), arm->getLinkOfBody(pair.second));
+        EXPECT_EQ(pairs.size(), 14u);
+        EXPECT_EQ(pairs.count({"left_forearm", "right_forearm"}), 1u);
+        EXPECT_EQ(pairs.count({"left_shoulder", "right_shoulder"}), 0u);
+        EXPECT_EQ(pairs.count({"torso", "right_shoulder"}), 0u);
+
+        const std::string robot = "  - {type: urdf, file: twin.urdf, srdf: twin.srdf, start: ahead, goal: ahead, ";
+        try
+        {
+            sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n" + robot +
+                              "group: left, joints: {right_lift: -1}}\n" + robot + "group: right}\n",
+                          ARMS + "test.yaml")
+                .validate();
+            FAIL() << "both have the torso";
+        }
+        catch (const ompl::Exception &exception)
+        {
+            EXPECT_NE(std::string(exception.what()).find("both have link 'torso' there; arms of one robot"),
+                      std::string::npos)
+                << exception.what();
+        }
+    }
+
     TEST(ArmScene, VerdictsAreThoseOfFcl)
     {
         ompl::RNG::setSeed(6);
         expectFclsVerdicts(loadScene(ARMS + "shelf.yaml"), 3000);
         expectFclsVerdicts(loadScene(ARMS + "two_arms.yaml"), 3000);
+        expectFclsVerdicts(loadScene(ARMS + "twin.yaml"), 3000);
     }
 
     TEST(ArmScene, VerdictsOfThePandaAreThoseOfFcl)
