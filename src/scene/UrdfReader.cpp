@@ -128,6 +128,12 @@ namespace ompl_certificates
         /** What urdfdom would not notice, or not name */
         void check(const XmlFile &file, pugi::xml_node robot)
         {
+            // urdfdom takes its complaint about a wrong number for the format of printf().
+            const std::set<std::string> words{"name", "link", "joint", "type", "filename"};
+            for (const pugi::xpath_node &found : robot.select_nodes(".//@*[contains(., '%')]"))
+                if (words.count(found.attribute().name()) == 0)
+                    file.fail(found.parent(), std::string(found.attribute().name()) + ": must be numbers, not '" +
+                                                  found.attribute().value() + "'");
             std::size_t links = 0;
             for ([[maybe_unused]] const pugi::xml_node link : robot.children("link"))
                 ++links;

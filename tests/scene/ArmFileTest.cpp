@@ -214,6 +214,8 @@ namespace ompl_certificates
             {one("revolute", "<axis xyz='0 0 z'/>" + LIMIT), {"z"}},
             {one("fixed", "<origin xyz='0 0'/>"), {"[j]"}},
             {one("fixed", "<origin xyz='0 0 1e300'/>"), {"'j'", "origin"}},
+            {one("fixed", "<origin xyz='%s%n 0 0'/>"), {"<origin>", "xyz", "'%s%n 0 0'"}},
+            {shape("<sphere radius='%s%s%n'/>"), {"<sphere>", "radius", "'%s%s%n'"}},
             {one("continuous", "<mimic joint='k'/>"), {"'j'", "'k'"}},
             {one("continuous", "<mimic joint='j'/>"), {"'j'"}},
             {shape("<sphere radius='-1'/>"), {"'a'", "collision 1", "radius", "-1"}},
