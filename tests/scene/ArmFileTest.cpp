@@ -338,8 +338,9 @@ namespace ompl_certificates
     TEST(ArmFile, CarriesBodies)
     {
         const test::Folder folder;
-        const ArmFile file(folder.write("a.urdf", chain()),
-                           folder.write("a.srdf", robot("<group name='a'><joint name='first'/></group>")));
+        const ArmFile file(
+            folder.write("a.urdf", chain()),
+            folder.write("a.srdf", robot("<group name='a'><joint name='first'/><joint name='second'/></group>")));
         ArmFile::ArmSettings settings;
         settings.attached.push_back({"tool", "hand", Body::box(0.1, 0.1, 0.5), poseAt({0.1, 0, 0.2}), {"arm"}});
         const auto arm = file.makeArm("arm", "a", settings);
