@@ -95,7 +95,7 @@ namespace ompl_certificates
         }
     }
 
-    KinematicTree::KinematicTree(const std::string &root, std::optional<Body> body)
+    KinematicTree::KinematicTree(const std::string &root, const std::optional<Body> &body)
     {
         if (root.empty())
             throw ompl::Exception("A link needs a name");
@@ -104,7 +104,7 @@ namespace ompl_certificates
     }
 
     std::size_t KinematicTree::addLink(const std::string &parent, const Joint &joint, const std::string &name,
-                                       std::optional<Body> body)
+                                       const std::optional<Body> &body)
     {
         if (!hasLink(parent))
             failAt(joint, "there is no link '" + parent + "'");

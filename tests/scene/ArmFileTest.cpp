@@ -2,16 +2,15 @@
 #include "ompl_certificates/robots/CheckRobot.h"
 #include "support/ArmTexts.h"
 #include "support/Folder.h"
+#include "support/Message.h"
 #include "support/Random.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/util/Exception.h>
 #include <set>
 
 namespace ompl_certificates
@@ -23,19 +22,6 @@ namespace ompl_certificates
     {
         const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
         const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
-
-        std::string messageOf(const std::function<void()> &function)
-        {
-            try
-            {
-                function();
-            }
-            catch (const ompl::Exception &exception)
-            {
-                return exception.what();
-            }
-            return "";
-        }
 
         Pose poseAtZero(const Arm &arm, const std::string &link)
         {

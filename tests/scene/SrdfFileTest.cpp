@@ -2,30 +2,13 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "support/ArmTexts.h"
 #include "support/Folder.h"
+#include "support/Message.h"
 
-#include <functional>
 #include <gtest/gtest.h>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     using namespace test;
-
-    namespace
-    {
-        std::string messageOf(const std::function<void()> &function)
-        {
-            try
-            {
-                function();
-            }
-            catch (const ompl::Exception &exception)
-            {
-                return exception.what();
-            }
-            return "";
-        }
-    }
 
     TEST(SrdfFile, ReadsGroupsAndStates)
     {

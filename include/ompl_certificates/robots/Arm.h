@@ -59,10 +59,10 @@ namespace ompl_certificates
             \param tree the links and the joints; planar if its bodies are
             \param group the names of the joints that are planned for, in the order of the coordinates of a state
             \param options the base, values of other joints, pairs of links that may collide, bounds
-            \throws ompl::Exception that names the joint or the link: if there is no such joint or link, if no link has
-            a body, or if the group is empty or has more than MAX_JOINTS coordinates. A joint of the group that is named
-            twice, does not move or mimics another one is an error. So are a value that is not finite, bounds that are
-            missing, and a planar arm that leaves the plane.
+            \throws ompl::Exception that names the joint or the link: if there is no such joint or link, or if no link
+            has a body. The group must not be empty or have more than MAX_JOINTS coordinates. A joint of it that is
+            named twice, does not move or mimics another one is an error. So are a value that is not finite, bounds that
+            are missing, and a planar arm that leaves the plane.
             Cost: milliseconds for an arm of 20 bodies; it grows with the pairs of links and the joints between them. */
         Arm(const std::string &name, const KinematicTree &tree, const std::vector<std::string> &group,
             const ArmOptions &options = {});

@@ -98,7 +98,7 @@ namespace ompl_certificates
 
         /** \brief A tree of the link \e root alone
             \throws ompl::Exception if the name is empty */
-        explicit KinematicTree(const std::string &root, std::optional<Body> body = {});
+        explicit KinematicTree(const std::string &root, const std::optional<Body> &body = {});
 
         /** \brief Add the link \e name to \e parent
             \return its index
@@ -107,7 +107,7 @@ namespace ompl_certificates
             translation, an axis of length zero, and limits that are missing or reversed. So is a joint that mimics what
             cannot be; see checkMimics(). */
         std::size_t addLink(const std::string &parent, const Joint &joint, const std::string &name,
-                            std::optional<Body> body = {});
+                            const std::optional<Body> &body = {});
 
         /** \brief The same tree, hung by \e joint on a new root link without a body. The bodies are shared.
             \throws ompl::Exception as addLink() */

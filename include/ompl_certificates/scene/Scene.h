@@ -135,8 +135,8 @@ namespace ompl_certificates
                                CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
 
         /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone
-            \throws ompl::Exception that names the source, the key and the value: if there is no robot, or if a start or
-            a goal is outside the bounds, touches an obstacle or overlaps another one's */
+            \throws ompl::Exception that names the source, the key and the value if there is no robot, or a start or a
+            goal is outside the bounds, touches an obstacle or overlaps another one's */
         void validate() const;
 
     private:
