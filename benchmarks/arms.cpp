@@ -139,8 +139,8 @@ namespace
             digests.push_back(result.digests);
         }
 
-        /** Check random states, and motions from such as are valid towards others, by a planner's step. Half as many before
-            fill the certificates. */
+        /** Check random states, and motions from such as are valid towards others, by a planner's step. Half as many
+            before fill the certificates. */
         void check(const Scene &scene, const Options &options)
         {
             const TeamSetupPtr setup = scene.makeSetup(methodOf(method));
@@ -207,7 +207,8 @@ namespace
             return static_cast<std::size_t>(std::count(solved.begin(), solved.end(), true));
         }
 
-        /** The time that the share \e quantile of all plans needs, in milliseconds; what was not solved counts by its time */
+        /** The time that the share \e quantile of all plans needs, in milliseconds; what was not solved counts by its
+            time */
         double planMilliseconds(double quantile) const
         {
             std::vector<double> sorted = planSeconds;

@@ -1,5 +1,6 @@
 // Two arms at one table, from URDF and SRDF files. They are checked against the table, the post on it, each other, and
-// themselves. The planner is DRRTstar, as for all teams: two seconds for a short way. In continuous mode all of it is proved.
+// themselves. The planner is DRRTstar, as for all teams: two seconds for a short way. In continuous mode all of it is
+// proved.
 //
 //     08_arms [FOLDER]        the folder of the arm's files, else demos/scenes/arms
 

@@ -1,6 +1,6 @@
 // Plans for three teams with OMPL and FCL as they are, with this library's check that remembers nothing, and with
-// certificates, and prints one table of what each took. All have the same planner, seeds, iterations and metric, so their
-// trees must be equal.
+// certificates, and prints one table of what each took. All have the same planner, seeds, iterations and metric, so
+// their trees must be equal.
 //
 //     compare_with_ompl --scenes demos/scenes --out out
 
@@ -49,8 +49,8 @@ namespace
         /** The most iterations */
         std::uint64_t iterations;
 
-        /** The longest valid segment as a fraction of each robot's extent. OMPL's is 0.01: enough for the carts, but discs of
-            radius 1 would jump by 1.4, and drones of 1 m by 0.9 m. */
+        /** The longest valid segment as a fraction of each robot's extent. OMPL's is 0.01: enough for the carts, but
+            discs of radius 1 would jump by 1.4, and drones of 1 m by 0.9 m. */
         double resolution;
     };
 

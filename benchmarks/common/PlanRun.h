@@ -21,8 +21,8 @@ namespace benchmarks
         /** \brief How often the planner's termination condition is evaluated: mostly once per iteration */
         unsigned int iterations{10000};
 
-        /** \brief The time after which a plan ends in any case, in seconds of the clock; 0 for none. What ends so is not
-            the same again. */
+        /** \brief The time after which a plan ends in any case, in seconds of the clock; 0 for none. What ends so is
+            not the same again. */
         double seconds{0.0};
 
         /** \brief The length of the planner's steps; 0 for the planner's own */

@@ -57,8 +57,8 @@ namespace demos
             return best.empty() ? "" : "; did you mean " + best + "?";
         }
 
-        /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong may
-            be wrong only because of it. */
+        /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong
+            may be wrong only because of it. */
         std::string complaintOf(const CLI::ParseError &error, const CLI::App &app)
         {
             std::vector<std::string> known;

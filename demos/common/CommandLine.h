@@ -17,8 +17,8 @@ namespace demos
     };
 
     /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is
-        written to standard error as one line, and BAD_INPUT returned. For an option that does not exist the line suggests
-        a similar one. Adds the option --version. */
+        written to standard error as one line, and BAD_INPUT returned. For an option that does not exist the line
+        suggests a similar one. Adds the option --version. */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
 
     /** \brief Accepts finite numbers above zero */

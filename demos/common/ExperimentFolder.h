@@ -8,9 +8,9 @@
 
 namespace demos
 {
-    /** \brief The folder with an experiment's results: experiment.json says which grid they are of, scenes/ has a picture of
-        each scene, and trials/ a file for each trial that is done. Several processes may work in one folder at once, each
-        on a share of the trials. */
+    /** \brief The folder with an experiment's results: experiment.json says which grid they are of, scenes/ has a
+        picture of each scene, and trials/ a file for each trial that is done. Several processes may work in one folder
+        at once, each on a share of the trials. */
     class ExperimentFolder
     {
     public:
@@ -18,13 +18,13 @@ namespace demos
             \throws ompl::Exception if it holds results of another grid or other files, or cannot be written */
         ExperimentFolder(const std::string &folder, const ExperimentGrid &grid);
 
-        /** \brief The trials of share \e index of \e count shares (from 0), in the order in which to run them. Trials that
-            are compared with each other, which differ in the method alone, are in one share and follow each other. Before
-            any second trial of its kind comes the first one of every kind; small and large teams come mixed. */
+        /** \brief The trials of share \e index of \e count shares (from 0), in the order in which to run them. Trials
+            that are compared with each other, which differ in the method alone, are in one share and follow each other.
+            Before any second trial of its kind comes the first one of every kind; small and large teams come mixed. */
         std::vector<ExperimentTrial> getTrials(unsigned int index, unsigned int count) const;
 
-        /** \brief The result of a trial if it is there, else null. A file that is cut short, damaged or of another trial is
-            taken for missing.
+        /** \brief The result of a trial if it is there, else null. A file that is cut short, damaged or of another
+            trial is taken for missing.
             \param damaged set to the file if it is there but useless, else to nothing */
         nlohmann::ordered_json read(const ExperimentTrial &trial, std::string &damaged) const;
 

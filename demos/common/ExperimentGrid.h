@@ -66,8 +66,8 @@ namespace demos
         /** \brief Whether there is a goal to reach; without one, trees grow until the iterations are used up */
         bool goal{true};
 
-        /** \brief Whether methods step aside where certificates have not paid lately. That is judged by the clock, so that
-            counts need not repeat themselves. */
+        /** \brief Whether methods step aside where certificates have not paid lately. That is judged by the clock, so
+            that counts need not repeat themselves. */
         bool adaptive{false};
 
         /** \brief The longest valid segment as a fraction of a component's extent; 0 for the scenes' */

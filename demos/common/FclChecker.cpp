@@ -19,7 +19,8 @@ namespace demos
 
         bool collideNarrowly(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b)
         {
-            // A millionth of the smaller shape, FCL's default for one of size 1, but not below the rounding of the larger one.
+            // A millionth of the smaller shape, FCL's default for one of size 1, but not below the rounding of the
+            // larger one.
             const auto [small, large] =
                 std::minmax(a->collisionGeometry()->aabb_radius, b->collisionGeometry()->aabb_radius);
             fcl::CollisionRequestd request;

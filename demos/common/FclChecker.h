@@ -13,8 +13,8 @@
 
 namespace demos
 {
-    /** \brief The validity checker that programs with OMPL and FCL have: FCL's broadphase tree over the obstacles, one FCL
-        object for each part of a robot, moved to where the state has it, and fcl::collide() for those whose boxes
+    /** \brief The validity checker that programs with OMPL and FCL have. FCL's broadphase tree is over the obstacles.
+        Each part of a robot is one FCL object, moved to where the state has it. fcl::collide() checks those whose boxes
         overlap. It remembers nothing from one state to the next. For one thread. */
     class FclChecker : public ompl::base::StateValidityChecker
     {

@@ -9,8 +9,8 @@ namespace demos
         \throws ompl::Exception that names the file if it cannot be read */
     std::string readFile(const std::string &file);
 
-    /** \brief Write \e text to \e file, all of it or nothing: to another file next to it, which then takes its place. A link
-        stays a link; a device or a pipe is written to directly.
+    /** \brief Write \e text to \e file, all of it or nothing: to another file next to it, which then takes its place. A
+        link stays a link; a device or a pipe is written to directly.
         \throws ompl::Exception that names the file if it cannot be written */
     void writeFile(const std::string &file, const std::string &text);
 

@@ -8,8 +8,8 @@
 
 namespace demos
 {
-    /** \brief A node of the YAML file of a grid. What is wrong with it is thrown as an ompl::Exception of one line that names
-        the file, the line, the key and the value. */
+    /** \brief A node of the YAML file of a grid. What is wrong with it is thrown as an ompl::Exception of one line that
+        names the file, the line, the key and the value. */
     class GridNode
     {
     public:

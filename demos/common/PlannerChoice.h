@@ -30,7 +30,8 @@ namespace demos
     /** \brief The planners of these names, with the parameters that \e file has for them, which may give one several
         times. Without names those of the file, else DRRTstar for two or more robots, RRTConnect for
         one. Titles that are taken get a number.
-        \throws ompl::Exception that names the file, the section and the key if the file has a planner that is unknown */
+        \throws ompl::Exception that names the file, the section and the key if the file has a planner that is
+        unknown */
     std::vector<PlannerChoice> choosePlanners(const ompl_certificates::SceneFile &file,
                                               const std::vector<std::string> &names);
 

@@ -6,7 +6,8 @@
 
 namespace demos
 {
-    /** \brief All planners of plannerNames(), a line each: the name, whether OMPL says that it optimizes, and what it is */
+    /** \brief All planners of plannerNames(), a line each: the name, whether OMPL says that it optimizes, and what it
+        is */
     std::string plannerList();
 
     /** \brief Add the flag --list-planners, which prints plannerList() and ends the program */

@@ -10,15 +10,15 @@ namespace demos
 {
     /** \brief A motion validator that lets another one work and tells the checks of a planner's samples from the rest.
 
-        RRT, RRT* and their kin check one motion for each new sample, from its nearest node to itself, before anything else
-        of the iteration; if it is valid, the sample becomes a node. So the end of the first motion of each iteration is a
-        sample, and the motions after it, which connect nodes, are not counted here. Whether a planner is of that kind
-        shows in its tree; see isConsistentWith(). For one thread. */
+        RRT, RRT* and their kin check one motion for each new sample, from its nearest node to itself, before anything
+        else of the iteration. If it is valid, the sample becomes a node. So the end of the first motion of each
+        iteration is a sample, and the motions after it, which connect nodes, are not counted here. Whether a planner is
+        of that kind shows in its tree; see isConsistentWith(). For one thread. */
     class SampleCounter : public ompl::base::MotionValidator
     {
     public:
-        /** \brief The checks at samples. A pose is a robot at a sample; robots that were not looked at because another one
-            collides do not count. The standard method counts no poses. */
+        /** \brief The checks at samples. A pose is a robot at a sample; robots that were not looked at because another
+            one collides do not count. The standard method counts no poses. */
         struct Counts
         {
             /** \brief Samples that were checked, and those of them that became nodes */
@@ -45,7 +45,8 @@ namespace demos
             return counts_;
         }
 
-        /** \brief Whether the nodes that were counted are those of a tree of \e states states that began with \e starts */
+        /** \brief Whether the nodes that were counted are those of a tree of \e states states that began with \e
+            starts */
         bool isConsistentWith(std::uint64_t starts, std::uint64_t states) const
         {
             return counts_.nodes + starts == states;

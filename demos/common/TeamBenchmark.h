@@ -35,8 +35,8 @@ namespace demos
                       const std::vector<ompl_certificates::Method> &methods,
                       ompl_certificates::NearestStructure nearest, std::uint32_t seed);
 
-        /** \brief Make all runs, as benchmark() does, but end at SIGINT or SIGTERM (see catchInterrupts()): then the run that was
-            under way is left out of the results.
+        /** \brief Make all runs, as benchmark() does, but end at SIGINT or SIGTERM (see catchInterrupts()): then the
+            run that was under way is left out of the results.
             \return whether all runs were made */
         bool runAll(const Request &request);
 

@@ -8,11 +8,11 @@
 
 namespace demos
 {
-    /** \brief Obstacles that know how much time was spent in asking them: the paper's time within the standard collision
-        check, without what it costs to look certificates up.
+    /** \brief Obstacles that know how much time was spent in asking them: the paper's time within the standard
+        collision check, without what it costs to look certificates up.
 
-        A clock costs a good part of a cheap check. So it is read for the first FIRST_CALLS calls and then for one call in
-        INTERVAL, which stands for the others; what the clock itself takes is left out. */
+        A clock costs a good part of a cheap check. So it is read for the first FIRST_CALLS calls and then for one call
+        in INTERVAL, which stands for the others; what the clock itself takes is left out. */
     class TimedObstacles : public ompl_certificates::FclObstacles
     {
     public:

@@ -27,8 +27,8 @@ namespace generators
         void addTube(const std::function<Eigen::Vector3d(double)> &center, double radius, unsigned int segments,
                      unsigned int sides);
 
-        /** \brief The surface z = \e height(x, y) over a square from (0, 0) to (\e size, \e size), with two triangles for
-            each of \e cells x \e cells squares */
+        /** \brief The surface z = \e height(x, y) over a square from (0, 0) to (\e size, \e size), with two triangles
+            for each of \e cells x \e cells squares */
         void addTerrain(const std::function<double(double, double)> &height, double size, unsigned int cells);
 
         /** \brief All of it */

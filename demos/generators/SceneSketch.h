@@ -45,7 +45,8 @@ namespace generators
     class SceneSketch
     {
     public:
-        /** \brief A workspace from the origin to \e sides, which are two or three. Motions are checked every \e step. */
+        /** \brief A workspace from the origin to \e sides, which are two or three. Motions are checked every \e
+            step. */
         SceneSketch(const std::vector<double> &sides, double step);
 
         /** \brief Add an obstacle, turned by \e angle about the z axis in the plane */

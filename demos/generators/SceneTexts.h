@@ -32,8 +32,8 @@ namespace generators
     /** \brief A list of YAML, such as [1, 2.5] */
     std::string listOf(const std::vector<double> &values);
 
-    /** \brief What a scene file says of a rigid robot, apart from its name, start and goal. \e shape is the inside of its
-        braces: type: disc, radius: 0.3 */
+    /** \brief What a scene file says of a rigid robot, apart from its name, start and goal. \e shape is the inside of
+        its braces: type: disc, radius: 0.3 */
     std::string rigidOf(const std::string &space, const std::string &shape);
 
     /** \brief The line of a robot; \e type is what rigidOf() returns */

@@ -134,7 +134,7 @@ namespace ompl_certificates
             return verdict;
         }
         // Unless it also settles other samples, a gap is worth no more than the contact test, and costs more.
-        if (gap && query.samplesAhead <= 10.0)
+        if (gap && query.samplesAhead == 0.0)
         {
             collide(query, verdict, counts);
             return verdict;

@@ -24,7 +24,8 @@ namespace ompl_certificates
         return searchable && searchable->getComposition() == composition;
     }
 
-    /** \brief Whether the distance of \e space is the root of the sum of the squares of its subspaces' weighted distances */
+    /** \brief Whether the distance of \e space is the root of the sum of the squares of its subspaces' weighted
+        distances */
     inline bool isEuclidean(const ompl::base::StateSpace &space)
     {
         return isSearchable(space, SearchableStateSpace::Composition::EUCLIDEAN);

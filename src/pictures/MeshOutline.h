@@ -25,8 +25,8 @@ namespace ompl_certificates
             becomes a line. */
         void add(const std::array<Eigen::Vector3d, 3> &corners);
 
-        /** \brief Outlines of the cells whose nearest triangle is at \e level or nearer; inner outlines are holes. Smooth
-            to about a cell; specks are left out. */
+        /** \brief Outlines of the cells whose nearest triangle is at \e level or nearer; inner outlines are holes.
+            Smooth to about a cell; specks are left out. */
         std::vector<Loop> trace(double level) const;
 
     private:

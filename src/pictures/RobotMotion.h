@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Where a robot's bodies are over time, by their poses at key times. In between positions change linearly, and
-        rotations turn the shorter way at a steady pace. */
+    /** \brief Where a robot's bodies are over time, by their poses at key times. In between positions change linearly,
+        and rotations turn the shorter way at a steady pace. */
     class RobotMotion
     {
     public:
@@ -19,8 +19,9 @@ namespace ompl_certificates
             std::vector<Pose> poses;
         };
 
-        /** \brief The motion of \e robot through \e states, at least one, at \e times. There are as many keys as it takes to
-            keep the bodies within about \e tolerance, a length, of where they are; more than the states, or fewer. */
+        /** \brief The motion of \e robot through \e states, at least one, at \e times. There are as many keys as it
+            takes to keep the bodies within about \e tolerance, a length, of where they are; more than the states, or
+            fewer. */
         RobotMotion(const Robot &robot, const std::vector<const ompl::base::State *> &states,
                     const std::vector<double> &times, double tolerance);
 
@@ -39,8 +40,8 @@ namespace ompl_certificates
         /** \brief Add the keys after the last one, until the fraction \e end of \e motion */
         void add(const Motion &motion, double start, double end, int depth);
 
-        /** \brief How far the bodies at \e key are from where they are at that time between \e from and \e to; above 1 if
-            too far */
+        /** \brief How far the bodies at \e key are from where they are at that time between \e from and \e to; above 1
+            if too far */
         double deviation(const Key &from, const Key &key, const Key &to) const;
 
         /** \brief Drop the keys that the others make up for (Douglas and Peucker) */

@@ -13,8 +13,8 @@ namespace ompl_certificates
     /** \brief The poses of a robot's bodies */
     using BodyPoses = std::vector<Pose>;
 
-    /** \brief What all pictures of a scene have in common: views, obstacles, goals and a legend, and how a team's states are
-        read. Spatial scenes have two views, from above and from the side. */
+    /** \brief What all pictures of a scene have in common: views, obstacles, goals and a legend, and how a team's
+        states are read. Spatial scenes have two views, from above and from the side. */
     class SceneDrawing
     {
     public:

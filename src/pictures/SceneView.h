@@ -39,8 +39,8 @@ namespace ompl_certificates
         /** \brief Where \e point of the workspace is in the picture */
         Eigen::Vector2d project(const Eigen::Vector3d &point) const;
 
-        /** \brief A view of the same kind for what is within \e radius of the workspace's origin, which is at the origin of
-            the picture */
+        /** \brief A view of the same kind for what is within \e radius of the workspace's origin, which is at the
+            origin of the picture */
         SceneView aroundOrigin(double radius) const;
 
         /** \brief The closed lines around what is seen of a part of a body at \e pose; inner lines are holes */
@@ -53,7 +53,8 @@ namespace ompl_certificates
                   int levels = 1) const;
 
     private:
-        /** \brief Outlines of a mesh: the whole, then parts nearer and nearer to the viewer. None if it is out of view. */
+        /** \brief Outlines of a mesh: the whole, then parts nearer and nearer to the viewer. None if it is out of
+            view. */
         std::vector<std::vector<MeshOutline::Loop>> outlinesOf(const TriangleMesh &mesh, const Pose &pose,
                                                                const ZInterval &zInterval, int levels) const;
 

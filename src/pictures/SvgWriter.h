@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief What moves in an animation: where its origin is at times from 0 to 1, and its angle, in radians, positive if it
-        turns left. Both change linearly from one time to the next. */
+    /** \brief What moves in an animation: where its origin is at times from 0 to 1, and its angle, in radians, positive
+        if it turns left. Both change linearly from one time to the next. */
     struct SvgMotion
     {
         std::vector<double> times;
@@ -24,8 +24,8 @@ namespace ompl_certificates
         /** \brief Open a group; what follows inherits its attributes */
         void beginGroup(const std::string &attributes);
 
-        /** \brief Open a group that moves, and begins anew after \e seconds. What follows is relative to its origin; viewers
-            without animations show it at its first position. */
+        /** \brief Open a group that moves, and begins anew after \e seconds. What follows is relative to its origin;
+            viewers without animations show it at its first position. */
         void beginMovingGroup(const SvgMotion &motion, double seconds);
 
         /** \brief Close the group opened last */
@@ -43,8 +43,8 @@ namespace ompl_certificates
         /** \brief Several closed polygons as one area; those inside others are holes */
         void area(const std::vector<std::vector<Eigen::Vector2d>> &polygons, const std::string &attributes = "");
 
-        /** \brief An area(), which jumps to the next of \e areas at each of \e times, from 0 to 1, and begins anew after
-            \e seconds */
+        /** \brief An area(), which jumps to the next of \e areas at each of \e times, from 0 to 1, and begins anew
+            after \e seconds */
         void changingArea(const std::vector<double> &times,
                           const std::vector<std::vector<std::vector<Eigen::Vector2d>>> &areas, double seconds);
 

@@ -29,8 +29,8 @@ namespace ompl_certificates
             shorten the path. Each later round does twice as much. */
         constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
 
-        /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have little
-            hope. */
+        /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
+            little hope. */
         constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
 
         /** The number of goal states that are taken from a goal region */

@@ -95,8 +95,9 @@ namespace ompl_certificates
             const char *description;
         };
 
-        /** Planners that need more than a space information are left out. TSRRT needs a task space, VFRRT a vector field,
-            XXL a decomposition and QRRT a sequence of spaces. Those that plan from experience need a database. */
+        /** Planners that need more than a space information are left out. TSRRT needs a task space, VFRRT a vector
+            field, XXL a decomposition and QRRT a sequence of spaces. Those that plan from experience need a
+            database. */
         const std::map<std::string, Entry> &planners()
         {
             static const std::map<std::string, Entry> table{

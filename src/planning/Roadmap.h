@@ -91,8 +91,8 @@ namespace ompl_certificates
             one. */
         Vertex add(const ompl::base::State *state);
 
-        /** \brief Draw \e samples states, and add those that are free until there are \e most vertices. Other roadmaps of the
-            team may grow at the same time in other threads. */
+        /** \brief Draw \e samples states, and add those that are free until there are \e most vertices. Other roadmaps
+            of the team may grow at the same time in other threads. */
         void grow(unsigned int samples, Vertex most);
 
         /** \brief Find a free path between two vertices. If the roadmap has none, RRTConnect looks for one with at most

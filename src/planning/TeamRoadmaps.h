@@ -10,7 +10,7 @@ namespace ompl_certificates
     /** \brief The roadmaps of a team, and what is known of its robots' motions against each other. Robots that are
         alike share a roadmap.
 
-        A vertex of the roadmaps' tensor product has a vertex for each robot; in a step, each robot takes an edge of its
+        A vertex of the roadmaps' tensor product has a vertex for each robot. In a step, each robot takes an edge of its
         roadmap, all in the same time, or stays.
 
         @par External documentation
@@ -56,8 +56,8 @@ namespace ompl_certificates
         /** \brief Add a free state of the team */
         Configuration add(const ompl::base::State *state);
 
-        /** \brief Let each roadmap grow by \e count vertices, but to no more than \e most; by fewer if \e condition becomes
-            true. The number of threads changes nothing but the time. */
+        /** \brief Let each roadmap grow by \e count vertices, but to no more than \e most; by fewer if \e condition
+            becomes true. The number of threads changes nothing but the time. */
         void grow(std::uint64_t count, Vertex most, const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Whether two robots stay apart while each takes an edge of its roadmap, both of which are free.

@@ -63,7 +63,8 @@ namespace ompl_certificates
         std::shared_ptr<ompl::base::State> clone(unsigned int robot, const ompl::base::State *state) const;
 
     private:
-        /** \brief The knots before and after a time; twice the same one if that is at this time, or there is no other */
+        /** \brief The knots before and after a time; twice the same one if that is at this time, or there is no
+            other */
         std::pair<const Knot *, const Knot *> around(unsigned int robot, double time) const;
 
         const Team &team_;

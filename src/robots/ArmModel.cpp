@@ -53,31 +53,6 @@ namespace ompl_certificates
             }
             return first;
         }
-
-        Eigen::Vector3d middleOf(const Body &body)
-        {
-            Eigen::AlignedBox3d box;
-            for (const Body::Part &part : body.getParts())
-            {
-                const Eigen::AlignedBox3d bounds = part.shape.getBounds();
-                for (int i = 0; i < 8; ++i)
-                    box.extend(part.pose * bounds.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
-            }
-            Eigen::Vector3d middle = box.center();
-            if (body.getDimension() == 2)
-                middle.z() = 0.0;
-            return middle;
-        }
-
-        Body movedBy(const Body &body, const Eigen::Vector3d &shift)
-        {
-            if (shift.isZero(0.0))
-                return body;
-            std::vector<Body::Part> parts = body.getParts();
-            for (Body::Part &part : parts)
-                part.pose.pretranslate(shift);
-            return Body(parts);
-        }
     }
 
     ArmModel::ArmModel(const std::string &name, const KinematicTree &kinematicTree,
@@ -138,13 +113,12 @@ namespace ompl_certificates
     {
         for (std::size_t link = 0; link < tree.getLinks().size(); ++link)
         {
-            if (!tree.getLinks()[link].body)
+            const std::optional<PlacedBody> &centered = tree.getLinks()[link].centered;
+            if (!centered)
                 continue;
-            const Body &body = *tree.getLinks()[link].body;
-            const Eigen::Vector3d middle = middleOf(body);
             links.push_back(link);
-            bodies.push_back(movedBy(body, -middle));
-            places.push_back(JointFrames::placeAt(frames.getLink(link), poseAt(middle)));
+            bodies.push_back(centered->body);
+            places.push_back(JointFrames::placeAt(frames.getLink(link), centered->pose));
             chains.emplace_back(frames, 0, places.back());
         }
         if (bodies.empty())

@@ -30,8 +30,8 @@ namespace ompl_certificates
         /** \brief For each pair the first body seen from the second, then the other way round */
         std::vector<JointChain> pairChains;
 
-        /** \brief The coordinates of a state of \e space, in memory of this thread unless the state has them itself. Valid
-            until the next call in this thread. */
+        /** \brief The coordinates of a state of \e space, in memory of this thread unless the state has them itself.
+            Valid until the next call in this thread. */
         const double *coordinatesOf(const ompl::base::State *state) const;
 
         /** \brief The frames of a state, in memory of this thread: valid until the next call */

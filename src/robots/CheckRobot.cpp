@@ -188,8 +188,8 @@ namespace ompl_certificates
                        textOf(interval.last);
             }
 
-            /** Points at the bounding radius of a body that moves from \e before to \e after, and its origin: those
-                along the axes, and the one that the rotation moves in the direction of the translation */
+            /** Points at the bounding radius of a body that moves from \e before to \e after, and its origin. They lie
+                along the axes, and where the rotation moves a point in the direction of the translation. */
             std::vector<Eigen::Vector3d> pointsOf(std::size_t body, const Pose &before, const Pose &after) const
             {
                 const double radius = robot_.getBodies()[body].getBoundingRadius();

@@ -13,7 +13,8 @@ namespace ompl_certificates
     double signedTurnOf(const ompl::base::SO2StateSpace::StateType &from,
                         const ompl::base::SO2StateSpace::StateType &to);
 
-    /** \brief The angle that OMPL's interpolation in SO(3) turns through; very large where it jumps instead of turning */
+    /** \brief The angle that OMPL's interpolation in SO(3) turns through; very large where it jumps instead of
+        turning */
     double turnOf(const ompl::base::SO3StateSpace::StateType &from, const ompl::base::SO3StateSpace::StateType &to);
 
     /** \brief How far the position of an SE(2) state moves */

@@ -28,8 +28,8 @@ namespace ompl_certificates
                                                (middle - halfLength * axis).head<2>().norm());
                 if (radius == 0.0)
                     return direct;
-                // The largest distance of a convex body is at its rims. They are sampled; between two samples the squared
-                // distance grows by at most its curvature times the squared half of their angle.
+                // The largest distance of a convex body is at its rims. They are sampled; between two samples the
+                // squared distance grows by at most its curvature times the squared half of their angle.
                 constexpr int samples = 64;
                 const double step = std::acos(-1.0) / samples;
                 const Eigen::Vector3d x = axis.unitOrthogonal(), y = axis.cross(x);
@@ -153,9 +153,9 @@ namespace ompl_certificates
         if (steps_.empty())
             return {};
         const Eigen::Vector3d point = middle[frame_].origin + middle[frame_].axes.lazyProduct(point_);
-        // Seen from a joint, the point moves by the joints that are nearer to it. These add up to a bound of its way. In the
-        // middle of the motion its velocity and that of its turn are known. Second derivatives, by two joints, are at most
-        // the distance of the point from the axis of the nearer joint, and at most one for turns.
+        // Seen from a joint, the point moves by the joints that are nearer to it. These add up to a bound of its way.
+        // In the middle of the motion its velocity and that of its turn are known. Second derivatives, by two joints,
+        // are at most the distance of the point from the axis of the nearer joint, and at most one for turns.
         constexpr double far = std::numeric_limits<double>::infinity();
         double way = 0.0, angle = 0.0, acceleration = 0.0, turnAcceleration = 0.0;
         Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();

@@ -7,9 +7,9 @@ namespace ompl_certificates
 {
     /** \brief The forward kinematics of an arm.
 
-        Only joints that move make frames. All fixed transforms between them are multiplied in advance. Frame 0 is the workspace. A
-        frame's z axis is the joint's axis, and its origin lies on it. A PLANAR joint makes two frames, for its
-        translation and its turn, and so does a FLOATING one. */
+        Only joints that move make frames. All fixed transforms between them are multiplied in advance. Frame 0 is the
+        workspace. A frame's z axis is the joint's axis, and its origin lies on it. A PLANAR joint makes two frames, for
+        its translation and its turn, and so does a FLOATING one. */
     class JointFrames
     {
     public:

@@ -65,36 +65,84 @@ namespace ompl_certificates
             return a.type == b.type && a.origin.matrix() == b.origin.matrix() && a.axis == b.axis &&
                    a.lower == b.lower && a.upper == b.upper;
         }
+
+        Eigen::Vector3d middleOf(const Body &body)
+        {
+            Eigen::AlignedBox3d box;
+            for (const Body::Part &part : body.getParts())
+            {
+                const Eigen::AlignedBox3d bounds = part.shape.getBounds();
+                for (int i = 0; i < 8; ++i)
+                    box.extend(part.pose * bounds.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+            }
+            Eigen::Vector3d middle = box.center();
+            if (body.getDimension() == 2)
+                middle.z() = 0.0;
+            return middle;
+        }
+
+        std::optional<PlacedBody> centered(const std::optional<Body> &body)
+        {
+            if (!body)
+                return {};
+            const Eigen::Vector3d middle = middleOf(*body);
+            if (middle.isZero(0.0))
+                return PlacedBody{*body};
+            std::vector<Body::Part> parts = body->getParts();
+            for (Body::Part &part : parts)
+                part.pose.pretranslate(-middle);
+            return PlacedBody{Body(parts), poseAt(middle)};
+        }
     }
 
-    KinematicTree::KinematicTree(const std::string &root, std::optional<Body> body)
+    KinematicTree::KinematicTree(const std::string &root, const std::optional<Body> &body)
     {
         if (root.empty())
             throw ompl::Exception("A link needs a name");
-        links_.push_back({root, std::move(body), 0, {}});
+        links_.push_back({root, body, 0, {}, centered(body)});
         linkIndices_.emplace(root, 0);
     }
 
     std::size_t KinematicTree::addLink(const std::string &parent, const Joint &joint, const std::string &name,
-                                       std::optional<Body> body)
+                                       const std::optional<Body> &body)
     {
-        if (name.empty())
-            throw ompl::Exception("A link needs a name");
-        if (joint.name.empty())
-            throw ompl::Exception("link '" + name + "'", "its joint needs a name");
-        if (hasLink(name))
-            throw ompl::Exception("link '" + name + "'", "there is a link of that name already");
-        if (hasJoint(joint.name))
-            failAt(joint, "there is a joint of that name already");
         if (!hasLink(parent))
             failAt(joint, "there is no link '" + parent + "'");
-        check(joint);
+        return add({name, body, getLinkIndex(parent), joint, centered(body)});
+    }
+
+    std::size_t KinematicTree::add(Link link)
+    {
+        if (link.name.empty())
+            throw ompl::Exception("A link needs a name");
+        if (link.joint.name.empty())
+            throw ompl::Exception("link '" + link.name + "'", "its joint needs a name");
+        if (hasLink(link.name))
+            throw ompl::Exception("link '" + link.name + "'", "there is a link of that name already");
+        if (hasJoint(link.joint.name))
+            failAt(link.joint, "there is a joint of that name already");
+        check(link.joint);
+        link.joint.axis.normalize();
         const std::size_t index = links_.size();
-        links_.push_back({name, std::move(body), getLinkIndex(parent), joint});
-        links_.back().joint.axis.normalize();
-        linkIndices_.emplace(name, index);
-        jointIndices_.emplace(joint.name, index);
+        linkIndices_.emplace(link.name, index);
+        jointIndices_.emplace(link.joint.name, index);
+        links_.push_back(std::move(link));
         return index;
+    }
+
+    KinematicTree KinematicTree::hungOn(const std::string &root, const Joint &joint) const
+    {
+        KinematicTree tree(root);
+        for (std::size_t i = 0; i < links_.size(); ++i)
+        {
+            Link link = links_[i];
+            if (i == 0)
+                link.joint = joint;
+            else
+                ++link.parent;
+            tree.add(std::move(link));
+        }
+        return tree;
     }
 
     void KinematicTree::checkMimics() const

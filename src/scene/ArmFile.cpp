@@ -117,14 +117,10 @@ namespace ompl_certificates
         const auto &joint = semantics_->virtualJoint;
         if (joint && std::find(group.begin(), group.end(), joint->name) != group.end())
         {
-            const auto &links = tree_.getLinks();
-            tree = KinematicTree(joint->parentFrame);
             KinematicTree::Joint moving;
             moving.name = joint->name;
             moving.type = joint->type;
-            tree.addLink(joint->parentFrame, moving, links.front().name, links.front().body);
-            for (std::size_t i = 1; i < links.size(); ++i)
-                tree.addLink(links[links[i].parent].name, links[i].joint, links[i].name, links[i].body);
+            tree = tree_.hungOn(joint->parentFrame, moving);
         }
         for (const AttachedBody &body : attached)
         {

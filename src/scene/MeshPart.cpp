@@ -9,7 +9,8 @@ namespace ompl_certificates
     {
         constexpr std::size_t MOST_STEPS = 300000000;
         constexpr std::uint32_t NONE = 0xFFFFFFFFU;
-        /** Of vertices at one place no more than so many are compared: else a fan of n triangles would take n² steps. */
+        /** Of vertices at one place no more than so many are compared: else a fan of n triangles would take n²
+            steps. */
         constexpr unsigned int MOST_COMPARED = 300;
         /** Assimp takes normals and textures whose squared distance is no larger for the same. */
         constexpr float SAME = 1e-5F * 1e-5F;
@@ -86,7 +87,8 @@ namespace ompl_certificates
                 points.push_back(vertices[corner].point);
             flat = flatten(points);
         }
-        // The order in which Assimp cuts: from a convex polygon it takes the fan about the last corner, of four the first.
+        // The order in which Assimp cuts: from a convex polygon it takes the fan about the last corner, of four the
+        // first.
         std::size_t ear = rest.size() == 4 ? 1 : 0;
         for (std::size_t count = rest.size(); count > 3; --count)
         {

@@ -23,8 +23,8 @@ namespace ompl_certificates
     /** \brief What is wrong with a file that has other points */
     constexpr const char *NO_POINT = "a vertex has a coordinate that is not a finite number of at most 1e9";
 
-    /** \brief A part of a mesh file that has vertices of its own: an OBJ group, the solid of an STL file, or a primitive
-        of COLLADA */
+    /** \brief A part of a mesh file that has vertices of its own: an OBJ group, the solid of an STL file, or a
+        primitive of COLLADA */
     class MeshPart
     {
     public:
@@ -55,13 +55,14 @@ namespace ompl_certificates
         /** \brief Add a triangle between the last three vertices. */
         void closeTriangle();
 
-        /** \brief Add a polygon, which may be concave, cut into triangles; with two corners or one it is a line or a point.
+        /** \brief Add a polygon, which may be concave, cut into triangles; with two corners or one it is a line or a
+            point.
             \param work counts the steps of cutting polygons in the whole file
             \throws std::runtime_error if polygons need too many steps */
         void addPolygon(const std::vector<std::uint32_t> &corners, std::size_t &work);
 
-        /** \brief The vertices that Assimp, whose mean OMPL.app takes, keeps after joining equal ones: those at one place,
-            as floats, whose normals and textures are nearly the same. Asked for once all is added. */
+        /** \brief The vertices that Assimp, whose mean OMPL.app takes, keeps after joining equal ones: those at one
+            place, as floats, whose normals and textures are nearly the same. Asked for once all is added. */
         const std::vector<std::uint32_t> &getDistinct();
 
     private:

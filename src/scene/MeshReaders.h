@@ -12,11 +12,12 @@ namespace ompl_certificates
         \throws std::runtime_error that names line and value if there is something wrong, as the other readers do */
     void readObj(std::string_view content, MeshCollector &mesh);
 
-    /** \brief Read the content of an STL file. It is binary if its size is what its number of facets needs, else a text. */
+    /** \brief Read the content of an STL file. It is binary if its size is what its number of facets needs, else a
+        text. */
     void readStl(std::string_view content, MeshCollector &mesh);
 
-    /** \brief Read the content of a PLY file, binary or a text. Elements and properties other than the vertices and faces
-        may be there. */
+    /** \brief Read the content of a PLY file, binary or a text. Elements and properties other than the vertices and
+        faces may be there. */
     void readPly(std::string_view content, MeshCollector &mesh);
 
     /** \brief Read the content of a COLLADA file: all geometries where the nodes of its scene place them, in meters and

@@ -119,8 +119,8 @@ namespace ompl_certificates
                 return static_cast<std::size_t>(number < 0 ? static_cast<long long>(count) + number : number - 1);
             }
 
-            /** A new part begins where vertices are no longer joined with those before: with a new object, another group, or
-                another material than faces had before. */
+            /** A new part begins where vertices are no longer joined with those before: with a new object, another
+                group, or another material than faces had before. */
             void changePart(std::string_view keyword, const std::string &name)
             {
                 bool isNew = keyword == "o" && objects_.insert(name).second;

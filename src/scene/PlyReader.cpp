@@ -43,7 +43,8 @@ namespace ompl_certificates
             {"double", typeOf<double>()},        {"float64", typeOf<double>()},
         };
 
-        /** The properties of vertices that count. In a face the list of its vertices does; all others are for nothing. */
+        /** The properties of vertices that count. In a face the list of its vertices does; all others are for
+            nothing. */
         const std::vector<std::string> USES{"x", "y", "z", "nx", "ny", "nz", "s", "t", "u", "v"};
         constexpr std::size_t NORMAL = 3, TEXTURE = 6, INDICES = 10, NOTHING = 11;
 
@@ -135,7 +136,8 @@ namespace ompl_certificates
                 rest_ = text_.getRest();
             }
 
-            /** \return whether \e words are an element, of which there can be so many. Triangle strips are not supported. */
+            /** \return whether \e words are an element, of which there can be so many. Triangle strips are not
+                supported. */
             bool addElement(const std::vector<std::string> &words)
             {
                 std::size_t count;

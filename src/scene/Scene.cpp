@@ -1,5 +1,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
+#include "ompl_certificates/robots/Arm.h"
+
 #include <algorithm>
 #include <ompl/util/Exception.h>
 #include <sstream>
@@ -18,6 +20,19 @@ namespace ompl_certificates
                 text << (i == 0 ? "[" : ", ") << values[i];
             text << "]";
             return text.str();
+        }
+
+        /** What helps if two arms have a link at the same place: they are parts of one robot. */
+        std::string hintOn(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
+                           const std::vector<Pose> &others)
+        {
+            const auto *arm = dynamic_cast<const Arm *>(&first), *other = dynamic_cast<const Arm *>(&second);
+            for (std::size_t i = 0; arm && other && i < poses.size(); ++i)
+                for (std::size_t k = 0; k < others.size(); ++k)
+                    if (arm->getLinkOfBody(i) == other->getLinkOfBody(k) && poses[i].matrix() == others[k].matrix())
+                        return ": both have link '" + arm->getLinkOfBody(i) +
+                               "' there; arms of one robot are planned for by one group that has the joints of both";
+            return "";
         }
     }
 
@@ -176,6 +191,8 @@ namespace ompl_certificates
         for (unsigned int first = 0; first < team->getRobotCount(); ++first)
             for (unsigned int second = first + 1; second < team->getRobotCount(); ++second)
                 if (!checker.isPairFree(first, teamState->components[first], second, teamState->components[second]))
-                    throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap");
+                    throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap" +
+                                                       hintOn(team->getRobot(first), poses[first],
+                                                              team->getRobot(second), poses[second]));
     }
 }

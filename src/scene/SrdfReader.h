@@ -22,8 +22,8 @@ namespace ompl_certificates
             KinematicTree::JointType type;
         };
 
-        /** \brief Read \e file about the links and joints of \e tree. Names that the tree does not have are errors in groups and states;
-            in pairs of links they are noted.
+        /** \brief Read \e file about the links and joints of \e tree. Names that the tree does not have are errors in
+            groups and states; in pairs of links they are noted.
             \throws ompl::Exception see ArmFile */
         SrdfModel(const std::string &file, const KinematicTree &tree);
 

@@ -4,6 +4,7 @@
 #include "XmlFile.h"
 
 #include <console_bridge/console.h>
+#include <map>
 #include <mutex>
 #include <ompl/util/Exception.h>
 #include <set>
@@ -127,6 +128,12 @@ namespace ompl_certificates
         /** What urdfdom would not notice, or not name */
         void check(const XmlFile &file, pugi::xml_node robot)
         {
+            // urdfdom takes its complaint about a wrong number for the format of printf().
+            const std::set<std::string> words{"name", "link", "joint", "type", "filename"};
+            for (const pugi::xpath_node &found : robot.select_nodes(".//@*[contains(., '%')]"))
+                if (words.count(found.attribute().name()) == 0)
+                    file.fail(found.parent(), std::string(found.attribute().name()) + ": must be numbers, not '" +
+                                                  found.attribute().value() + "'");
             std::size_t links = 0;
             for ([[maybe_unused]] const pugi::xml_node link : robot.children("link"))
                 ++links;
@@ -156,35 +163,26 @@ namespace ompl_certificates
             }
         }
 
+        KinematicTree::JointType typeOf(const urdf::Joint &joint)
+        {
+            using Type = KinematicTree::JointType;
+            static const std::map<int, Type> types{
+                {urdf::Joint::REVOLUTE, Type::REVOLUTE},   {urdf::Joint::CONTINUOUS, Type::CONTINUOUS},
+                {urdf::Joint::PRISMATIC, Type::PRISMATIC}, {urdf::Joint::FLOATING, Type::FLOATING},
+                {urdf::Joint::PLANAR, Type::PLANAR},       {urdf::Joint::FIXED, Type::FIXED}};
+            const auto type = types.find(joint.type);
+            if (type == types.end())
+                throw ompl::Exception("its type is not known");
+            return type->second;
+        }
+
         KinematicTree::Joint jointOf(const urdf::Joint &joint)
         {
             using Type = KinematicTree::JointType;
             KinematicTree::Joint result;
             result.name = joint.name;
             result.origin = poseOf(joint.parent_to_joint_origin_transform);
-            switch (joint.type)
-            {
-                case urdf::Joint::REVOLUTE:
-                    result.type = Type::REVOLUTE;
-                    break;
-                case urdf::Joint::CONTINUOUS:
-                    result.type = Type::CONTINUOUS;
-                    break;
-                case urdf::Joint::PRISMATIC:
-                    result.type = Type::PRISMATIC;
-                    break;
-                case urdf::Joint::FLOATING:
-                    result.type = Type::FLOATING;
-                    break;
-                case urdf::Joint::PLANAR:
-                    result.type = Type::PLANAR;
-                    break;
-                case urdf::Joint::FIXED:
-                    result.type = Type::FIXED;
-                    break;
-                default:
-                    throw ompl::Exception("its type is not known");
-            }
+            result.type = typeOf(joint);
             result.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
             if (result.type == Type::REVOLUTE || result.type == Type::PRISMATIC)
             {

@@ -18,7 +18,8 @@ namespace ompl_certificates
         /** \brief Meshes for the scene in the file \e source, whose folder their paths are relative to */
         explicit YamlMeshes(const std::string &source);
 
-        /** \brief The body of the mesh shape that \e node describes: file, scale and reference, turned by \e rotation */
+        /** \brief The body of the mesh shape that \e node describes: file, scale and reference, turned by \e
+            rotation */
         Body read(const YamlNode &node, unsigned int dimension, const Eigen::Matrix3d &rotation);
 
     private:

@@ -7,7 +7,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief A node of a YAML file that knows its place: whatever is wrong with it is thrown as an ompl::Exception of
+    /** \brief A node of a YAML file that knows its place. Whatever is wrong with it is thrown as an ompl::Exception of
         one line that names the file, the line, the key and the value. */
     class YamlNode
     {

@@ -12,8 +12,8 @@ namespace ompl_certificates
 
     namespace
     {
-        /** Within wrappers, whose number is counted in \e wrappers. \e plain is set to whether they interpolate as what they
-            wrap. */
+        /** Within wrappers, whose number is counted in \e wrappers. \e plain is set to whether they interpolate as what
+            they wrap. */
         ob::StateSpacePtr innerSpace(ob::StateSpacePtr space, unsigned int &wrappers, bool &plain)
         {
             plain = true;

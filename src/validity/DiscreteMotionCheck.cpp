@@ -54,10 +54,10 @@ namespace ompl_certificates
                 context_.startInterval[subject] = check_.provenInterval(subjects_[subject], context_);
     }
 
-    SubjectVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
+    SubjectVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample, bool likelyFree)
     {
         const double samplesAhead = std::max(context_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
-        return settle(subject, static_cast<double>(sample) / segments_, 0.0, samplesAhead);
+        return settle(subject, static_cast<double>(sample) / segments_, 0.0, likelyFree ? samplesAhead : 0.0);
     }
 
     int DiscreteMotionCheck::samplesWithin(double interval) const
@@ -101,7 +101,7 @@ namespace ompl_certificates
         {
             const auto [subject, first, last] = queue[next];
             const int middle = (first + last) / 2;
-            const SubjectVerdict verdict = settleSample(subject, middle);
+            const SubjectVerdict verdict = settleSample(subject, middle, context_.freeMotions > 0.8 || next >= 3 * std::size_t(subjectCount_));
             if (!verdict.free)
                 return false;
             const int before = samplesWithin(verdict.before), after = samplesWithin(verdict.after);
@@ -129,7 +129,7 @@ namespace ompl_certificates
                 skip(subject, std::min(first, end) - 1);
                 for (int sample = first; sample <= last && sample < invalid;)
                 {
-                    const SubjectVerdict verdict = settleSample(subject, sample);
+                    const SubjectVerdict verdict = settleSample(subject, sample, true);
                     if (!verdict.free)
                     {
                         invalid = sample;

@@ -32,7 +32,7 @@ namespace ompl_certificates
         void proveFromStart();
 
         /** \brief Settles a subject at an inner sample */
-        SubjectVerdict settleSample(unsigned int subject, int sample);
+        SubjectVerdict settleSample(unsigned int subject, int sample, bool likelyFree);
 
         /** \brief The first and the last sample that neither end of the motion proves free */
         std::pair<int, int> openSamples(unsigned int subject) const;

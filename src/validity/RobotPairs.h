@@ -139,7 +139,7 @@ namespace ompl_certificates
         /** \brief Whether it pays to know how long two bodies stay apart */
         bool searchesGaps(const MotionSample &sample) const
         {
-            return makesCertificates(method_) && sample.samplesAhead > 10.0 && sample.requiredInterval == 0.0;
+            return makesCertificates(method_) && sample.samplesAhead > 0.0 && sample.requiredInterval == 0.0;
         }
 
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */

@@ -14,8 +14,9 @@ namespace
 {
     using Points = std::vector<Eigen::Vector3d>;
 
-    /** How far \e point is beyond the points along the directions that can hold a face: the normals of all pairs of
-        points in the plane, of all triples in space. Positive if and only if the point lies outside the hull. */
+    /** How far \e point is beyond the points along the directions that can hold a face. These are the normals of all
+        pairs of points in the plane, of all triples in space. Positive if and only if the point lies outside the
+        hull. */
     double farthestBeyond(const Points &points, unsigned int dimension, const Eigen::Vector3d &point)
     {
         double farthest = -std::numeric_limits<double>::infinity();

@@ -1,5 +1,6 @@
 #include "support/RandomBodies.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace ompl_certificates;
@@ -132,6 +133,40 @@ TEST(SphereTree, RefinesABoxToAnEighthOfItsRadius)
             finest = std::min(finest, node.ball.radius);
     EXPECT_NEAR(body.getSphereTree().getRoot().radius, std::sqrt(0.5), 1e-9);
     EXPECT_LE(finest, 0.13 * std::sqrt(0.5));
+}
+
+TEST(SphereTree, EnclosingBallLooksAtAllPointsThatMatter)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        // Far from the origin and long, so that rounding could leave out the farthest point.
+        const Eigen::Vector3d shift = random.point(3, 1e6), sizes = random.point(3, 2.0);
+        std::vector<Eigen::Vector3d> points;
+        for (std::size_t i = 0; i < 1 + seed % 100; ++i)
+            points.emplace_back(shift + sizes.cwiseProduct(random.chance(0.5)
+                                                               ? random.direction(3)
+                                                               : random.direction(3).cwiseSign().eval()));
+        Eigen::AlignedBox3d box;
+        for (const auto &point : points)
+            box.extend(point);
+        const auto farthestFrom = [&](const Eigen::Vector3d &center)
+        {
+            return *std::max_element(points.begin(), points.end(),
+                                     [&](const auto &a, const auto &b)
+                                     { return (a - center).norm() < (b - center).norm(); });
+        };
+        Eigen::Vector3d center = box.center();
+        double radius = (farthestFrom(center) - center).norm();
+        for (int i = 1; i <= 32; ++i)
+        {
+            const Eigen::Vector3d farthest = farthestFrom(center);
+            radius = std::min(radius, (farthest - center).norm());
+            center += (farthest - center) / (i + 1.0);
+        }
+        EXPECT_EQ(enclosingBall(points, 0.0).radius, radius);
+    }
 }
 
 TEST(SphereTree, EnclosingBallIsNearlyTheSmallest)

@@ -262,7 +262,8 @@ namespace ompl_certificates
 
     TEST(PlanAnimation, TurnsHalfwayRoundAsTheSpaceDoes)
     {
-        // Rounding decides which way round is shorter, for the space and for the picture, which has turned often before.
+        // Rounding decides which way round is shorter, for the space and for the picture, which has turned often
+        // before.
         const Planned planned = box();
         const ob::StateSpace &space = *planned.setup->getStateSpace();
         ob::ScopedState<> middle(planned.setup->getStateSpace());
@@ -312,7 +313,8 @@ namespace ompl_certificates
 
     TEST(PlanAnimation, OutlinesInSpaceChangeAsBodiesTurn)
     {
-        // Seen from above a box of 2 x 1 x 0.5 becomes one of 2 x 0.5 when it is turned about x. The ball stays a circle.
+        // Seen from above a box of 2 x 1 x 0.5 becomes one of 2 x 0.5 when it is turned about x. The ball stays a
+        // circle.
         const Planned planned(
             sceneFromYaml("environment: {min: [0, 0, 0], max: [10, 10, 10]}\n"
                           "robots:\n"

@@ -1,12 +1,12 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 #include "support/Quiet.h"
 
 #include <gtest/gtest.h>
 #include <map>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -100,13 +100,8 @@ namespace
     }
 }
 
-class Trees : public testing::TestWithParam<std::string>
+class Trees : public ErrorsOnly<std::string>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(Trees, AreTheSameUnderAllMethods)

@@ -14,8 +14,8 @@ namespace
         double bodies{0.0}, pairs{0.0}, count{0.0}, pairCount{0.0};
     };
 
-    /** No point moves farther than its motion bound, densely sampled, in the workspace and seen from other links. \return
-        sums of bound / truth, for the points that move farthest */
+    /** No point moves farther than its motion bound, densely sampled, in the workspace and seen from other links.
+        \return sums of bound / truth, for the points that move farthest */
     Tightness expectBounds(const Arm &arm, int motions, double fraction)
     {
         const ob::StateSpacePtr space = arm.getStateSpace();

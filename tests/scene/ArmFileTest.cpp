@@ -1,65 +1,27 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/robots/CheckRobot.h"
+#include "support/ArmTexts.h"
 #include "support/Folder.h"
+#include "support/Message.h"
 #include "support/Random.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
-#include <ompl/util/Exception.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <set>
 
 namespace ompl_certificates
 {
     namespace fs = std::filesystem;
+    using namespace test;
 
     namespace
     {
         const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
         const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
-
-        const std::string SPHERE = "<collision><geometry><sphere radius='0.1'/></geometry></collision>";
-        const std::string LIMIT = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
-
-        std::string link(const std::string &name, const std::string &content = SPHERE)
-        {
-            return "<link name='" + name + "'>" + content + "</link>\n";
-        }
-
-        std::string joint(const std::string &name, const std::string &type, const std::string &parent,
-                          const std::string &child, const std::string &content = "")
-        {
-            return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" +
-                   child + "'/>" + content + "</joint>\n";
-        }
-
-        std::string robot(const std::string &content)
-        {
-            return "<robot name='test'>\n" + content + "</robot>\n";
-        }
-
-        /** A base, an arm and a hand, which two joints connect */
-        std::string chain(const std::string &more = "")
-        {
-            return robot(
-                link("base") + link("arm") + link("hand") +
-                joint("first", "revolute", "base", "arm", "<origin xyz='0 0 0.3'/><axis xyz='0 1 0'/>" + LIMIT) +
-                joint("second", "continuous", "arm", "hand", "<origin xyz='0 0 0.3'/>") + more);
-        }
-
-        std::string messageOf(const std::function<void()> &function)
-        {
-            try
-            {
-                function();
-            }
-            catch (const ompl::Exception &exception)
-            {
-                return exception.what();
-            }
-            return "";
-        }
 
         Pose poseAtZero(const Arm &arm, const std::string &link)
         {
@@ -88,6 +50,61 @@ namespace ompl_certificates
         ASSERT_EQ(notes.size(), 1u);
         EXPECT_NE(notes[0].find("1 pairs"), std::string::npos) << notes[0];
         EXPECT_TRUE(poseAtZero(*arm, "hand").isApprox(poseAt({0, 0, 0.6})));
+        ompl::base::ScopedState<> bent(arm->getStateSpace());
+        bent = std::vector<double>{0.5 * M_PI, 0.0};
+        EXPECT_LT((arm->getLinkPose(bent.get(), "hand").translation() - Eigen::Vector3d(0.3, 0, 0.3)).norm(), 1e-12);
+        const auto limits = arm->getStateSpace()->as<ompl::base::CompoundStateSpace>()->getSubspace(0);
+        EXPECT_EQ(limits->as<ompl::base::RealVectorStateSpace>()->getBounds().low, std::vector<double>{-1.0});
+        EXPECT_EQ(limits->as<ompl::base::RealVectorStateSpace>()->getBounds().high, std::vector<double>{2.0});
+    }
+
+    TEST(ArmFile, ReadsMimicsTurnsAndTheOrderOfJoints)
+    {
+        const test::Folder folder;
+        const std::string up = "<origin xyz='0 0 0.3'/><axis xyz='0 1 0'/>";
+        const ArmFile file(folder.write(
+            "a.urdf",
+            robot(
+                link("base") + link("a") + link("b") + link("c") + link("d") +
+                joint("j", "revolute", "base", "a", up + LIMIT) +
+                joint("k", "revolute", "a", "b", up + LIMIT + "<mimic joint='j' multiplier='2' offset='0.1'/>") +
+                joint("l", "fixed", "b", "c", "<origin xyz='0 0 0.3'/><mimic joint='gone'/>") +
+                joint("m", "continuous", "c", "d", "<origin rpy='1 2 3'/><dynamics damping='x'/><safety_controller/>") +
+                link("e") + link("f") + joint("n", "continuous", "e", "f") + joint("o", "continuous", "a", "e"))));
+        EXPECT_EQ(file.getJoints(""), (std::vector<std::string>{"j", "m", "o", "n"})) << "depth first, as MoveIt";
+        const auto arm = file.makeArm("arm", "", {});
+        arm->getStateSpace()->setup();
+        ompl::base::ScopedState<> state(arm->getStateSpace());
+        state = std::vector<double>{0.5, 0.0, 0.0, 0.0};
+        const auto reach = [](double angle)
+        { return Eigen::Vector3d(0.3 * std::sin(angle), 0, 0.3 * std::cos(angle)); };
+        const Pose pose = arm->getLinkPose(state.get(), "d");
+        EXPECT_LT((pose.translation() - (Eigen::Vector3d(0, 0, 0.3) + reach(0.5) + reach(1.6))).norm(), 1e-12);
+        const auto about = [](double angle, const Eigen::Vector3d &axis) { return Eigen::AngleAxisd(angle, axis); };
+        using Axis = Eigen::Vector3d;
+        const Eigen::Matrix3d turn =
+            (about(1.6, Axis::UnitY()) * about(3, Axis::UnitZ()) * about(2, Axis::UnitY()) * about(1, Axis::UnitX()))
+                .toRotationMatrix();
+        EXPECT_TRUE(pose.linear().isApprox(turn, 1e-9)) << pose.linear();
+    }
+
+    TEST(ArmFile, KeepsPairsThatSeldomStayApart)
+    {
+        const test::Folder folder;
+        const std::string large = "<collision><geometry><sphere radius='98'/></geometry></collision>";
+        const ArmFile file(folder.write(
+            "a.urdf",
+            robot(link("base", large) + link("arm") + link("hand") + link("wrist", "") + link("tip") +
+                  joint("a", "fixed", "base", "arm") +
+                  joint("b", "prismatic", "arm", "hand", "<limit lower='0' upper='100' effort='1' velocity='1'/>") +
+                  joint("c", "continuous", "hand", "wrist", "<origin xyz='0 0 200'/>") +
+                  joint("d", "fixed", "wrist", "tip", "<origin xyz='0 1 0'/>"))));
+        std::set<std::string> pairs;
+        const auto arm = file.makeArm("arm", "", {});
+        for (const BodyPair &pair : arm->getBodyPairs())
+            pairs.insert(arm->getLinkOfBody(pair.first) + " " + arm->getLinkOfBody(pair.second));
+        // A joint connects hand and tip, through a link without geometry.
+        EXPECT_EQ(pairs, (std::set<std::string>{"arm tip", "base hand", "base tip"}));
     }
 
     TEST(ArmFile, LeavesOutPairsThatAlwaysCollide)
@@ -142,6 +159,7 @@ namespace ompl_certificates
         EXPECT_EQ(parts[0].shape.getMesh()->getVertices()[2], Eigen::Vector3d(0, 2, 0));
         EXPECT_EQ(parts[2].pose.translation(), Eigen::Vector3d(0, 0, 1));
         EXPECT_EQ(parts[2].shape.getMesh(), parts[3].shape.getMesh()) << "one file is one mesh";
+        EXPECT_EQ(parts[4].shape.getMesh()->getVertices()[2], Eigen::Vector3d(0, 1, 0)) << "another scale of a mesh";
 
         options.useVisuals = true;
         const ArmFile shown(name, "", options);
@@ -214,6 +232,8 @@ namespace ompl_certificates
             {one("revolute", "<axis xyz='0 0 z'/>" + LIMIT), {"z"}},
             {one("fixed", "<origin xyz='0 0'/>"), {"[j]"}},
             {one("fixed", "<origin xyz='0 0 1e300'/>"), {"'j'", "origin"}},
+            {one("fixed", "<origin xyz='%s%n 0 0'/>"), {"<origin>", "xyz", "'%s%n 0 0'"}},
+            {shape("<sphere radius='%s%s%n'/>"), {"<sphere>", "radius", "'%s%s%n'"}},
             {one("continuous", "<mimic joint='k'/>"), {"'j'", "'k'"}},
             {one("continuous", "<mimic joint='j'/>"), {"'j'"}},
             {shape("<sphere radius='-1'/>"), {"'a'", "collision 1", "radius", "-1"}},
@@ -261,83 +281,12 @@ namespace ompl_certificates
         EXPECT_EQ(file.makeArm("arm", "", {})->getStateSpace()->getDimension(), 99u);
     }
 
-    TEST(ArmFile, ReadsGroupsAndStates)
-    {
-        const test::Folder folder;
-        const std::string urdf = folder.write("a.urdf", chain());
-        const ArmFile file(urdf, folder.write("a.srdf", robot(R"(
-            <virtual_joint name='mount' type='planar' parent_frame='floor' child_link='base'/>
-            <group name='chain'><chain base_link='base' tip_link='hand'/></group>
-            <group name='joint'><joint name='second'/></group>
-            <group name='link'><link name='arm'/></group>
-            <group name='mobile'><joint name='mount'/><group name='link'/></group>
-            <group name='all'><group name='mobile'/><group name='joint'/><group name='all'/></group>
-            <group_state name='bent' group='chain'><joint name='first' value='0.5'/><joint name='second' value='-1'/></group_state>
-            <disable_collisions link1='hand' link2='arm' reason='Adjacent'/>
-            <disable_collisions link1='base' link2='ghost' reason='Adjacent'/>)")));
-        using Names = std::vector<std::string>;
-        EXPECT_EQ(file.getGroups(), (Names{"all", "chain", "joint", "link", "mobile"}));
-        EXPECT_EQ(file.getJoints("chain"), (Names{"first", "second"}));
-        EXPECT_EQ(file.getJoints("joint"), Names{"second"});
-        EXPECT_EQ(file.getJoints("link"), Names{"first"});
-        EXPECT_EQ(file.getJoints("all"), (Names{"mount", "first", "second"}));
-        EXPECT_EQ(file.getStates("chain"), Names{"bent"});
-        EXPECT_EQ(file.getState("chain", "bent").at("second"), -1.0);
-        EXPECT_NE(messageOf([&] { file.getJoints("none"); }).find("'chain'"), std::string::npos);
-        EXPECT_NE(messageOf([&] { file.getState("chain", "none"); }).find("'bent'"), std::string::npos);
-
-        std::vector<std::string> notes;
-        EXPECT_EQ(file.makeArm("arm", "chain", {}, &notes)->getBodyPairs().size(), 2u);
-        ASSERT_EQ(notes.size(), 1u);
-        EXPECT_NE(notes[0].find("ghost"), std::string::npos);
-        EXPECT_NE(messageOf([&] { file.makeArm("arm", "all", {}); }).find("bounds"), std::string::npos);
-        ArmFile::ArmSettings settings;
-        settings.bounds = ompl::base::RealVectorBounds(2);
-        settings.bounds->setLow(-1.0);
-        settings.bounds->setHigh(1.0);
-        const auto mobile = file.makeArm("arm", "all", settings);
-        EXPECT_EQ(mobile->getStateSpace()->getDimension(), 5u);
-        EXPECT_NO_THROW(checkRobot(*mobile, 200));
-    }
-
-    TEST(ArmFile, NamesWhatIsWrongInSrdf)
-    {
-        const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
-            {"<group/>", {"name"}},
-            {"<group name='a'/><group name='a'/>", {"'a'"}},
-            {"<group name='a'><joint name='x'/></group>", {"<joint>", "'x'"}},
-            {"<group name='a'><link name='x'/></group>", {"<link>", "'x'"}},
-            {"<group name='a'><group name='x'/></group>", {"<group>", "'x'"}},
-            {"<group name='a'><chain base_link='x' tip_link='hand'/></group>", {"base_link", "'x'"}},
-            {"<group name='a'><chain base_link='hand' tip_link='base'/></group>", {"'base'", "'hand'"}},
-            {"<group_state name='s' group='x'/>", {"'x'"}},
-            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='x'/></group_state>",
-             {"'first'", "'x'"}},
-            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='nan'/></group_state>",
-             {"'first'", "'nan'"}},
-            {"<virtual_joint name='v' type='x' parent_frame='w' child_link='base'/>", {"'x'"}},
-            {"<virtual_joint name='first' type='fixed' parent_frame='w' child_link='base'/>", {"'first'"}},
-            {"<disable_collisions link1='base'/>", {"link2"}},
-            {"<passive_joint name='x'/>", {"'x'"}},
-            {"<", {"not valid XML"}},
-        };
-        const test::Folder folder;
-        const std::string urdf = folder.write("a.urdf", chain());
-        for (const auto &[text, parts] : cases)
-        {
-            const std::string srdf = folder.write("a.srdf", robot(text));
-            const std::string message = messageOf([&] { ArmFile(urdf, srdf); });
-            EXPECT_NE(message.find(srdf), std::string::npos) << message << text;
-            for (const std::string &part : parts)
-                EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in " << message;
-        }
-    }
-
     TEST(ArmFile, CarriesBodies)
     {
         const test::Folder folder;
-        const ArmFile file(folder.write("a.urdf", chain()),
-                           folder.write("a.srdf", robot("<group name='a'><joint name='first'/></group>")));
+        const ArmFile file(
+            folder.write("a.urdf", chain()),
+            folder.write("a.srdf", robot("<group name='a'><joint name='first'/><joint name='second'/></group>")));
         ArmFile::ArmSettings settings;
         settings.attached.push_back({"tool", "hand", Body::box(0.1, 0.1, 0.5), poseAt({0.1, 0, 0.2}), {"arm"}});
         const auto arm = file.makeArm("arm", "a", settings);

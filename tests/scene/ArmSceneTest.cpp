@@ -1,11 +1,14 @@
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "support/ArmTexts.h"
+#include "support/Folder.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -108,7 +111,65 @@ namespace ompl_certificates
             "attached: [{name: bar, link: palm, shape: {type: sphere, radius: 0.05}, "
             "position: [0, 0, 0.2], touch_links: [left_finger, right_finger]}]");
         EXPECT_EQ(armOf(carrying)->getBodies().size(), armOf(sceneWith(""))->getBodies().size() + 1);
-        EXPECT_TRUE(armOf(carrying)->getTree().hasLink("bar"));
+        const auto team = carrying.makeTeam();
+        const auto start = carrying.makeStart(team);
+        const auto poseOf = [&](const std::string &link)
+        { return armOf(carrying)->getLinkPose(start->as<ompl::base::CompoundState>()->components[0], link); };
+        EXPECT_TRUE(poseOf("bar").isApprox(poseOf("palm") * poseAt({0, 0, 0.2}), 1e-9));
+    }
+
+    TEST(ArmScene, BodiesMayTouchTheLinksThatAreNamed)
+    {
+        const auto notesOf = [](const std::string &touching)
+        {
+            const Scene scene =
+                sceneWith("attached: [{name: ball, link: palm, shape: {type: sphere, radius: 0.2}" + touching + "}]");
+            std::string text;
+            for (const std::string &note : scene.getNotes())
+                text += note;
+            return text;
+        };
+        EXPECT_NE(notesOf("").find("left_finger and ball collide"), std::string::npos);
+        EXPECT_EQ(notesOf(", touch_links: [left_finger]").find("left_finger and ball collide"), std::string::npos);
+    }
+
+    TEST(ArmScene, OneFileServesWithAndWithoutGroups)
+    {
+        const std::string arm = "  - {type: urdf, file: arm6.urdf, ",
+                          ready = "group: arm, start: ready, goal: ready}\n";
+        const Scene scene =
+            sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n" + arm + "srdf: arm6.srdf, " +
+                              ready + arm + "start: [0, 0, 0, 0, 0, 0, 0], goal: [0, 0, 0, 0, 0, 0, 0]}\n",
+                          ARMS + "test.yaml");
+        EXPECT_EQ(scene.getMembers()[0].start.size(), 6u);
+        EXPECT_EQ(scene.getMembers()[1].start.size(), 7u);
+    }
+
+    TEST(ArmScene, MovesBasesWithinItsBoundsAndFindsPackages)
+    {
+        const test::Folder folder;
+        folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        folder.write("a.urdf", test::robot(test::link("base",
+                                                      "<collision><geometry><mesh filename='package://far/mesh.obj'/>"
+                                                      "</geometry></collision>")));
+        for (const std::string type : {"planar", "floating"})
+            folder.write(type + ".srdf", test::robot("<virtual_joint name='v' type='" + type +
+                                                     "' parent_frame='floor' child_link='base'/>"
+                                                     "<group name='all'><joint name='v'/></group>"));
+        const auto read = [&](const std::string &type, const std::string &state)
+        {
+            return sceneFromYaml(
+                "environment: {min: [-1, -2, 0], max: [1, 2, 3]}\nrobots:\n  - {type: urdf, file: "
+                "a.urdf, packages: {far: .}, group: all, srdf: " +
+                    type + ".srdf, start: " + state + ", goal: " + state + "}\n",
+                folder / "scene.yaml");
+        };
+        const Scene planar = read("planar", "[1, 2, 7]");
+        EXPECT_NEAR(planar.getMembers()[0].start[2], 7.0 - 2.0 * M_PI, 1e-12);
+        EXPECT_NO_THROW(planar.validate());
+        EXPECT_THROW(read("planar", "[1, 2.1, 0]").validate(), ompl::Exception);
+        EXPECT_EQ(read("floating", "[0, 0, 3, 0, 0, 0, 2]").getMembers()[0].start,
+                  (std::vector<double>{0, 0, 3, 0, 0, 0, 1}));
     }
 
     TEST(ArmScene, NamesWhatIsWrong)
@@ -175,11 +236,44 @@ namespace ompl_certificates
         }
     }
 
+    TEST(ArmScene, TwoArmsOfOneRobotAreOneRobot)
+    {
+        const Scene scene = loadScene(ARMS + "twin.yaml");
+        EXPECT_NO_THROW(scene.validate());
+        const auto arm = armOf(scene);
+        EXPECT_EQ(arm->getGroup().size(), 6u);
+        // The arms are checked against each other, but not in the pair that the SRDF file leaves out.
+        std::set<std::pair<std::string, std::string>> pairs;
+        for (const BodyPair &pair : arm->getBodyPairs())
+            pairs.emplace(arm->getLinkOfBody(pair.first), arm->getLinkOfBody(pair.second));
+        EXPECT_EQ(pairs.size(), 14u);
+        EXPECT_EQ(pairs.count({"left_forearm", "right_forearm"}), 1u);
+        EXPECT_EQ(pairs.count({"left_shoulder", "right_shoulder"}), 0u);
+        EXPECT_EQ(pairs.count({"torso", "right_shoulder"}), 0u);
+
+        const std::string robot = "  - {type: urdf, file: twin.urdf, srdf: twin.srdf, start: ahead, goal: ahead, ";
+        try
+        {
+            sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n" + robot +
+                              "group: left, joints: {right_lift: -1}}\n" + robot + "group: right}\n",
+                          ARMS + "test.yaml")
+                .validate();
+            FAIL() << "both have the torso";
+        }
+        catch (const ompl::Exception &exception)
+        {
+            EXPECT_NE(std::string(exception.what()).find("both have link 'torso' there; arms of one robot"),
+                      std::string::npos)
+                << exception.what();
+        }
+    }
+
     TEST(ArmScene, VerdictsAreThoseOfFcl)
     {
         ompl::RNG::setSeed(6);
         expectFclsVerdicts(loadScene(ARMS + "shelf.yaml"), 3000);
         expectFclsVerdicts(loadScene(ARMS + "two_arms.yaml"), 3000);
+        expectFclsVerdicts(loadScene(ARMS + "twin.yaml"), 3000);
     }
 
     TEST(ArmScene, VerdictsOfThePandaAreThoseOfFcl)

@@ -22,8 +22,8 @@ namespace ompl_certificates
         };
     }
 
-    /** No pose is certified against FCL's verdict: certificates that many poses, half of them close together, left behind
-        settle the next ones. */
+    /** No pose is certified against FCL's verdict: certificates that many poses, half of them close together, left
+        behind settle the next ones. */
     TEST_P(MeshPoses, VerdictsAreThoseOfFcl)
     {
         if (!fs::exists(GetParam()))

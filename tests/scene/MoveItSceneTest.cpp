@@ -1,4 +1,5 @@
 #include "support/Folder.h"
+#include "support/MeshTexts.h"
 
 #include "ompl_certificates/scene/MoveItFiles.h"
 
@@ -95,7 +96,7 @@ namespace ompl_certificates
                 OBJECTS +
                 "    - id: stack\n"
                 "      header: {frame_id: table}\n"
-                "      pose: {position: {x: 2, y: 0, z: 0}, orientation: {x: 0, y: 0, z: 1, w: 0}}\n"
+                "      pose: {position: {x: 2, y: 0, z: 0}, orientation: {x: 0, y: 0, z: 2, w: 0}}\n"
                 "      primitives:\n"
                 "        - {type: box, dimensions: [0.1, 0.2, 0.3]}\n"
                 "        - {type: cylinder, dimensions: [0.4, 0.05]}\n"
@@ -128,6 +129,62 @@ namespace ompl_certificates
                      "    - {id: ramp, meshes: [{resource: ramp.obj, dimensions: [2, 3, 1]}], mesh_poses: [{}]}\n");
             const Body &ramp = file.scene.getObstacles().front().body;
             EXPECT_NEAR(ramp.getBoundingRadius(), 3.0, 1e-9);
+        }
+
+        TEST_F(MoveItScene, MeshesOfFilesKeepTheirAxes)
+        {
+            const std::string file =
+                folder_.write("a.dae", test::collada("<node><instance_geometry url=\"#g\"/></node>", "Z_UP"));
+            for (const std::string &name : {std::string("a.dae"), "file://" + file})
+            {
+                const SceneFile scene = read(OBJECTS + "    - {id: a, meshes: [{resource: '" + name + "'}]}\n");
+                const Shape &shape = scene.scene.getObstacles().front().body.getParts().front().shape;
+                EXPECT_TRUE(shape.getBounds().max().isApprox(Eigen::Vector3d(1, 2, 0))) << name;
+            }
+        }
+
+        TEST_F(MoveItScene, ShapesAndOperationsMayBeNumbers)
+        {
+            const SceneFile file = read(OBJECTS +
+                                        "    - {id: a, operation: 0, primitives: [{type: 1, dimensions: [1, 2, 3]}, "
+                                        "{type: 2, dimensions: [4]}, {type: 3, dimensions: [5, 6]}]}\n");
+            const auto &obstacles = file.scene.getObstacles();
+            ASSERT_EQ(obstacles.size(), 3u);
+            EXPECT_EQ(obstacles[0].body, Body::box(1, 2, 3));
+            EXPECT_EQ(obstacles[1].body, Body::sphere(4));
+            EXPECT_EQ(obstacles[2].body, Body::cylinder(6, 5));
+        }
+
+        TEST_F(MoveItScene, TheBoundsHoldTheArmAndTheWorkspace)
+        {
+            // The arm is on the other side of the ball at its goal.
+            const SceneFile file = read(BALL), wide = read(BALL, REQUEST +
+                                                                     "workspace_parameters: {min_corner: [-9, -8, -7], "
+                                                                     "max_corner: [7, 8, 9]}\n");
+            EXPECT_LT(file.scene.getBounds().low[1], -0.4);
+            EXPECT_EQ(wide.scene.getBounds().low, (std::vector<double>{-9, -8, -7}));
+            EXPECT_EQ(wide.scene.getBounds().high, (std::vector<double>{7, 8, 9}));
+        }
+
+        TEST_F(MoveItScene, ObstaclesCanBeInTheFrameOfTheRoot)
+        {
+            const auto base = [](const std::string &height)
+            {
+                return "multi_dof_joint_state: {joint_names: [world_joint], transforms: [{translation: [0, 0, " +
+                       height + "], rotation: [0, 0, 0, 1]}]}";
+            };
+            const std::string scene =
+                OBJECTS + "    - {id: a, header: {frame_id: base}, primitives: [{type: sphere, dimensions: [0.1]}]}\n" +
+                "robot_state: {" + base("3") + "}\n";
+            const SceneFile file = read(scene);
+            EXPECT_EQ(file.scene.getObstacles().front().pose.translation(), Eigen::Vector3d(0, 0, 3));
+            const SceneFile moved = read(scene,
+                                         "group_name: arm\nstart_state: {joint_state: {name: [turn, bend], "
+                                         "position: [0, 0]}, " +
+                                             base("5") + "}\n" + GOAL);
+            ompl::base::ScopedState<> state(armOf(moved).getStateSpace());
+            state = std::vector<double>{0.0, 0.0};
+            EXPECT_EQ(armOf(moved).getLinkPose(state.get(), "base").translation(), Eigen::Vector3d(0, 0, 5));
         }
 
         TEST_F(MoveItScene, StartAndGoalAreThoseOfTheRequest)
@@ -182,6 +239,9 @@ namespace ompl_certificates
                                         "  entry_values: [[false, true, false, true], {enabled: [true, false, false, "
                                         "false]}, [false, false, true, true], [true, false, true, true]]\n");
             EXPECT_EQ(pairsOf(armOf(file)), (Pairs{"base upper", "base lower", "upper lower", "upper tip"}));
+            // One that is empty replaces nothing.
+            EXPECT_EQ(pairsOf(armOf(read(BALL + "allowed_collision_matrix: {}\n"))),
+                      (Pairs{"base lower", "base tip", "upper tip"}));
         }
 
         TEST_F(MoveItScene, HeldObjectsAreBodies)
@@ -216,6 +276,21 @@ namespace ompl_certificates
                     std::string::npos)
                     << exception.what();
             }
+        }
+
+        TEST_F(MoveItScene, TheStartMayHoldObjectsAndNotesAreKept)
+        {
+            // The bar is in the lower link at all times.
+            const SceneFile file =
+                read(BALL,
+                     "group_name: arm\nstart_state:\n  joint_state: {name: [turn, bend], position: [0, 0]}\n"
+                     "  attached_collision_objects:\n    - {link_name: tip, object: {id: bar, header: {frame_id: "
+                     "tip}, primitives: [{type: box, dimensions: [0.4, 0.02, 0.02]}]}}\n" +
+                         GOAL);
+            EXPECT_TRUE(armOf(file).getTree().hasLink("bar"));
+            ASSERT_EQ(file.scene.getNotes().size(), 1u);
+            EXPECT_NE(file.scene.getNotes().front().find("lower and bar collide in all states"), std::string::npos)
+                << file.scene.getNotes().front();
         }
 
         TEST_F(MoveItScene, IsKnownByItsKeys)
@@ -283,6 +358,8 @@ namespace ompl_certificates
                  "scene.yaml:1: world.octomap.octomap.data: not supported"},
                 {BALL + "link_padding: [{link_name: tip, padding: 0.01}]\n",
                  "scene.yaml:4: link_padding[0].padding: is not supported but as 0"},
+                {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",
+                 "scene.yaml:4: link_scale[1].scale: is not supported but as 1"},
                 {BALL + "robot_state: {joint_state: {name: [turn, knee], position: [0, 0]}}\n",
                  "scene.yaml:4: robot_state.joint_state.name[1]: there is no joint 'knee'"},
                 {BALL + "robot_state: {joint_state: {name: [turn, turn], position: [0, 0]}}\n",

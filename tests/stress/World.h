@@ -70,7 +70,8 @@ namespace ompl_certificates
             /** \brief For files of certificates */
             test::Folder folder;
 
-            /** \brief The same team among other obstacles, made when first asked for: it leaves foreign references in states */
+            /** \brief The same team among other obstacles, made when first asked for: it leaves foreign references in
+                states */
             const Checked &other();
 
             /** \brief States of this team's space, and two of another space with the same robots */

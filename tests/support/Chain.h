@@ -13,7 +13,8 @@ namespace ompl_certificates
 {
     namespace test
     {
-        /** \brief A chain of links on a fixed base, in the plane or in space. Each joint turns (SO(2)) or slides (R^1). */
+        /** \brief A chain of links on a fixed base, in the plane or in space. Each joint turns (SO(2)) or slides
+            (R^1). */
         class Chain : public Robot
         {
         public:

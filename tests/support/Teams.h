@@ -84,7 +84,8 @@ namespace ompl_certificates
             return team;
         }
 
-        /** \brief Two arms that may touch themselves, with links of several shapes and a joint that slides, and a sphere */
+        /** \brief Two arms that may touch themselves, with links of several shapes and a joint that slides, and a
+            sphere */
         inline TeamStateSpacePtr teamOfArms(double unit = 1.0)
         {
             const Pose next = poseAt({0.9 * unit, 0.0, 0.0});

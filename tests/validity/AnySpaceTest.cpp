@@ -1,3 +1,4 @@
+#include "support/ErrorsOnly.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/validity/Basic.h"
@@ -135,13 +136,8 @@ namespace
     }
 }
 
-class AnySpace : public testing::TestWithParam<unsigned int>
+class AnySpace : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(AnySpace, OfATeamGivesTheVerdictsOfFcl)

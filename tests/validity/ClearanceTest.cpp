@@ -1,8 +1,8 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 #include "support/MeshObstacles.h"
 
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -43,13 +43,8 @@ namespace
     }
 }
 
-class Clearance : public testing::TestWithParam<unsigned int>
+class Clearance : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)

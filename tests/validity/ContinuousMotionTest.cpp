@@ -1,8 +1,8 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -38,13 +38,8 @@ namespace
     }
 }
 
-class ContinuousMotions : public testing::TestWithParam<unsigned int>
+class ContinuousMotions : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(ContinuousMotions, ThatAreAcceptedNeverCollide)

@@ -1,8 +1,8 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -81,13 +81,8 @@ namespace
     }
 }
 
-class Motions : public testing::TestWithParam<unsigned int>
+class Motions : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(Motions, AreJudgedAsOmplsOwnValidatorDoes)

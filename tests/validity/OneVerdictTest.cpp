@@ -2,11 +2,11 @@
 
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
 #include <thread>
 
 using namespace ompl_certificates;
@@ -107,13 +107,8 @@ namespace
     }
 }
 
-class OneVerdict : public testing::TestWithParam<unsigned int>
+class OneVerdict : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(OneVerdict, OfOverloadsDirectionsMethodsAndWhateverIsKnown)

@@ -1,10 +1,10 @@
 #include "validity/RobotPairs.h"
 
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 #include "support/Fcl.h"
 
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -52,13 +52,8 @@ namespace
     }
 }
 
-class Pairs : public testing::TestWithParam<unsigned int>
+class Pairs : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(Pairs, TouchIfFclSaysSoOfTheirBodies)

@@ -1,8 +1,8 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -115,13 +115,8 @@ namespace
     }
 }
 
-class PlanarRounding : public testing::TestWithParam<unsigned int>
+class PlanarRounding : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(PlanarRounding, LeavesTheBallsOfABodyExactlyInThePlane)

@@ -4,11 +4,11 @@
 
 #include "support/Chain.h"
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 #include "support/Fcl.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -55,13 +55,8 @@ namespace
     }
 }
 
-class SelfCollision : public testing::TestWithParam<unsigned int>
+class SelfCollision : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(SelfCollision, IsWhatFclSaysOfTheBodyPairs)

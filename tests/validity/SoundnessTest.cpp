@@ -1,8 +1,8 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 #include "support/ExpensiveObstacles.h"
 
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -149,13 +149,8 @@ namespace
 }
 
 /** The dimension, and whether there are meshes */
-class Soundness : public testing::TestWithParam<std::tuple<unsigned int, bool>>
+class Soundness : public ErrorsOnly<std::tuple<unsigned int, bool>>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(Soundness, VerdictsAreThoseOfTheStandardCheck)

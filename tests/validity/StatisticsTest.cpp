@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <atomic>
 #include <chrono>
@@ -60,13 +61,8 @@ namespace
     };
 }
 
-class StatisticsOfATeam : public testing::TestWithParam<unsigned int>
+class StatisticsOfATeam : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(StatisticsOfATeam, AddUp)

@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/ErrorsOnly.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -158,13 +159,8 @@ namespace
     }
 }
 
-class UserParts : public testing::TestWithParam<unsigned int>
+class UserParts : public ErrorsOnly<unsigned int>
 {
-protected:
-    void SetUp() override
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    }
 };
 
 TEST_P(UserParts, ObstaclesWithALowerBoundOnlyGiveEqualVerdicts)

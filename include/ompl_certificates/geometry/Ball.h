@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_BALL_
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace ompl_certificates
 {
@@ -28,26 +29,35 @@ namespace ompl_certificates
             high = high.cwiseMax(point);
         }
         // Badoiu and Clarkson's iteration, started at the middle of the box, which is exact for symmetric shapes.
-        const auto farthestFrom = [&points](const Eigen::Vector3d &center, double &distance)
+        const Eigen::Vector3d middle = 0.5 * (low + high);
+        const Eigen::Vector3d *farthest = nullptr;
+        std::vector<double> reaches;  // the points' distances from the middle
+        reaches.reserve(points.size());
+        Ball best{middle, -1.0};
+        for (const Eigen::Vector3d &point : points)
         {
-            const Eigen::Vector3d *farthest = nullptr;
-            distance = -1.0;
-            for (const Eigen::Vector3d &point : points)
-                if (const double d = (point - center).norm(); d > distance)
-                {
-                    distance = d;
-                    farthest = &point;
-                }
-            return farthest;
-        };
-        Ball best;
-        best.center = 0.5 * (low + high);
-        farthestFrom(best.center, best.radius);
-        Eigen::Vector3d center = best.center;
+            reaches.push_back((point - middle).norm());
+            if (reaches.back() > best.radius)
+            {
+                best.radius = reaches.back();
+                farthest = &point;
+            }
+        }
+        Eigen::Vector3d center = middle;
         for (int i = 1; i <= 32; ++i)
         {
-            double distance;
-            const Eigen::Vector3d *farthest = farthestFrom(center, distance);
+            // By the triangle inequality, points nearer to the middle than this are not the farthest from the center.
+            const double shift = (center - middle).norm(), known = (*farthest - center).norm();
+            const double least = (known - shift) - 1e-12 * (known + shift);
+            double distance = -1.0;
+            std::size_t index = 0;
+            for (const Eigen::Vector3d &point : points)
+                if (reaches[index++] >= least)
+                    if (const double d = (point - center).norm(); d > distance)
+                    {
+                        distance = d;
+                        farthest = &point;
+                    }
             if (distance < best.radius)
                 best = Ball{center, distance};
             center += (*farthest - center) / (i + 1.0);

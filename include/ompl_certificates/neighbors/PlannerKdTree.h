@@ -90,8 +90,9 @@ namespace ompl_certificates
 
         If the space is not given, the first state added tells it. The tree steps aside where it cannot know the
         distance:
-        - GNAT takes elements that do not show a state: the vertices of PRM, LazyPRM, SPARS and SPARStwo. It takes states
-          of spaces other than SearchableStateSpace, too. Neither applies if the constructor is given states and space.
+        - GNAT takes elements that do not show a state: the vertices of PRM, LazyPRM, SPARS and SPARStwo. It takes
+          states of spaces other than SearchableStateSpace, too. Neither applies if the constructor is given states and
+          space.
         - GNAT also takes distance functions other than the space's distance, which the first few elements show. So it
           does with states outside the space: an angle out of its range, a coordinate that is not a number.
         - A linear search takes a distance that is not even symmetric: GNAT's answers would be wrong.

@@ -13,8 +13,8 @@ namespace ompl_certificates
     class ProductTree;
     class TeamRoadmaps;
 
-    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product,
-        where each robot moves along an edge of its roadmap in each step, or waits.
+    /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product.
+        There each robot moves along an edge of its roadmap in each step, or waits.
 
         Robots that are alike share a roadmap, and all ask the team's one checker, so what one robot learns of the
         obstacles serves all. Edges are checked when they are needed, and edges of two robots against each other once.
@@ -32,8 +32,8 @@ namespace ompl_certificates
         checking.
 
         Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. If the motion validator is a
-        CertificateMotionValidator, it checks single robots and pairs, too; else one of its own does, in discrete mode. All
-        motions that are returned are valid for the space information's motion validator.
+        CertificateMotionValidator, it checks single robots and pairs, too; else one of its own does, in discrete mode.
+        All motions that are returned are valid for the space information's motion validator.
 
         @par External documentation
         K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
@@ -111,8 +111,8 @@ namespace ompl_certificates
             return smoothing_;
         }
 
-        /** \brief How many threads let the roadmaps of robots that are not alike grow; the default is 1, and 0 stands for
-            as many as there are cores. Paths are equal for any number of threads. The rest of the planner uses one
+        /** \brief How many threads let the roadmaps of robots that are not alike grow; the default is 1, and 0 stands
+            for as many as there are cores. Paths are equal for any number of threads. The rest of the planner uses one
             thread. Parameter threads. Takes effect as setSharesRoadmaps() does. */
         void setThreads(unsigned int threads)
         {

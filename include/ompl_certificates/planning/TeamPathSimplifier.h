@@ -14,8 +14,9 @@ namespace ompl_certificates
 
         ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free
         for many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
-        A change is kept if it lowers the cost and the motion validator accepts the motions that change. The cost of a path
-        must be the sum of its motions' costs, as of all objectives of this library; that of the rest is not looked at.
+        A change is kept if it lowers the cost and the motion validator accepts the motions that change. The cost of a
+        path must be the sum of its motions' costs, as of all objectives of this library; that of the rest is not looked
+        at.
 
         @par External documentation
         R. Geraerts, M. Overmars, Creating high-quality paths for motion planning, 2007 (partial shortcuts). */
@@ -31,8 +32,8 @@ namespace ompl_certificates
         bool simplify(ompl::geometric::PathGeometric &path, std::uint64_t attempts,
                       const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Try changes of a valid path as long as they help: until some 20 for each of its corners lower the
-            cost by less than a thousandth, or \e condition becomes true
+        /** \brief Try changes of a valid path as long as they help. It ends when some 20 for each of its corners lower
+            the cost by less than a thousandth, or when \e condition becomes true.
             \return whether the path has a lower cost now */
         bool simplify(ompl::geometric::PathGeometric &path, const ompl::base::PlannerTerminationCondition &condition);
 

@@ -21,8 +21,8 @@ namespace ompl_certificates
         /** \brief The pose of the tree's root link in the workspace */
         Pose base{Pose::Identity()};
 
-        /** \brief The values of joints that the arm does not move, within their limits or not. A REVOLUTE, CONTINUOUS or
-            PRISMATIC joint that is not named here has the value that is nearest to 0 within its limits. Values of
+        /** \brief The values of joints that the arm does not move, within their limits or not. A REVOLUTE, CONTINUOUS
+            or PRISMATIC joint that is not named here has the value that is nearest to 0 within its limits. Values of
             joints that mimic others are ignored: they follow. */
         std::map<std::string, double> jointValues{};
 
@@ -36,21 +36,21 @@ namespace ompl_certificates
 
     /** \brief A robot of links and joints: a manipulator, a gripper, a mobile manipulator, a whole humanoid.
 
-        It moves some joints of its tree, the group. All others keep their values. Each link with shapes is one body, also those
-        that the group does not move: other links may collide with them.
+        It moves some joints of its tree, the group. All others keep their values. Each link with shapes is one body,
+        also those that the group does not move: other links may collide with them.
 
         The state space is an ompl::base::RealVectorStateSpace of the joints' values, within their limits, if all
-        joints of the group are REVOLUTE or PRISMATIC. Otherwise it is an ompl::base::CompoundStateSpace, in the order of the
-        group: neighboring REVOLUTE and PRISMATIC joints are an R^n together, CONTINUOUS joints are SO(2), PLANAR ones SE(2)
-        and FLOATING ones SE(3). All components have weight 1. So the coordinates of a state, as of
+        joints of the group are REVOLUTE or PRISMATIC. Otherwise it is an ompl::base::CompoundStateSpace, in the order
+        of the group. Neighboring REVOLUTE and PRISMATIC joints are an R^n together, CONTINUOUS joints are SO(2), PLANAR
+        ones SE(2) and FLOATING ones SE(3). All components have weight 1. So the coordinates of a state, as of
         ompl::base::StateSpace::copyToReals(), are those of the group's joints, in their order.
 
-        The frame of a body is not that of its link. It is parallel, and its origin is the middle of the body, which makes
-        motion bounds small. getLinkPose() tells where links are.
+        The frame of a body is not that of its link. It is parallel, and its origin is the middle of the body, which
+        makes motion bounds small. getLinkPose() tells where links are.
 
         Motion bounds add up joint by joint what each can do along the motion, by the largest distance between its axis
-        and the middle of the body. Where joints work against each other they are smaller: the speed in the middle of the
-        motion and a bound of the acceleration bound the speed. */
+        and the middle of the body. Where joints work against each other they are smaller: the speed in the middle of
+        the motion and a bound of the acceleration bound the speed. */
     class Arm : public Robot
     {
     public:
@@ -59,9 +59,10 @@ namespace ompl_certificates
             \param tree the links and the joints; planar if its bodies are
             \param group the names of the joints that are planned for, in the order of the coordinates of a state
             \param options the base, values of other joints, pairs of links that may collide, bounds
-            \throws ompl::Exception that names the joint or the link if there is no such joint or link, if no link has a body, if
-            the group is empty or has more than MAX_JOINTS coordinates, if a joint is named twice, does not move or mimics another one, if a
-            value is not finite, if bounds are missing, or if a planar arm leaves the plane
+            \throws ompl::Exception that names the joint or the link: if there is no such joint or link, or if no link
+            has a body. The group must not be empty or have more than MAX_JOINTS coordinates. A joint of it that is
+            named twice, does not move or mimics another one is an error. So are a value that is not finite, bounds that
+            are missing, and a planar arm that leaves the plane.
             Cost: milliseconds for an arm of 20 bodies; it grows with the pairs of links and the joints between them. */
         Arm(const std::string &name, const KinematicTree &tree, const std::vector<std::string> &group,
             const ArmOptions &options = {});
@@ -82,7 +83,8 @@ namespace ompl_certificates
         /** \brief The last one of those that most joints move */
         std::size_t getTracedBody() const override;
 
-        /** \brief The pose of a link's frame in the workspace, such as that of the tool. Costs as much as computePoses().
+        /** \brief The pose of a link's frame in the workspace, such as that of the tool. Costs as much as
+            computePoses().
             \throws ompl::Exception if there is no such link */
         Pose getLinkPose(const ompl::base::State *state, const std::string &link) const;
 

@@ -23,15 +23,16 @@ namespace ompl_certificates
         }
     };
 
-    /** \brief How fast the two bodies of a BodyPair move relative to each other, along a motion whose time runs from 0 to 1.
+    /** \brief How fast the two bodies of a BodyPair move relative to each other, along a motion whose time runs from 0
+        to 1.
 
         One bound would do. But for a chain of links the two differ, and the smaller one is used. */
     struct PairMotionBound
     {
-        /** \brief The motion bound of the first body, seen from the frame of the second. It bounds distances: take a point of
-            the first body's frame, at distance d from its origin, and any point within the second body's bounding
-            radius. The distance between the two changes by at most (linear + angular * d) * dt in any interval of
-            length dt. */
+        /** \brief The motion bound of the first body, seen from the frame of the second. It bounds distances: take a
+            point of the first body's frame, at distance d from its origin, and any point within the second body's
+            bounding radius. The distance between the two changes by at most (linear + angular * d) * dt in any interval
+            of length dt. */
         MotionBound first;
 
         /** \brief The motion bound of the second body, seen from the frame of the first */

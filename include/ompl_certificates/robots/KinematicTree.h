@@ -10,7 +10,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Links and the joints between them, as in a URDF file: every link but the root has one joint, to its parent.
+    /** \brief Links and the joints between them, as in a URDF file: every link but the root has one joint, to its
+        parent.
 
         A tree says what can move; an Arm says which of its joints do. Lengths are in the scene's unit, angles in
         radians. Copies share the bodies. */
@@ -28,7 +29,8 @@ namespace ompl_certificates
             CONTINUOUS,
             /// It moves along the axis, between its limits.
             PRISMATIC,
-            /// It moves in the plane across the axis and turns about the axis: x, y and yaw in a frame whose z is the axis.
+            /// It moves in the plane across the axis and turns about the axis: x, y and yaw in a frame whose z is the
+            /// axis.
             PLANAR,
             /// It moves and turns freely: x, y, z and a quaternion.
             FLOATING
@@ -56,8 +58,8 @@ namespace ompl_certificates
             /** \brief How it moves */
             JointType type{JointType::FIXED};
 
-            /** \brief The joint's frame in that of the parent link. It is also the frame of the link when the joint's value is
-                zero. */
+            /** \brief The joint's frame in that of the parent link. It is also the frame of the link when the joint's
+                value is zero. */
             Pose origin{Pose::Identity()};
 
             /** \brief The axis, in the joint's frame, of any length above zero. Not of a FIXED or FLOATING joint. */
@@ -69,7 +71,8 @@ namespace ompl_certificates
             /** \brief The highest value of a REVOLUTE or PRISMATIC joint */
             double upper{0.0};
 
-            /** \brief The joint that this one follows, if it does. A REVOLUTE, CONTINUOUS or PRISMATIC joint alone can. */
+            /** \brief The joint that this one follows, if it does. A REVOLUTE, CONTINUOUS or PRISMATIC joint alone
+                can. */
             std::optional<Mimic> mimic{};
         };
 
@@ -87,23 +90,32 @@ namespace ompl_certificates
 
             /** \brief The joint to its parent; the root's is FIXED and has no name */
             Joint joint;
+
+            /** \brief The body in a frame parallel to the link's, with its origin in the body's middle, and that frame
+                in the link's. It is made once: all arms of a tree and of its copies share it. */
+            std::optional<PlacedBody> centered{};
         };
 
         /** \brief A tree of the link \e root alone
             \throws ompl::Exception if the name is empty */
-        explicit KinematicTree(const std::string &root, std::optional<Body> body = {});
+        explicit KinematicTree(const std::string &root, const std::optional<Body> &body = {});
 
         /** \brief Add the link \e name to \e parent
             \return its index
-            \throws ompl::Exception that names the link, the joint and the value if a name is empty or taken, if there is no such
-            parent, if a number is not finite, if the origin is no rotation and translation, if the axis is zero, if the
-            limits are missing or reversed, or if the joint mimics what cannot be: see checkMimics() */
+            \throws ompl::Exception that names the link, the joint and the value: if a name is empty or taken, or if
+            there is no such parent. Refused are also a number that is not finite, an origin that is no rotation and
+            translation, an axis of length zero, and limits that are missing or reversed. So is a joint that mimics what
+            cannot be; see checkMimics(). */
         std::size_t addLink(const std::string &parent, const Joint &joint, const std::string &name,
-                            std::optional<Body> body = {});
+                            const std::optional<Body> &body = {});
 
-        /** \brief Check what can be checked only when all joints are there: that each joint that is mimicked exists, has
-            one coordinate, and mimics none itself. A joint that follows a CONTINUOUS one must turn, by a whole multiple:
-            it would jump else, where the angle leaps from pi to -pi. Arm calls it.
+        /** \brief The same tree, hung by \e joint on a new root link without a body. The bodies are shared.
+            \throws ompl::Exception as addLink() */
+        KinematicTree hungOn(const std::string &root, const Joint &joint) const;
+
+        /** \brief Check what can be checked only when all joints are there: that each joint that is mimicked exists,
+            has one coordinate, and mimics none itself. A joint that follows a CONTINUOUS one must turn, by a whole
+            multiple: it would jump else, where the angle leaps from pi to -pi. Arm calls it.
             \throws ompl::Exception that names the joint */
         void checkMimics() const;
 
@@ -137,6 +149,8 @@ namespace ompl_certificates
         bool operator==(const KinematicTree &other) const;
 
     private:
+        std::size_t add(Link link);
+
         std::vector<Link> links_;
         std::map<std::string, std::size_t> linkIndices_, jointIndices_;
     };

@@ -49,15 +49,15 @@ namespace ompl_certificates
             return bodies_;
         }
 
-        /** \brief The pairs of its own bodies that may collide: the robot is free only if they are apart. Other pairs are
-            not checked, such as links that a joint connects. */
+        /** \brief The pairs of its own bodies that may collide: the robot is free only if they are apart. Other pairs
+            are not checked, such as links that a joint connects. */
         const std::vector<BodyPair> &getBodyPairs() const
         {
             return bodyPairs_;
         }
 
-        /** \brief The index of the body that stands for the robot where one point must do: in pictures of paths, and in the
-            projections of planners such as KPIECE. The first one by default; an arm has its hand. */
+        /** \brief The index of the body that stands for the robot where one point must do: in pictures of paths, and in
+            the projections of planners such as KPIECE. The first one by default; an arm has its hand. */
         virtual std::size_t getTracedBody() const
         {
             return 0;
@@ -82,8 +82,8 @@ namespace ompl_certificates
         virtual void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                          MotionBound *bounds) const = 0;
 
-        /** \brief Write how fast the bodies of each pair move relative to each other along that interpolation: one bound per
-            pair of getBodyPairs(), to \e pairBounds[0] and on.
+        /** \brief Write how fast the bodies of each pair move relative to each other along that interpolation: one
+            bound per pair of getBodyPairs(), to \e pairBounds[0] and on.
 
             By default the motion bounds of both bodies are added. That holds for any robot, but is far too large for
             links that move together.

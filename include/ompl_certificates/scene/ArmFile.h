@@ -33,29 +33,30 @@ namespace ompl_certificates
         std::vector<std::string> touchLinks{};
     };
 
-    /** \brief A robot's description: a URDF file, and an SRDF file that names groups of joints, their states, and pairs of links
-        that need no check.
+    /** \brief A robot's description: a URDF file, and an SRDF file that names groups of joints, their states, and pairs
+        of links that need no check.
 
         Read from URDF: links with their collision geometry (boxes, cylinders, spheres and meshes with their scale), and
-        joints with origin, axis, limits and mimic. Inertias, materials, transmissions and the like are left out, whatever
-        they say. A mesh is looked for
-        - package://name/path: in the folder of the package, if the options tell it; else as name/path or path in the folder of
-          the URDF file, and in each folder above it;
-        - file:///path: there;
+        joints with origin, axis, limits and mimic. Inertias, materials, transmissions and the like are left out,
+        whatever they say. A mesh is looked for
+        - package://name/path: in the folder of the package, if the options tell it. Else it is looked for as name/path
+          and as path, in the folder of the URDF file and in each folder above it.
+        - file:///path: there.
         - path: in the folder of the URDF file.
 
         COLLADA meshes keep their axes, as ROS reads them, and are brought to meters.
 
         Read from SRDF: groups of chains, joints, links and groups; group_state; disable_collisions,
-        disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors are
-        groups like others. Joints that are not of an arm's group have fixed values. */
+        disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors
+        are groups like others. Joints that are not of an arm's group have fixed values. */
     class ArmFile
     {
     public:
         /** \brief How files are read */
         struct Options
         {
-            /** \brief Whether links have the shapes that they show instead of those that are meant for collision checks */
+            /** \brief Whether links have the shapes that they show instead of those that are meant for collision
+                checks */
             bool useVisuals{false};
 
             /** \brief The folders of packages, by their names */
@@ -65,7 +66,8 @@ namespace ompl_certificates
         /** \brief What an arm is made with */
         struct ArmSettings
         {
-            /** \brief The pose of the root link in the workspace; with a virtual joint in the group, that of its parent frame */
+            /** \brief The pose of the root link in the workspace; with a virtual joint in the group, that of its parent
+                frame */
             Pose base{Pose::Identity()};
 
             /** \brief The values of joints that the group does not move, by their names */
@@ -82,9 +84,10 @@ namespace ompl_certificates
         };
 
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
-            \throws ompl::Exception with one line that names the file, the link or joint, the key and the value if a file or a mesh cannot be
-            read; if links and joints make no tree, or are more than 1000; if a joint lacks what it needs or has limits,
-            an axis or a mimic that make no sense; if a size is not positive; or if the SRDF file names what there is not */
+            \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. A file
+            or a mesh cannot be read, links and joints make no tree, or are more than 1000, or a size is not positive.
+            Or a joint lacks what it needs, its limits, axis or mimic make no sense, or the SRDF file names what there
+            is not. */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
 
         /** \brief The same, read as \e options say */
@@ -104,7 +107,8 @@ namespace ompl_certificates
             return tree_;
         }
 
-        /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can move. */
+        /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can
+            move. */
         std::vector<std::string> getGroups() const;
 
         /** \brief The joints of a group that can move, in the order of the tree: those that an arm is planned for
@@ -118,10 +122,10 @@ namespace ompl_certificates
             \throws ompl::Exception if there is no such state */
         const std::map<std::string, double> &getState(const std::string &group, const std::string &state) const;
 
-        /** \brief An arm that moves the joints of \e group, checked for self-collision in the pairs of links that the SRDF file
-            leaves. Without an SRDF file these are all pairs but links that a joint connects, also through links
-            without geometry, and pairs that collide in all of 1000 random states. Pairs that never move towards each
-            other are checked here, once.
+        /** \brief An arm that moves the joints of \e group, checked for self-collision in the pairs of links that the
+            SRDF file leaves. Without an SRDF file these are all pairs but links that a joint connects, also through
+            links without geometry, and pairs that collide in all of 1000 random states. Pairs that never move towards
+            each other are checked here, once.
             \param name the robot's name
             \param group the group; see getGroups()
             \param settings base, values of joints, bounds, attached bodies

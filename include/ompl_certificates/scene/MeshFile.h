@@ -10,10 +10,11 @@ namespace ompl_certificates
 {
     /** \brief The triangles of a mesh file: COLLADA (.dae), STL, OBJ or PLY.
 
-        All meshes of the file are taken together, where its nodes place them. COLLADA files are brought to meters, by the
-        unit that they state, and to the y axis up, as OMPL.app does it; files of the other kinds are taken as they are.
-        Polygons are cut into triangles; lines and points, bones, animations and materials are left out. Open meshes,
-        triangles given twice and triangles without area are normal. Other files that a file names are not opened. */
+        All meshes of the file are taken together, where its nodes place them. COLLADA files are brought to meters, by
+        the unit that they state, and to the y axis up, as OMPL.app does it. Files of the other kinds are taken as they
+        are. Polygons are cut into triangles; lines and points, bones, animations and materials are left out. Open
+        meshes, triangles given twice and triangles without area are normal. Other files that a file names are not
+        opened. */
     class MeshFile
     {
     public:
@@ -21,9 +22,9 @@ namespace ompl_certificates
             \param file the mesh file
             \param keepsAxes whether the axes of a COLLADA file stay as they are, whichever it says is up. So do ROS and
             MoveIt read the meshes of robots.
-            \throws ompl::Exception that names the file, the line, byte or element, and the reason if it cannot be read,
-            is not a mesh, is not what its counts say, has no triangle or more than 5 million, or a coordinate that is not
-            finite or beyond 1e9 */
+            \throws ompl::Exception that names the file, the line, byte or element, and the reason: if it cannot be
+            read, is not a mesh, or is not what its counts say. A file without triangles, with more than 5 million of
+            them, or with a coordinate that is not finite or beyond 1e9 is refused, too. */
         explicit MeshFile(const std::string &file, bool keepsAxes = false);
 
         /** \brief The file */
@@ -40,7 +41,7 @@ namespace ompl_certificates
 
         /** \brief The mean of the file's vertices, in the file's own frame: what OMPL.app takes for the reference point
             of a robot. A vertex counts once for each normal and texture coordinate that it has in a part of the
-            file, those of lines and points too: as often as Assimp, by which OMPL.app reads files, keeps it. */
+            file, those of lines and points too. So often does Assimp, by which OMPL.app reads files, keep it. */
         const Eigen::Vector3d &getMean() const
         {
             return mean_;

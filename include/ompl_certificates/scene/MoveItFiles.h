@@ -12,20 +12,20 @@ namespace ompl_certificates
         \throws ompl::Exception if the file cannot be read */
     bool isMoveItScene(const std::string &file);
 
-    /** \brief Read what MoveIt calls a planning scene and a motion plan request, from YAML files as MotionBenchMaker has
-        them: a scene with one arm.
+    /** \brief Read what MoveIt calls a planning scene and a motion plan request, from YAML files as MotionBenchMaker
+        has them: a scene with one arm.
 
         Of the scene: the obstacles (boxes, cylinders, spheres and meshes), fixed frames, the robot's state, the objects
-        that it holds, and the allowed collision matrix. The matrix replaces what the SRDF file says of pairs of links, as in
-        MoveIt. Of the request: the group, the start, and one goal of all joints of the group. The start has the joints that it does not
-        name as in the scene's state. Joints outside of the group keep their values of the start. The request's time is
-        SceneFile::timeLimit.
+        that it holds, and the allowed collision matrix. The matrix replaces what the SRDF file says of pairs of links,
+        as in MoveIt. Of the request: the group, the start, and one goal of all joints of the group. The start has the
+        joints that it does not name as in the scene's state. Joints outside of the group keep their values of the
+        start. The request's time is SceneFile::timeLimit.
 
-        Motions are checked as densely as MoveIt does by default: Scene::getResolution() is 0.005. The bounds of the scene are those of
-        the request's workspace, enlarged to hold the obstacles and the arm's start and goal.
+        Motions are checked as densely as MoveIt does by default: Scene::getResolution() is 0.005. The bounds of the
+        scene are those of the request's workspace, enlarged to hold the obstacles and the arm's start and goal.
 
-        Reading is strict, as of other scenes. What would change the plan and is not supported is an error: cones, planes,
-        octomaps, padding, other constraints, links that may touch an obstacle.
+        Reading is strict, as of other scenes. What would change the plan and is not supported is an error: cones,
+        planes, octomaps, padding, other constraints, links that may touch an obstacle.
         \param scene the file of the planning scene
         \param request the file of the motion plan request
         \param robot the robot; its name need not be that of the scene

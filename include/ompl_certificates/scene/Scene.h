@@ -116,12 +116,12 @@ namespace ompl_certificates
         /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots. */
         TeamStateSpacePtr makeTeam() const;
 
-        /** \brief How far up and down the robots of a planar scene reach; see Body::getZInterval(). All heights if there is
-            no robot, or one of primitives. */
+        /** \brief How far up and down the robots of a planar scene reach; see Body::getZInterval(). All heights if
+            there is no robot, or one of primitives. */
         ZInterval getZInterval() const;
 
-        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getZInterval() reaches
-            */
+        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getZInterval()
+            reaches */
         std::shared_ptr<FclObstacles> makeObstacles() const;
 
         /** \brief The start of all robots, as a state of \e team, which makeTeam() made */
@@ -135,8 +135,8 @@ namespace ompl_certificates
                                CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
 
         /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone
-            \throws ompl::Exception that names the source, the key and the value if there is no robot, or if a start or
-            a goal is outside the bounds, touches an obstacle, or overlaps that of another robot */
+            \throws ompl::Exception that names the source, the key and the value if there is no robot, or a start or a
+            goal is outside the bounds, touches an obstacle or overlaps another one's */
         void validate() const;
 
     private:

@@ -43,19 +43,19 @@ namespace ompl_certificates
     };
 
     /** \brief Read \e file: a .cfg file of OMPL.app if its name ends so, else YAML in the format of
-        docs/scene-format.md, in which files of db-CBS and dynoplan are read as they are.
+        docs/scene-format.md. Files of db-CBS and dynoplan are read as they are.
 
         Reading is strict: a key that is not known, or a value that makes no sense, is an error. It is not checked
         whether the team can stand at its start and goal; see Scene::validate().
 
         A .cfg file has one robot and one environment, both meshes, which are looked for next to it. The problem is
         planar, in SE(2), if neither z nor an axis is given, and else in SE(3). As in OMPL.app, a state gives the
-        position of the mean of the robot's vertices (see MeshFile::makeRobot()); without a volume, the bounds are the
-        environment's box; and bounds that leave out the start or the goal are widened to hold both. What is known to
+        position of the mean of the robot's vertices; see MeshFile::makeRobot(). Without a volume, the bounds are the
+        environment's box. Bounds that leave out the start or the goal are widened to hold both. What is known to
         OMPL.app but makes no difference here, such as an objective, is told in the scene's notes.
-        \throws ompl::Exception with a message of one line if a file cannot be read or anything in it is wrong, such as
-        "room.yaml:7: robots[1].shape.radius: must be positive, not -1" or
-        "maze.cfg: [problem] start.x: must be a number, not 'here'"
+        \throws ompl::Exception with a message of one line if a file cannot be read or anything in it is wrong. Such are
+        "room.yaml:7: robots[1].shape.radius: must be positive, not -1" and
+        "maze.cfg: [problem] start.x: must be a number, not 'here'".
 
         @par External documentation
         ompl_benchmark(1), and benchmark/example_complex.cfg in https://github.com/ompl/omplapp */

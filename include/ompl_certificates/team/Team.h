@@ -28,8 +28,8 @@ namespace ompl_certificates
         explicit Team(ompl::base::StateSpacePtr space);
 
         /** \brief The team of \e robots in any of the spaces above, which is locked
-            \throws ompl::Exception if the space does not hold the states of these robots, if there are none, if one is null,
-            or if their workspaces differ */
+            \throws ompl::Exception if the space does not hold the states of these robots, if there are none, if one is
+            null, or if their workspaces differ */
         Team(ompl::base::StateSpacePtr space, std::vector<RobotPtr> robots);
 
         /** \brief The space whose states are read */
@@ -93,8 +93,9 @@ namespace ompl_certificates
             return zIntervalOf(robots_);
         }
 
-        /** \brief Whether the space moves each robot as its own space does, so that motion bounds hold. Not so for constrained
-            spaces, and for components of classes derived from the robots' spaces, such as DubinsStateSpace. */
+        /** \brief Whether the space moves each robot as its own space does, so that motion bounds hold. Not so for
+            constrained spaces, and for components of classes derived from the robots' spaces, such as
+            DubinsStateSpace. */
         bool interpolatesRobots() const
         {
             return interpolatesRobots_;

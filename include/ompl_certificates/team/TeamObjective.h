@@ -10,7 +10,7 @@ namespace ompl_certificates
 {
     /** \brief Costs of a team's path that look at each robot. A robot's length is measured by its own space's distance.
 
-        Times assume that no robot moves faster than one unit of its own distance per unit of time: a motion of the
+        Times assume that no robot moves faster than one unit of its own distance per unit of time. A motion of the
         team takes as long as the robot that moves farthest needs. TeamPathLength is the length of the path in the
         team's space. */
     class TeamObjective : public ompl::base::OptimizationObjective

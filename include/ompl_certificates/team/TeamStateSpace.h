@@ -17,8 +17,8 @@ namespace ompl_certificates
         The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space.
         With SUM, a program that used a CompoundStateSpace keeps its distances, ranges and trees; see Metric.
 
-        Every state carries, for each body of each robot, a reference to a certificate that proved it free. References are
-        hints. copyState(), cloneState() and interpolate() pass them on; sampling and deserialization clear them;
+        Every state carries, for each body of each robot, a reference to a certificate that proved it free. References
+        are hints. copyState(), cloneState() and interpolate() pass them on; sampling and deserialization clear them;
         serialization, equality and distance ignore them. */
     class TeamStateSpace : public SearchableStateSpace
     {
@@ -39,8 +39,8 @@ namespace ompl_certificates
                 return references_[body].load(std::memory_order_relaxed);
             }
 
-            /** \brief Remember that \e certificate proved a body free. Part of the state's cache, not of its value: may be
-                called on a constant state, and from many threads at once. */
+            /** \brief Remember that \e certificate proved a body free. Part of the state's cache, not of its value: may
+                be called on a constant state, and from many threads at once. */
             void setReference(std::size_t body, Reference certificate) const
             {
                 references_[body].store(certificate, std::memory_order_relaxed);

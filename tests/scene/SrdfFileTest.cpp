@@ -1,0 +1,115 @@
+#include "ompl_certificates/robots/CheckRobot.h"
+#include "ompl_certificates/scene/ArmFile.h"
+#include "support/ArmTexts.h"
+#include "support/Folder.h"
+#include "support/Message.h"
+
+#include <gtest/gtest.h>
+
+namespace ompl_certificates
+{
+    using namespace test;
+
+    TEST(SrdfFile, ReadsGroupsAndStates)
+    {
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        const ArmFile file(urdf, folder.write("a.srdf", robot(R"(
+            <virtual_joint name='mount' type='planar' parent_frame='floor' child_link='base'/>
+            <group name='chain'><chain base_link='base' tip_link='hand'/></group>
+            <group name='joint'><joint name='second'/></group>
+            <group name='link'><link name='arm'/></group>
+            <group name='mobile'><joint name='mount'/><group name='link'/></group>
+            <group name='all'><group name='mobile'/><group name='joint'/><group name='all'/></group>
+            <group_state name='bent' group='chain'><joint name='first' value='0.5'/><joint name='second' value='-1'/></group_state>
+            <disable_collisions link1='hand' link2='arm' reason='Adjacent'/>
+            <disable_collisions link1='base' link2='ghost' reason='Adjacent'/>)")));
+        using Names = std::vector<std::string>;
+        EXPECT_EQ(file.getGroups(), (Names{"all", "chain", "joint", "link", "mobile"}));
+        EXPECT_EQ(file.getJoints("chain"), (Names{"first", "second"}));
+        EXPECT_EQ(file.getJoints("joint"), Names{"second"});
+        EXPECT_EQ(file.getJoints("link"), Names{"first"});
+        EXPECT_EQ(file.getJoints("all"), (Names{"mount", "first", "second"}));
+        EXPECT_EQ(file.getStates("chain"), Names{"bent"});
+        EXPECT_EQ(file.getState("chain", "bent").at("second"), -1.0);
+        EXPECT_NE(messageOf([&] { file.getJoints("none"); }).find("'chain'"), std::string::npos);
+        EXPECT_NE(messageOf([&] { file.getState("chain", "none"); }).find("'bent'"), std::string::npos);
+
+        std::vector<std::string> notes;
+        EXPECT_EQ(file.makeArm("arm", "chain", {}, &notes)->getBodyPairs().size(), 2u);
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find("ghost"), std::string::npos);
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "all", {}); }).find("bounds"), std::string::npos);
+        ArmFile::ArmSettings settings;
+        settings.bounds = ompl::base::RealVectorBounds(2);
+        settings.bounds->setLow(-1.0);
+        settings.bounds->setHigh(1.0);
+        const auto mobile = file.makeArm("arm", "all", settings);
+        EXPECT_EQ(mobile->getStateSpace()->getDimension(), 5u);
+        EXPECT_NO_THROW(checkRobot(*mobile, 200));
+    }
+
+    TEST(SrdfFile, NamesWhatIsWrong)
+    {
+        const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+            {"<group/>", {"name"}},
+            {"<group name='a'/><group name='a'/>", {"'a'"}},
+            {"<group name='a'><joint name='x'/></group>", {"<joint>", "'x'"}},
+            {"<group name='a'><link name='x'/></group>", {"<link>", "'x'"}},
+            {"<group name='a'><group name='x'/></group>", {"<group>", "'x'"}},
+            {"<group name='a'><chain base_link='x' tip_link='hand'/></group>", {"base_link", "'x'"}},
+            {"<group name='a'><chain base_link='hand' tip_link='base'/></group>", {"'base'", "'hand'"}},
+            {"<group_state name='s' group='x'/>", {"'x'"}},
+            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='x'/></group_state>",
+             {"'first'", "'x'"}},
+            {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='nan'/></group_state>",
+             {"'first'", "'nan'"}},
+            {"<virtual_joint name='v' type='x' parent_frame='w' child_link='base'/>", {"'x'"}},
+            {"<virtual_joint name='first' type='fixed' parent_frame='w' child_link='base'/>", {"'first'"}},
+            {"<disable_collisions link1='base'/>", {"link2"}},
+            {"<passive_joint name='x'/>", {"'x'"}},
+            {"<", {"not valid XML"}},
+        };
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        for (const auto &[text, parts] : cases)
+        {
+            const std::string srdf = folder.write("a.srdf", robot(text));
+            const std::string message = messageOf([&] { ArmFile(urdf, srdf); });
+            EXPECT_NE(message.find(srdf), std::string::npos) << message << text;
+            for (const std::string &part : parts)
+                EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in " << message;
+        }
+    }
+
+    TEST(SrdfFile, JointsThatArePassiveOrLockedAreInNoGroup)
+    {
+        const test::Folder folder;
+        const std::string more = link("tip") + joint("third", "revolute", "hand", "tip",
+                                                     "<limit lower='1' upper='1' effort='1' velocity='1'/>");
+        const ArmFile file(folder.write("a.urdf", chain(more)), folder.write("a.srdf", robot(R"(
+            <virtual_joint name='mount' type='fixed' parent_frame='floor' child_link='base'/>
+            <virtual_joint name='other' type='planar' parent_frame='floor' child_link='arm'/>
+            <group name='all'><joint name='mount'/><chain base_link='base' tip_link='tip'/></group>
+            <passive_joint name='second'/>)")));
+        EXPECT_EQ(file.getJoints("all"), std::vector<std::string>{"first"});
+        std::vector<std::string> notes;
+        file.makeArm("arm", "all", {}, &notes);
+        ASSERT_FALSE(notes.empty());
+        EXPECT_NE(notes.front().find("'other' is ignored"), std::string::npos) << notes.front();
+    }
+
+    TEST(SrdfFile, CollisionsAreDisabledByDefaultAndEnabledAgain)
+    {
+        const test::Folder folder;
+        const ArmFile file(folder.write("a.urdf", chain()), folder.write("a.srdf", robot(R"(
+            <group name='all'><chain base_link='base' tip_link='hand'/></group>
+            <disable_default_collisions link='hand'/>
+            <enable_collisions link1='hand' link2='base'/>)")));
+        std::vector<std::string> pairs;
+        const auto arm = file.makeArm("arm", "all", {});
+        for (const BodyPair &pair : arm->getBodyPairs())
+            pairs.push_back(arm->getLinkOfBody(pair.first) + " " + arm->getLinkOfBody(pair.second));
+        EXPECT_EQ(pairs, (std::vector<std::string>{"base arm", "base hand"}));
+    }
+}
