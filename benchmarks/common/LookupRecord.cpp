@@ -69,8 +69,8 @@ namespace benchmarks
                 throw ompl::Exception("A record is of one set of obstacles");
             }
 
-            PoseVerdict settleRobot(unsigned int robot, CheckContext &context,
-                                    const MotionSample &sample) const override
+            SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
+                                       const MotionSample &sample) const override
             {
                 const PoseQuery query = queryOf(robot, 0, context, sample);
                 const BallQuery ball = ballOf(query);
@@ -91,17 +91,17 @@ namespace benchmarks
                 }
                 if (covering.verdict == Covering::UNKNOWN)
                     covering = ask(ball);
-                PoseVerdict verdict;
+                SubjectVerdict verdict = SubjectVerdict::always();
                 verdict.free = covering.verdict == Covering::UNKNOWN ? !obstacles_->collides(query.body, query.pose)
                                                                      : covering.verdict == Covering::FREE;
-                if (verdict.free)
-                    verdict.validInterval = covering.slack / query.speedOf(query.body.getSphereTree().getRoot());
+                verdict.narrow(verdict.free ? covering.slack / query.speedOf(query.body.getSphereTree().getRoot())
+                                            : 0.0);
                 if (covering.certificate != NO_CERTIFICATE)
                     hint = covering.certificate;
                 return verdict;
             }
 
-            double provenInterval(unsigned int robot, const CheckContext &context) const override
+            double provenInterval(unsigned int robot, CheckContext &context) const override
             {
                 const PoseQuery query = queryOf(robot, 0, context, {true});
                 const Covering covering =

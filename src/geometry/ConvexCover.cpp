@@ -54,7 +54,8 @@ namespace ompl_certificates
         for (auto &point : points)
         {
             point = pose * point;
-            if (shape.getDimension() == 2)
+            // A planar mesh keeps its z, where it does not count.
+            if (shape.getDimension() == 2 && shape.getMesh())
                 point.z() = 0.0;
             box.extend(point);
         }

@@ -73,7 +73,7 @@ namespace ompl_certificates
         \param wanted the search ends when the bound is larger
         \param direction where to begin, from \e first to \e second, in the frame of \e first; zero if unknown. Set to the
         direction of the bound.
-        \return the bound; negative if the covers may overlap, minus infinity if the pose is not finite */
+        \return the bound. If it is not larger than \e needed, it says nothing. Minus infinity if the pose is not finite */
     double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed,
                      double wanted, Eigen::Vector3d &direction);
 

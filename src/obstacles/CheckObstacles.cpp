@@ -58,7 +58,11 @@ namespace ompl_certificates
                 require(dimension_ == 3 || obstacles_.getZInterval().contain(body.getZInterval()),
                         "their z-interval does not contain that of body " + std::to_string(index));
                 for (unsigned int i = 0; i < samples; ++i)
-                    tryPose(body, anyPose(body), "body " + std::to_string(index));
+                {
+                    const Pose pose = anyPose(body);
+                    tryPose(body, pose, "body " + std::to_string(index));
+                    tryGap(body, pose, "body " + std::to_string(index));
+                }
             }
 
         private:
@@ -181,6 +185,25 @@ namespace ompl_certificates
                         blame("clearance() is " + textOf(clearance) + " at the center " +
                               textOf(Eigen::Vector3d(pose * ball.center)) + " of the ball of radius " +
                               textOf(ball.radius) + " inside it");
+            }
+
+            /** Whether a body that gap() says is far stays free if it is moved by less */
+            void tryGap(const Body &body, const Pose &pose, const std::string &name)
+            {
+                const double needed =
+                    obstacles_.getTolerance() + exactCheckTolerance(body.getBoundingRadius()) + slack_;
+                const double far = body.getBoundingRadius() + slack_;
+                const double gap = obstacles_.gap(body, pose, needed, needed + far);
+                if (!(gap > needed))
+                    return;
+                for (const double part : {0.0, 1.0, random_.uniform01()})
+                {
+                    Pose moved = pose;
+                    moved.translation() += part * (std::min(gap, needed + far) - needed) * anyDirection();
+                    require(!obstacles_.collides(body, moved),
+                            "gap() is " + textOf(gap) + " for " + name + " at " + textOf(pose) +
+                                ", but collides() finds it colliding at " + textOf(moved));
+                }
             }
 
             bool isFreeByClearances(const Body &body, const Pose &pose, double margin) const

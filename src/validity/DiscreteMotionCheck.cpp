@@ -101,7 +101,8 @@ namespace ompl_certificates
         {
             const auto [subject, first, last] = queue[next];
             const int middle = (first + last) / 2;
-            const SubjectVerdict verdict = settleSample(subject, middle, context_.freeMotions > 0.8 || next >= 3 * std::size_t(subjectCount_));
+            const SubjectVerdict verdict =
+                settleSample(subject, middle, context_.freeMotions > 0.8 || next >= 3 * std::size_t(subjectCount_));
             if (!verdict.free)
                 return false;
             const int before = samplesWithin(verdict.before), after = samplesWithin(verdict.after);

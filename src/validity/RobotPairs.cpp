@@ -248,8 +248,8 @@ namespace ompl_certificates
     {
         const Body &body = bodies.lookedUp();
         const double speed = bound.at(body.getBoundingRadius());
-        const double gap = convexGap(bodies.frame->body, body, relative, bodies.margin, bodies.margin + stretch * speed,
-                                     direction);
+        const double gap =
+            convexGap(bodies.frame->body, body, relative, bodies.margin, bodies.margin + stretch * speed, direction);
         PoseVerdict verdict;
         verdict.free = gap > bodies.margin;
         if (verdict.free)

@@ -128,7 +128,8 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
         const auto space = crowdedTeam(random, dimension);
         const Team team(space);
         const RobotPairs pairs(team, Method::SHARED_PROJECTION, nullptr);
-        CheckContext context(team);
+        CheckContext context(team, pairs.getBodyPairCount());
+        ++context.motion;
         const auto from = randomState(random, space), to = randomState(random, space);
         ob::ScopedState<> at(space);
         const auto moveTo = [&](double time)
@@ -144,20 +145,26 @@ TEST(RobotPairs, ThatStayApartDoSoForAsLongAsTheySay)
         };
         for (unsigned int pair = 0; pair < pairs.getPairCount(); ++pair)
         {
-            const double time = random.uniform(0.0, 1.0);
-            moveTo(time);
-            const PoseVerdict verdict = pairs.settle(pair, context, {true});
-            ASSERT_EQ(verdict.free, !pairs.findCollision(pair, context));
-            ASSERT_TRUE(!verdict.free || pairs.distance(pair, context) > -1.0);
-            const double interval =
-                std::max(verdict.free ? verdict.validInterval : 0.0, pairs.provenInterval(pair, context));
-            for (int i = 0; interval > 0.0 && i < 30; ++i)
+            const auto expectFree = [&](double first, double last)
             {
-                const double later = time + random.uniform(-1.0, 1.0) * std::min(interval, 1.0);
-                if (later < 0.0 || later > 1.0)
-                    continue;
-                moveTo(later);
-                ASSERT_FALSE(pairs.findCollision(pair, context));
+                for (int i = 0; first < last && i < 30; ++i)
+                {
+                    moveTo(random.uniform(std::max(first, 0.0), std::min(last, 1.0)));
+                    ASSERT_FALSE(pairs.findCollision(pair, context));
+                }
+            };
+            moveTo(0.0);
+            expectFree(0.0, pairs.provenInterval(pair, context));
+            // What is known of earlier times takes part in the later ones.
+            for (int i = 0; i < 4; ++i)
+            {
+                const double time = random.uniform(0.0, 1.0);
+                moveTo(time);
+                const SubjectVerdict verdict = pairs.settle(pair, context, {true, 0.0, i % 2 == 0 ? 0.0 : 10.0, time});
+                ASSERT_EQ(verdict.free, !pairs.findCollision(pair, context));
+                ASSERT_TRUE(!verdict.free || pairs.distance(pair, context) > -1.0);
+                if (verdict.free)
+                    expectFree(time - verdict.before, time + verdict.after);
             }
         }
     }

@@ -142,7 +142,8 @@ TEST_P(SelfCollision, IsExcludedForAsLongAsAValidIntervalSays)
         const Team team(robot->getStateSpace(), {robot});
         const RobotPairs pairs(team, Method::SHARED_PROJECTION, nullptr);
         ASSERT_EQ(pairs.getPairCount(), 1U);
-        CheckContext context(team);
+        CheckContext context(team, pairs.getBodyPairCount());
+        ++context.motion;
         const auto &space = robot->getStateSpace();
         const auto from = randomState(random, space), to = randomStateNear(random, from, random.logUniform(0.01, 1.0));
         robot->computeMotionBounds(from.get(), to.get(), context.motionBounds.data());
@@ -154,23 +155,26 @@ TEST_P(SelfCollision, IsExcludedForAsLongAsAValidIntervalSays)
             space->interpolate(from.get(), to.get(), time, at.get());
             robot->placeBodies(at.get(), context.poses.data());
         };
+        const auto expectFree = [&](double first, double last)
+        {
+            intervals += first < last ? 1 : 0;
+            for (int i = 0; first < last && i < 20; ++i)
+            {
+                moveTo(random.uniform(std::max(first, 0.0), std::min(last, 1.0)));
+                ASSERT_FALSE(pairs.findCollision(0, context));
+            }
+        };
+        moveTo(0.0);
+        expectFree(0.0, pairs.provenInterval(0, context));
+        // What is known of earlier times takes part in the later ones.
         for (int k = 0; k < 5; ++k)
         {
             const double time = random.uniform(0.0, 1.0);
             moveTo(time);
-            const PoseVerdict verdict = pairs.settle(0, context, {true});
+            const SubjectVerdict verdict = pairs.settle(0, context, {true, 0.0, k % 2 == 0 ? 0.0 : 10.0, time});
             ASSERT_EQ(verdict.free, !touchesItself(*robot, at.get()));
-            const double interval =
-                std::max(verdict.free ? verdict.validInterval : 0.0, pairs.provenInterval(0, context));
-            intervals += interval > 0.0 ? 1 : 0;
-            for (int i = 0; interval > 0.0 && i < 20; ++i)
-            {
-                const double later = time + random.uniform(-1.0, 1.0) * std::min(interval, 1.0);
-                if (later < 0.0 || later > 1.0)
-                    continue;
-                moveTo(later);
-                ASSERT_FALSE(pairs.findCollision(0, context));
-            }
+            if (verdict.free)
+                expectFree(time - verdict.before, time + verdict.after);
         }
     }
     EXPECT_GT(intervals, scaled(200));

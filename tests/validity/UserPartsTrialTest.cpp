@@ -190,6 +190,11 @@ namespace
             return hits;
         }
 
+        double gap(const Body &body, const Pose &pose, double needed, double wanted) const override
+        {
+            return truth->gap(body, pose, needed, wanted) + gapOffset;
+        }
+
         double getTolerance() const override
         {
             return tolerance < 0.0 ? truth->getTolerance() : tolerance;
@@ -201,7 +206,7 @@ namespace
         }
 
         ObstaclesPtr truth;
-        double factor{1.0}, offset{0.0}, nearestOffset{0.0}, tolerance{-1.0};
+        double factor{1.0}, offset{0.0}, nearestOffset{0.0}, gapOffset{0.0}, tolerance{-1.0};
         ObstaclePart partSaid{NO_PART};
         bool hits{false}, proves{true};
         std::function<bool(const Body &, const Pose &)> collision;
@@ -414,6 +419,14 @@ TEST_P(ToldObstacles, AreFoundToTouchWhatIsFree)
     told_->hits = true;
     told_->partSaid = 7;
     expectComplaint({"certainlyHits() says ", "hits part 7", "collides() finds it free"});
+}
+
+TEST_P(ToldObstacles, SayThatBodiesAreFartherThanTheyAre)
+{
+    if (std::isinf(told_->gap(bodiesOf(*team_).front(), Pose::Identity(), 0.0, 1.0)))
+        GTEST_SKIP() << "these obstacles know no gaps";
+    told_->gapOffset = 3.0;
+    expectComplaint({"gap() is ", "collides() finds it colliding"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, ToldObstacles, testing::Range(0U, TEAMS));

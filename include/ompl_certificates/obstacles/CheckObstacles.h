@@ -20,7 +20,8 @@ namespace ompl_certificates
         - if provesCollisions(), collides() finds a ball colliding if that clearance is below its radius less the
           tolerance;
         - both hold of the bounding spheres and inner spheres of \e bodies, too;
-        - touches() and certainlyHits() never contradict collides().
+        - touches() and certainlyHits() never contradict collides();
+        - no body that moves by less than its gap() collides.
 
         The tolerance is that of the checkers: getTolerance() and exactCheckTolerance() of the body. Planar meshes that
         were cut to the robots' z-interval are not tried with discs, whose z-interval is unbounded.

@@ -63,7 +63,7 @@ namespace ompl_certificates
 
         /** \brief A lower bound of the distance between \e body at \e pose and the obstacles, if there is a quick one;
             else minus infinity. It proves a stretch of a motion free, as clearances of single points do, but of the whole body.
-            \param needed a larger bound proves the body free; the search ends when it finds none
+            \param needed only a larger bound counts; where there is none, the result says nothing
             \param wanted the search ends when the bound is larger */
         virtual double gap(const Body & /*body*/, const Pose & /*pose*/, double /*needed*/, double /*wanted*/) const
         {

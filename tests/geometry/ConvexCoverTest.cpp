@@ -1,0 +1,126 @@
+#include "geometry/ConvexCover.h"
+
+#include "support/Random.h"
+#include "support/RandomBodies.h"
+#include "support/RandomMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    Eigen::Vector3d anyPointOf(Random &random, const Body::Part &part)
+    {
+        const TriangleMesh *mesh = part.shape.getMesh();
+        if (!mesh)
+            return part.pose * pointOf(random, part.shape);
+        const auto [a, b, c] = mesh->getCorners(random.below(mesh->getTriangles().size()));
+        const double u = random.uniform(0.0, 1.0), v = random.uniform(0.0, 1.0 - u);
+        Eigen::Vector3d point = part.pose * (a + u * (b - a) + v * (c - a));
+        if (part.shape.getDimension() == 2)
+            point.z() = 0.0;
+        return point;
+    }
+
+    Body anyBody(Random &random, unsigned int dimension, double size)
+    {
+        if (random.chance(0.3))
+            return Body::mesh(ballMesh(20, size));  // more corners than a cover has
+        return random.chance(0.4) ? randomMeshBody(random, dimension, size) : randomBody(random, dimension, size);
+    }
+}
+
+TEST(ConvexCover, ContainsItsShape)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const Body body = anyBody(random, dimension, random.logUniform(0.01, 100.0));
+        const auto &covers = body.getConvexCovers();
+        ASSERT_EQ(covers.size(), body.getParts().size());
+        for (std::size_t i = 0; i < covers.size(); ++i)
+            for (int k = 0; k < 100; ++k)
+            {
+                const Eigen::Vector3d point = anyPointOf(random, body.getParts()[i]) - covers[i].getCenter();
+                const Eigen::Vector3d direction = random.chance(0.5) ? random.direction(3) : point.normalized();
+                ASSERT_LE(direction.dot(point - covers[i].farthest(direction)) - covers[i].getRounding(),
+                          1e-12 * body.getBoundingRadius());
+            }
+    }
+}
+
+TEST(ConvexCover, IsTight)
+{
+    const ConvexCover box(Shape::box(Eigen::Vector3d(1.0, 2.0, 3.0)), Pose::Identity());
+    EXPECT_NEAR(box.farthest({1.0, 0.0, 0.0}).x() + box.getRounding(), 0.5, 1e-5);
+    const ConvexCover ball(Shape::ball(3, 2.0), Pose::Identity());
+    EXPECT_NEAR(ball.getRounding(), 2.0, 1e-5);
+    const ConvexCover cylinder(Shape::cylinder(1.0, 4.0), Pose::Identity());
+    EXPECT_NEAR(cylinder.farthest({1.0, 0.0, 0.0}).x() + cylinder.getRounding(), 1.0, 0.02);
+    const ConvexCover mesh(Shape::mesh(3, ballMesh(30, 1.0)), Pose::Identity());
+    EXPECT_GT(mesh.getRounding(), 0.0);
+    EXPECT_LT(mesh.getRounding(), 0.12);
+}
+
+TEST(ConvexGap, IsALowerBoundOfTheDistance)
+{
+    for (unsigned int seed = 0; seed < scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const double size = random.logUniform(0.01, 100.0);
+        const Body first = anyBody(random, dimension, size), second = anyBody(random, dimension, size);
+        const Pose pose = random.pose(dimension, 2.0 * size);
+        const double needed = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.5 * size);
+        const double wanted = random.chance(0.5) ? 100.0 * size : needed;
+        Eigen::Vector3d direction = random.chance(0.5) ? Eigen::Vector3d::Zero() : random.direction(dimension);
+        const double gap = convexGap(first, second, pose, needed, wanted, direction);
+        for (int k = 0; gap > needed && k < 200; ++k)
+        {
+            const auto &one = first.getParts()[random.below(first.getParts().size())];
+            const auto &other = second.getParts()[random.below(second.getParts().size())];
+            ASSERT_LE(gap, (anyPointOf(random, one) - pose * anyPointOf(random, other)).norm());
+        }
+    }
+}
+
+TEST(ConvexGap, FindsMostOfTheDistance)
+{
+    for (unsigned int seed = 0; seed < scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Body box =
+            Body::box(random.logUniform(0.1, 1.0), random.logUniform(0.1, 1.0), random.logUniform(0.1, 1.0));
+        const Body ball = Body::sphere(random.uniform(0.1, 1.0));
+        const Pose pose = random.pose(3, 3.0);
+        const double distance = box.signedDistance(pose.translation()) - ball.getBoundingRadius();
+        Eigen::Vector3d direction = random.chance(0.5) ? Eigen::Vector3d::Zero() : random.direction(3);
+        const double gap = convexGap(box, ball, pose, 0.0, 100.0, direction);
+        if (distance > 1e-3)
+        {
+            ASSERT_GT(gap, 0.85 * (distance + ball.getBoundingRadius()) - ball.getBoundingRadius() - 1e-4);
+            // From that direction the bound is found at once, and again.
+            ASSERT_GE(convexGap(box, ball, pose, 0.0, gap - 1e-6, direction), gap - 1e-6);
+        }
+    }
+}
+
+TEST(ConvexGap, OfPosesThatAreNotFiniteProvesNothing)
+{
+    const Body box = Body::box(1.0, 1.0, 1.0);
+    Pose pose = Pose::Identity();
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);
+    pose.translation().x() = std::numeric_limits<double>::infinity();
+    EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);
+    pose = Pose::Identity();
+    pose.linear()(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);
+}
