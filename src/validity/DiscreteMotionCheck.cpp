@@ -9,6 +9,11 @@ namespace ompl_certificates
     {
         /** How many motions the estimate of a free motion's probability remembers, and its lower bound */
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
+
+        /** Proofs of stretches cost more than tests of single samples. Where fewer motions than this fraction are free, the
+            first samples of each subject are only tested: most collisions show there. */
+        constexpr double LIKELY = 0.8;
+        constexpr unsigned int FIRST_SAMPLES = 3;
     }
 
     DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
@@ -101,8 +106,8 @@ namespace ompl_certificates
         {
             const auto [subject, first, last] = queue[next];
             const int middle = (first + last) / 2;
-            const SubjectVerdict verdict =
-                settleSample(subject, middle, context_.freeMotions > 0.8 || next >= 3 * std::size_t(subjectCount_));
+            const bool likelyFree = context_.freeMotions > LIKELY || next >= FIRST_SAMPLES * std::size_t(subjectCount_);
+            const SubjectVerdict verdict = settleSample(subject, middle, likelyFree);
             if (!verdict.free)
                 return false;
             const int before = samplesWithin(verdict.before), after = samplesWithin(verdict.after);

@@ -31,7 +31,7 @@ namespace ompl_certificates
         /** \brief Sets startInterval: how long the references of the first state prove the subjects free */
         void proveFromStart();
 
-        /** \brief Settles a subject at an inner sample */
+        /** \brief Settles a subject at an inner sample; if it is \e likelyFree, with a stretch of the motion */
         SubjectVerdict settleSample(unsigned int subject, int sample, bool likelyFree);
 
         /** \brief The first and the last sample that neither end of the motion proves free */

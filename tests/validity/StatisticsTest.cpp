@@ -158,7 +158,7 @@ TEST(Statistics, RepeatThemselvesWhereNoClockDecides)
             setup->getStatistics().reset();
             walk(*setup, team, 500);
             const CheckCounts counts = setup->getStatistics().getCounts();
-            all.push_back({counts.robotPoses, counts.certifiedFree, counts.exact, counts.exactCalls,
+            all.push_back({counts.robotPoses, counts.certifiedFree, counts.exact, counts.contactTests,
                            counts.clearanceQueries, counts.steppedAside, counts.pairExact,
                            setup->getTeamChecker()->getCertificateCount()});
         }
