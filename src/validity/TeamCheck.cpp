@@ -53,15 +53,18 @@ namespace ompl_certificates
             throw ompl::Exception("Unknown method");
         }
 
-        /** Builds the trees of the robots' meshes now, not within the first check: 10^5 triangles take a twentieth of a
-            second. */
-        void makeMeshTrees(const Team &team)
+        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a tenth
+            of a second. */
+        void prepareBodies(const Team &team)
         {
             for (const auto &robot : team.getRobots())
                 for (const Body &body : robot->getBodies())
+                {
+                    body.getConvexCovers();
                     for (const auto &part : body.getParts())
                         if (const TriangleMesh *mesh = part.shape.getMesh())
                             mesh->getTree();
+                }
         }
     }
 
@@ -104,7 +107,7 @@ namespace ompl_certificates
                 robotSubjects_[first].push_back(subjects_.back());
         }
         if (method != Method::FCL)
-            makeMeshTrees(team_);
+            prepareBodies(team_);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const

@@ -15,7 +15,7 @@ namespace ompl_certificates
     {
         /// FCL alone, as without this library.
         FCL,
-        /// The contact test where it pays, then FCL: the fastest check without memory.
+        /// The contact test, then FCL: the fastest check without memory.
         STANDARD,
         /// The team certificate of a near state certifies all robots at once, or nothing; see Basic.
         BASIC,
