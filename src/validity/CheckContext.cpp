@@ -12,6 +12,7 @@ namespace ompl_certificates
       , sampledAt(team.getRobotCount())
       , motionBounds(team.getBodyCount())
       , knowsPairMotionBounds(team.getRobotCount())
+      , knowsMotionBounds(team.getRobotCount())
       , bodyTimes(team.getBodyCount())
       , bodyPairTimes(bodyPairs)
       , bodyPairDirections(bodyPairs, Eigen::Vector3d::Zero())

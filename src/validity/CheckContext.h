@@ -57,7 +57,7 @@ namespace ompl_certificates
         /** \brief For each robot: the relative motion bounds of its own body pairs, and whether they are computed for
             the motion */
         std::vector<std::vector<PairMotionBound>> pairMotionBounds;
-        std::vector<bool> knowsPairMotionBounds;
+        std::vector<bool> knowsPairMotionBounds, knowsMotionBounds;
 
         /** \brief The number of the motion that is checked, and when each body, and each pair of bodies, is known to be
             free. Kept only for robots of several bodies. */

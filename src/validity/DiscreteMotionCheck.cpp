@@ -10,10 +10,10 @@ namespace ompl_certificates
         /** How many motions the estimate of a free motion's probability remembers, and its lower bound */
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
 
-        /** Proofs of stretches cost more than tests of single samples. Where fewer motions than this fraction are free, the
-            first samples of each subject are only tested: most collisions show there. */
+        /** Proofs of stretches cost more than tests of single samples. Where fewer motions than this fraction are free, a
+            motion of at least so many segments is first tested at its quarters: most collisions show there. */
         constexpr double LIKELY = 0.8;
-        constexpr unsigned int FIRST_SAMPLES = 3;
+        constexpr int FEWEST_SEGMENTS = 8;
     }
 
     DiscreteMotionCheck::DiscreteMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
@@ -35,7 +35,8 @@ namespace ompl_certificates
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             // samplesAhead is 0: a motion that collides is mostly refused after few samples.
-            const SubjectVerdict verdict = settle(subject, 1.0, 0.0, 0.0);
+            const SubjectVerdict verdict =
+                check_.hasSeveralBodies(subjects_[subject]) ? test(subject, 1.0) : settle(subject, 1.0, 0.0, 0.0);
             countEnds();
             if (!verdict.free)
                 return false;
@@ -59,10 +60,10 @@ namespace ompl_certificates
                 context_.startInterval[subject] = check_.provenInterval(subjects_[subject], context_);
     }
 
-    SubjectVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample, bool likelyFree)
+    SubjectVerdict DiscreteMotionCheck::settleSample(unsigned int subject, int sample)
     {
         const double samplesAhead = std::max(context_.freeMotions, SMALLEST_CHANCE) * std::max(segments_, 1);
-        return settle(subject, static_cast<double>(sample) / segments_, 0.0, likelyFree ? samplesAhead : 0.0);
+        return settle(subject, static_cast<double>(sample) / segments_, 0.0, samplesAhead);
     }
 
     int DiscreteMotionCheck::samplesWithin(double interval) const
@@ -84,14 +85,25 @@ namespace ompl_certificates
         segments_ = static_cast<int>(countSegments());
         if (segments_ < 2)
             return true;
-        proveFromStart();
-        const bool free = areInnerSamplesFree();
+        const bool free = areFirstSamplesFree() && areInnerSamplesFree();
         context_.freeMotions += ((free ? 1.0 : 0.0) - context_.freeMotions) / MOTION_MEMORY;
         return free;
     }
 
+    bool DiscreteMotionCheck::areFirstSamplesFree()
+    {
+        if (context_.freeMotions > LIKELY || segments_ < FEWEST_SEGMENTS)
+            return true;
+        for (const int quarter : {2, 1, 3})
+            for (unsigned int subject = 0; subject < subjectCount_; ++subject)
+                if (!test(subject, static_cast<double>(quarter * segments_ / 4) / segments_).free)
+                    return false;
+        return true;
+    }
+
     bool DiscreteMotionCheck::areInnerSamplesFree()
     {
+        proveFromStart();
         auto &queue = context_.open;
         queue.clear();
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
@@ -106,8 +118,7 @@ namespace ompl_certificates
         {
             const auto [subject, first, last] = queue[next];
             const int middle = (first + last) / 2;
-            const bool likelyFree = context_.freeMotions > LIKELY || next >= FIRST_SAMPLES * std::size_t(subjectCount_);
-            const SubjectVerdict verdict = settleSample(subject, middle, likelyFree);
+            const SubjectVerdict verdict = settleSample(subject, middle);
             if (!verdict.free)
                 return false;
             const int before = samplesWithin(verdict.before), after = samplesWithin(verdict.after);
@@ -135,7 +146,7 @@ namespace ompl_certificates
                 skip(subject, std::min(first, end) - 1);
                 for (int sample = first; sample <= last && sample < invalid;)
                 {
-                    const SubjectVerdict verdict = settleSample(subject, sample, true);
+                    const SubjectVerdict verdict = settleSample(subject, sample);
                     if (!verdict.free)
                     {
                         invalid = sample;

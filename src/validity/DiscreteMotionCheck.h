@@ -31,13 +31,16 @@ namespace ompl_certificates
         /** \brief Sets startInterval: how long the references of the first state prove the subjects free */
         void proveFromStart();
 
-        /** \brief Settles a subject at an inner sample; if it is \e likelyFree, with a stretch of the motion */
-        SubjectVerdict settleSample(unsigned int subject, int sample, bool likelyFree);
+        /** \brief Settles a subject at an inner sample */
+        SubjectVerdict settleSample(unsigned int subject, int sample);
 
         /** \brief The first and the last sample that neither end of the motion proves free */
         std::pair<int, int> openSamples(unsigned int subject) const;
 
-        /** \brief Whether the samples that openSamples() leaves are free */
+        /** \brief Whether a few samples are free, of a motion that probably is not. Proves no stretches. */
+        bool areFirstSamplesFree();
+
+        /** \brief Whether all samples are free between the ends, which are */
         bool areInnerSamplesFree();
 
         /** \brief How many samples on either side of one lie within \e interval */

@@ -4,6 +4,15 @@
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        /** From one robot of a subject to the next: a pair has two, a team all */
+        unsigned int step(const Subject &subject)
+        {
+            return subject.kind == Subject::PAIR ? std::max(subject.last - subject.first, 1U) : 1;
+        }
+    }
+
     MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                              const ompl::base::State *s2)
       : check_(check)
@@ -39,6 +48,7 @@ namespace ompl_certificates
         ++context_.counts.motions;
         ++context_.motion;
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
+        context_.knowsMotionBounds.assign(context_.knowsMotionBounds.size(), false);
         context_.knowsPairMotionBounds.assign(context_.knowsPairMotionBounds.size(), false);
         context_.startInterval.assign(subjectCount_, 0.0);
         context_.endInterval.assign(subjectCount_, 0.0);
@@ -68,16 +78,17 @@ namespace ompl_certificates
     void MotionCheck::pose(unsigned int subject, double t)
     {
         const Subject &posed = subjects_[subject];
-        if (posed.kind == Subject::PAIR)
-        {
-            poseRobot(posed.first, t);
-            if (posed.first == posed.last)
-                computePairMotionBounds(posed.first);
-            else
-                poseRobot(posed.last, t);
-            return;
-        }
-        for (unsigned int robot = posed.first; robot <= posed.last; ++robot)
+        for (unsigned int robot = posed.first; robot <= posed.last; robot += step(posed))
+            computeMotionBounds(robot);
+        if (posed.kind == Subject::PAIR && posed.first == posed.last)
+            computePairMotionBounds(posed.first);
+        place(subject, t);
+    }
+
+    void MotionCheck::place(unsigned int subject, double t)
+    {
+        const Subject &posed = subjects_[subject];
+        for (unsigned int robot = posed.first; robot <= posed.last; robot += step(posed))
             poseRobot(robot, t);
     }
 
@@ -87,9 +98,6 @@ namespace ompl_certificates
             return;
         const Team &team = check_.getTeam();
         const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
-        // Motion bounds are computed only when first needed.
-        if (context_.sampledAt[robot] < 0.0)
-            team.getRobot(robot).computeMotionBounds(from, to, context_.motionBounds.data() + team.getFirstBody(robot));
         context_.sampledAt[robot] = t;
         const ompl::base::State *state = t == 0.0 ? from : to;
         if (t > 0.0 && t < 1.0)
@@ -98,6 +106,16 @@ namespace ompl_certificates
             team.getRobotSpace(robot).interpolate(from, to, t, context_.samples[robot]);
         }
         check_.place(robot, state, context_);
+    }
+
+    void MotionCheck::computeMotionBounds(unsigned int robot)
+    {
+        if (context_.knowsMotionBounds[robot])
+            return;
+        const Team &team = check_.getTeam();
+        team.getRobot(robot).computeMotionBounds(context_.from[robot], context_.to[robot],
+                                                 context_.motionBounds.data() + team.getFirstBody(robot));
+        context_.knowsMotionBounds[robot] = true;
     }
 
     void MotionCheck::computePairMotionBounds(unsigned int robot)
@@ -120,6 +138,12 @@ namespace ompl_certificates
             return verdict;
         pose(subject, t);
         return check_.settle(subjects_[subject], context_, sample);
+    }
+
+    SubjectVerdict MotionCheck::test(unsigned int subject, double t)
+    {
+        place(subject, t);
+        return {check_.settle(subjects_[subject], context_, {}).free};
     }
 
     unsigned int MotionCheck::countSegments() const

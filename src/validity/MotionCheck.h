@@ -35,9 +35,16 @@ namespace ompl_certificates
             \param samplesAhead see PoseQuery::samplesAhead */
         SubjectVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
+        /** \brief Settles a subject at time \e t and no other. Takes no motion bounds, which cost as much as the test of a
+            sample. */
+        SubjectVerdict test(unsigned int subject, double t);
+
         /** \brief Puts the poses of a subject's robots at time \e t into the context; the first time, also their motion
             bounds */
         void pose(unsigned int subject, double t);
+
+        /** \brief The same without motion bounds */
+        void place(unsigned int subject, double t);
 
         /** \brief Takes the hints of \e state; those of \e other for a body that has none */
         void takeReferences(const ompl::base::State *state, const ompl::base::State *other)
@@ -76,6 +83,7 @@ namespace ompl_certificates
     private:
         void begin();
         void poseRobot(unsigned int robot, double t);
+        void computeMotionBounds(unsigned int robot);
         void computePairMotionBounds(unsigned int robot);
 
         /** \brief The counts before this motion */

@@ -117,6 +117,15 @@ namespace ompl_certificates
             motion, where its robots are; 0 if they do not. Notes what is found of each body. */
         double provenInterval(const Subject &subject, CheckContext &context) const;
 
+        /** \brief Whether a subject is one robot of several bodies, or a pair of several pairs of bodies */
+        bool hasSeveralBodies(const Subject &subject) const
+        {
+            if (subject.kind == Subject::PAIR)
+                return pairs_.getFirstBodyPair(subject.pair + 1) > pairs_.getFirstBodyPair(subject.pair) + 1;
+            return subject.kind == Subject::ROBOT &&
+                   team_.getFirstBody(subject.first + 1) > team_.getFirstBody(subject.first) + 1;
+        }
+
         /** \brief Whether all bodies of a subject are known to be free at a time of the motion; if so, narrows \e
             verdict and counts */
         bool isKnownFree(const Subject &subject, CheckContext &context, double time, SubjectVerdict &verdict) const;
