@@ -10,8 +10,8 @@ namespace ompl_certificates
         /** How many motions the estimate of a free motion's probability remembers, and its lower bound */
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
 
-        /** Proofs of stretches cost more than tests of single samples. Where fewer motions than this fraction are free, a
-            motion of at least so many segments is first tested at its quarters: most collisions show there. */
+        /** Proofs of stretches for many bodies cost more than the test of a sample. Where fewer motions than this fraction are
+            free, such robots are first tested at the quarters of a motion of at least so many segments. */
         constexpr double LIKELY = 0.8;
         constexpr int FEWEST_SEGMENTS = 8;
     }
@@ -96,7 +96,8 @@ namespace ompl_certificates
             return true;
         for (const int quarter : {2, 1, 3})
             for (unsigned int subject = 0; subject < subjectCount_; ++subject)
-                if (!test(subject, static_cast<double>(quarter * segments_ / 4) / segments_).free)
+                if (check_.hasSeveralBodies(subjects_[subject]) &&
+                    !test(subject, static_cast<double>(quarter * segments_ / 4) / segments_).free)
                     return false;
         return true;
     }

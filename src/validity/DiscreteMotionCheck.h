@@ -37,7 +37,8 @@ namespace ompl_certificates
         /** \brief The first and the last sample that neither end of the motion proves free */
         std::pair<int, int> openSamples(unsigned int subject) const;
 
-        /** \brief Whether a few samples are free, of a motion that probably is not. Proves no stretches. */
+        /** \brief Whether a few samples of robots of several bodies are free, if the motion probably is not. Proves no
+            stretches. */
         bool areFirstSamplesFree();
 
         /** \brief Whether all samples are free between the ends, which are */
