@@ -66,7 +66,7 @@ namespace ompl_certificates
         // One search settles a ball either way, and mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
-            return askAndLearn(query, false, obstacles_->hasGap() && !query.body.isBall(), policy, counts);
+            return askAndLearn(query, false, asksGap(query.body), policy, counts);
 
         // Search from the root: seeded at the hint, which has failed, it takes about twice as long.
         const Ball &ball = query.body.getSphereTree().getRoot();
@@ -79,6 +79,12 @@ namespace ompl_certificates
         if (verdict.free)
             verdict.validInterval = (covering.slack + query.leastSlack(ball)) / query.speedOf(ball);
         return verdict;
+    }
+
+    bool CertifiedEnvironment::asksGap(const Body &body) const
+    {
+        const auto isMesh = [](const Body::Part &part) { return part.shape.getMesh() != nullptr; };
+        return obstacles_->hasGap() && std::any_of(body.getParts().begin(), body.getParts().end(), isMesh);
     }
 
     bool CertifiedEnvironment::settleByGap(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const

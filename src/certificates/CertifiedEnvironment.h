@@ -119,6 +119,10 @@ namespace ompl_certificates
         PoseVerdict askAndLearn(const PoseQuery &query, bool learn, bool gap, SwitchingPolicy &policy,
                                 CheckCounts &counts) const;
 
+        /** \brief Whether to ask for the gap of a body in place of clearances. That pays for meshes, which need many
+            balls; a box needs few. */
+        bool asksGap(const Body &body) const;
+
         /** \brief Tries to settle \e query by the gap between the body and the obstacles; updates \e verdict and \e
             counts
             \return whether it is settled */
