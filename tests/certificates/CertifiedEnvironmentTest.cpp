@@ -1,4 +1,5 @@
 #include "support/RandomBodies.h"
+#include "support/RandomMeshes.h"
 
 #include "certificates/CertifiedEnvironment.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
@@ -59,13 +60,15 @@ TEST_P(Environment, GivesTheVerdictsOfItsObstacles)
 
 TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
 {
+    double longest = 0.0;  // of meshes
     for (unsigned int seed = 0; seed < scaled(200); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const auto obstacles = randomObstacles(random, GetParam());
         const CertifiedEnvironment environment(obstacles);
-        const Body body = randomBody(random, GetParam(), 0.5);
+        const Body body =
+            random.chance(0.5) ? randomMeshBody(random, GetParam(), 0.5) : randomBody(random, GetParam(), 0.5);
         SwitchingPolicy policy;
         CheckCounts counts;
         for (int i = 0; i < 20; ++i)
@@ -74,7 +77,12 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
             const double spin = random.uniform(0.0, 3.0);
             const MotionBound motionBound{velocity.norm(), spin};
             const Pose pose = random.pose(GetParam(), 4.0);
-            const PoseVerdict verdict = environment.settle({body, pose, &motionBound}, NO_CERTIFICATE, policy, counts);
+            const double samplesAhead = random.chance(0.3) ? 0.0 : 10.0;
+            const PoseVerdict verdict =
+                environment.settle({body, pose, &motionBound, 0.0, samplesAhead}, NO_CERTIFICATE, policy, counts);
+            longest = std::max(longest, verdict.free && body.getParts().front().shape.getMesh()
+                                            ? std::min(verdict.validInterval, 1.0)
+                                            : 0.0);
             for (int k = 0; verdict.free && k < 20; ++k)
             {
                 const double time = std::min(verdict.validInterval, 1.0) * random.uniform(-1.0, 1.0);
@@ -87,6 +95,7 @@ TEST_P(Environment, ProvesABodyFreeForAsLongAsItSays)
             }
         }
     }
+    EXPECT_GT(longest, 0.1);
 }
 
 TEST_P(Environment, LearnsNothingFromPosesThatItHasSeen)
