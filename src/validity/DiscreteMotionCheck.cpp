@@ -95,10 +95,13 @@ namespace ompl_certificates
         if (context_.freeMotions > LIKELY || segments_ < FEWEST_SEGMENTS)
             return true;
         for (const int quarter : {2, 1, 3})
+        {
+            const int sample = quarter * segments_ / 4;
             for (unsigned int subject = 0; subject < subjectCount_; ++subject)
                 if (check_.hasSeveralBodies(subjects_[subject]) &&
-                    !test(subject, static_cast<double>(quarter * segments_ / 4) / segments_).free)
+                    !test(subject, static_cast<double>(sample) / segments_).free)
                     return false;
+        }
         return true;
     }
 
