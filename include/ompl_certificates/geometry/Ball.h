@@ -30,7 +30,7 @@ namespace ompl_certificates
         }
         // Badoiu and Clarkson's iteration, started at the middle of the box, which is exact for symmetric shapes.
         const Eigen::Vector3d middle = 0.5 * (low + high);
-        const Eigen::Vector3d *farthest = nullptr;
+        const Eigen::Vector3d *farthest = &points.front();
         std::vector<double> reaches;  // the points' distances from the middle
         reaches.reserve(points.size());
         Ball best{middle, -1.0};
