@@ -62,15 +62,15 @@ namespace ompl_certificates
         }
 
         /** \brief A lower bound of the distance between \e body at \e pose and the obstacles, if there is a quick one;
-            else minus infinity. It proves a stretch of a motion free, as clearances of single points do, but of the whole body.
-            \param needed only a larger bound counts; where there is none, the result says nothing
-            \param wanted the search ends when the bound is larger */
+            else minus infinity. It proves a stretch of a motion free, as clearances of single points do, but of the
+            whole body. Only a bound larger than the third argument counts, so the search ends when there is none. It
+            also ends when the bound is larger than the fourth. */
         virtual double gap(const Body & /*body*/, const Pose & /*pose*/, double /*needed*/, double /*wanted*/) const
         {
             return -std::numeric_limits<double>::infinity();
         }
 
-        /** \brief Whether gap() mostly knows a bound, and quickly. Then it is asked in place of clearances. */
+        /** \brief Whether gap() mostly knows a bound, and quickly. Then it is asked of meshes, in place of clearances. */
         virtual bool hasGap() const
         {
             return false;
