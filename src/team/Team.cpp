@@ -71,7 +71,7 @@ namespace ompl_certificates
         }
     }
 
-    Team::Team(ob::StateSpacePtr space) : Team(space, robotsOf(space))
+    Team::Team(const ob::StateSpacePtr &space) : Team(space, robotsOf(space))
     {
     }
 

@@ -25,7 +25,7 @@ namespace ompl_certificates
     public:
         /** \brief The team of a TeamStateSpace, which may be wrapped. The space is locked: no robot can be added later.
             \throws ompl::Exception if the space is another one, or has no robots */
-        explicit Team(ompl::base::StateSpacePtr space);
+        explicit Team(const ompl::base::StateSpacePtr &space);
 
         /** \brief The team of \e robots in any of the spaces above, which is locked
             \throws ompl::Exception if the space does not hold the states of these robots, if there are none, if one is
