@@ -66,14 +66,14 @@ namespace ompl_certificates
         // One search settles a ball either way, and mostly finds something.
         const bool search = obstacles_->isClearanceCheap() ? policy.isProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
-            return askAndLearn(query, false, asksGap(query.body), policy, counts);
+            return ask(query, asksGap(query.body) ? Question::GAP : Question::CLEARANCES, policy, counts);
 
         // Search from the root: seeded at the hint, which has failed, it takes about twice as long.
         const Ball &ball = query.body.getSphereTree().getRoot();
         const Covering covering = certificates_.covering(wholeBodyQuery(query));
         policy.noteLookup(covering.verdict != Covering::UNKNOWN);
         if (covering.verdict == Covering::UNKNOWN)
-            return askAndLearn(query, true, false, policy, counts);
+            return ask(query, Question::CERTIFICATES, policy, counts);
         verdict.free = covering.verdict == Covering::FREE;
         verdict.reference = covering.certificate;
         if (verdict.free)
@@ -112,7 +112,7 @@ namespace ompl_certificates
 
     PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, SwitchingPolicy &policy, CheckCounts &counts) const
     {
-        return isFinite(query.pose) ? askAndLearn(query, false, false, policy, counts) : PoseVerdict();
+        return isFinite(query.pose) ? ask(query, Question::CLEARANCES, policy, counts) : PoseVerdict();
     }
 
     bool CertifiedEnvironment::hitsAgain(const PoseQuery &query, CheckCounts &counts) const
@@ -127,20 +127,20 @@ namespace ompl_certificates
         return true;
     }
 
-    PoseVerdict CertifiedEnvironment::askAndLearn(const PoseQuery &query, bool learn, bool gap, SwitchingPolicy &policy,
-                                                  CheckCounts &counts) const
+    PoseVerdict CertifiedEnvironment::ask(const PoseQuery &query, Question question, SwitchingPolicy &policy,
+                                          CheckCounts &counts) const
     {
         PoseVerdict verdict;
         verdict.by = SettledBy::CLEARANCES;
         if (query.isProofOnly())
         {
-            settleByClearances(query, learn, verdict, counts);
+            settleByClearances(query, question == Question::CERTIFICATES, verdict, counts);
             if (!verdict.free && query.standsStill())
                 collide(query, verdict, counts);
             return verdict;
         }
         // Unless it also settles other samples, a gap is worth no more than the contact test, and costs more.
-        if (gap && query.samplesAhead == 0.0)
+        if (question == Question::GAP && query.samplesAhead == 0.0)
         {
             collide(query, verdict, counts);
             return verdict;
@@ -148,8 +148,9 @@ namespace ompl_certificates
         TimedSettling settling(policy);
         if (settling.asksClearances())
         {
-            const bool settled =
-                gap ? settleByGap(query, verdict, counts) : settleByClearances(query, learn, verdict, counts);
+            const bool settled = question == Question::GAP
+                                     ? settleByGap(query, verdict, counts)
+                                     : settleByClearances(query, question == Question::CERTIFICATES, verdict, counts);
             // The proof also settles the samples within its valid interval.
             const double more = verdict.free ? std::min(verdict.validInterval, 1.0) * query.samplesAhead : 0.0;
             settling.noteClearances(settled ? 1.0 + more : 0.0);

@@ -114,10 +114,19 @@ namespace ompl_certificates
         static constexpr double PROOF_CUSHION = 1e-3;
 
     private:
-        /** \brief ask(), which also keeps certificates that settled a ball if \e learn is set
-            \param gap whether to ask for the gap of the whole body in place of clearances of points */
-        PoseVerdict askAndLearn(const PoseQuery &query, bool learn, bool gap, SwitchingPolicy &policy,
-                                CheckCounts &counts) const;
+        /** \brief How the obstacles are asked before the contact test */
+        enum class Question
+        {
+            /// For clearances of points.
+            CLEARANCES,
+            /// For clearances of points; what settled a ball is kept as a certificate.
+            CERTIFICATES,
+            /// For the gap of the whole body.
+            GAP
+        };
+
+        /** \brief Settles \e query by asking the obstacles */
+        PoseVerdict ask(const PoseQuery &query, Question question, SwitchingPolicy &policy, CheckCounts &counts) const;
 
         /** \brief Whether to ask for the gap of a body in place of clearances. That pays for meshes, which need many
             balls; a box needs few. */

@@ -76,7 +76,6 @@ namespace ompl_certificates
         ++counts.exactCalls;
         return obstacles.collides(body, pose);
     }
-
 }
 
 #endif

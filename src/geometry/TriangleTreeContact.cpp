@@ -23,6 +23,33 @@ namespace ompl_certificates
             Eigen::Vector3f half;
         };
 
+        /** The answers about one pair of triangles after the other, until they settle the matter */
+        class Answers
+        {
+        public:
+            /** Notes an answer about the triangle of the tree at \e position
+                \return whether no more are needed */
+            bool note(Touching answer, std::uint32_t position, std::uint32_t *hit)
+            {
+                if (answer == Touching::NO)
+                    return false;
+                all_ = answer;
+                if (answer == Touching::YES && hit)
+                    *hit = position;
+                return answer == Touching::YES || ++unknown_ == MOST_UNKNOWN;
+            }
+
+            /** What they say together */
+            Touching get() const
+            {
+                return all_;
+            }
+
+        private:
+            Touching all_{Touching::NO};
+            unsigned int unknown_{0};
+        };
+
         /** The transform of boxes from one frame to another */
         struct Turn
         {
@@ -139,7 +166,7 @@ namespace ompl_certificates
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = {0, 0, {Eigen::Vector3f::Zero(), half_}, {Eigen::Vector3f::Zero(), other.half_}};
-        unsigned int unknown = 0;
+        Answers answers;
         while (open > 0)
         {
             const Open pair = stack[--open];
@@ -149,17 +176,8 @@ namespace ompl_certificates
                 {
                     const Facet triangle(other.triangles_[j], pose);
                     for (std::uint32_t i = firstOf(pair.here), lastI = i + countOf(pair.here); i < lastI; ++i)
-                    {
-                        const Touching answer = crossing(triangles_[i], triangle, margin);
-                        if (answer == Touching::YES)
-                        {
-                            if (hit)
-                                *hit = i;
-                            return answer;
-                        }
-                        if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
-                            return answer;
-                    }
+                        if (answers.note(crossing(triangles_[i], triangle, margin), i, hit))
+                            return answers.get();
                 }
                 continue;
             }
@@ -181,7 +199,7 @@ namespace ompl_certificates
                         stack[open++] = {pair.here, node.child[k], pair.boxHere, boxOf(node, k)};
             }
         }
-        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
+        return answers.get();
     }
 
     Touching TriangleTree::touches(const Shape &primitive, const Pose &pose, double margin, std::uint32_t *hit) const
@@ -198,7 +216,7 @@ namespace ompl_certificates
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;
-        unsigned int unknown = 0;
+        Answers answers;
         while (open > 0)
         {
             const std::uint32_t current = stack[--open];
@@ -207,15 +225,8 @@ namespace ompl_certificates
                 for (std::uint32_t i = firstOf(current), last = i + countOf(current); i < last; ++i)
                 {
                     const auto &[a, b, c] = triangles_[i].corners;
-                    const Touching answer = touching(primitive, {pose * a, pose * b, pose * c}, margin);
-                    if (answer == Touching::YES)
-                    {
-                        if (hit)
-                            *hit = i;
-                        return answer;
-                    }
-                    if (answer == Touching::UNKNOWN && ++unknown == MOST_UNKNOWN)
-                        return answer;
+                    if (answers.note(touching(primitive, {pose * a, pose * b, pose * c}, margin), i, hit))
+                        return answers.get();
                 }
                 continue;
             }
@@ -226,6 +237,6 @@ namespace ompl_certificates
                 if (overlap[k])
                     stack[open++] = node.child[k];
         }
-        return unknown > 0 ? Touching::UNKNOWN : Touching::NO;
+        return answers.get();
     }
 }

@@ -14,6 +14,9 @@ namespace ompl_certificates
         /** In the plane FCL is quicker among more triangles than this: those of upright walls are tiny, and seen from above
             they lie upon each other. Measured with 30 000 and 300 000. */
         constexpr std::size_t MOST_PLANAR_TRIANGLES = 100000;
+
+        /** Where more primitives are near a body, its gap would cost more than it saves. */
+        constexpr std::size_t MOST_NEAR = 32;
     }
 
     ContactTest::ContactTest(const MeshSurface &surface, const PrimitiveList &primitives, unsigned int dimension,
@@ -83,39 +86,46 @@ namespace ompl_certificates
         if (!surface_.isEmpty())
             return -std::numeric_limits<double>::infinity();
         double least = wanted;
+        for (const ConvexCover &cover : body.getConvexCovers())
+            if (least > needed)
+                least = gapOfCover(cover, pose, needed, least);
+        return least;
+    }
+
+    double ContactTest::gapOfCover(const ConvexCover &cover, const Pose &pose, double needed, double wanted) const
+    {
         struct Near
         {
             double bound;
-            std::size_t primitive;
+            const PrimitiveList::Primitive *primitive;
         };
-        std::array<Near, 32> near;
-        for (const ConvexCover &cover : body.getConvexCovers())
+        std::array<Near, MOST_NEAR> near;
+        const Eigen::Vector3d center = pose * cover.getCenter();
+        const double radius = cover.getExtent() + cover.getRounding();
+        std::size_t count = 0;
+        primitives_.visitNear({center, radius + wanted},
+                              [&](std::size_t position)
+                              {
+                                  const PrimitiveList::Primitive &primitive = primitives_[position];
+                                  const double bound =
+                                      primitive.shape.signedDistance(primitive.toShape * center) - radius;
+                                  if (bound < wanted)
+                                      near[count++] = {bound, &primitive};
+                                  return count == near.size();
+                              });
+        if (count == near.size())
+            return -std::numeric_limits<double>::infinity();
+        // The nearest first: it mostly makes the others too far to matter.
+        std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
+                  [](const Near &x, const Near &y) { return x.bound < y.bound; });
+        double least = wanted;
+        for (std::size_t i = 0; i < count && near[i].bound < least && least > needed; ++i)
         {
-            const Eigen::Vector3d center = pose * cover.getCenter();
-            const double radius = cover.getExtent() + cover.getRounding();
-            std::size_t count = 0;
-            primitives_.visitNear({center, radius + least},
-                                  [&](std::size_t primitive)
-                                  {
-                                      const PrimitiveList::Primitive &one = primitives_[primitive];
-                                      const double bound = one.shape.signedDistance(one.toShape * center) - radius;
-                                      if (bound < least)
-                                          near[count++] = {bound, primitive};
-                                      return count == near.size();
-                                  });
-            if (count == near.size())
-                return -std::numeric_limits<double>::infinity();
-            std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
-                      [](const Near &x, const Near &y) { return x.bound < y.bound; });
-            for (std::size_t i = 0; i < count && near[i].bound < least; ++i)
-            {
-                const PrimitiveList::Primitive &one = primitives_[near[i].primitive];
-                const Eigen::Vector3d local = one.toShape * center;
-                Eigen::Vector3d direction = local - local.cwiseMax(one.bounds.min()).cwiseMin(one.bounds.max());
-                least = std::min(least, convexGap(one.cover, cover, one.toShape * pose, needed, least, direction));
-                if (least <= needed)
-                    return least;
-            }
+            const PrimitiveList::Primitive &primitive = *near[i].primitive;
+            const Eigen::Vector3d local = primitive.toShape * center;
+            Eigen::Vector3d direction = local - local.cwiseMax(primitive.bounds.min()).cwiseMin(primitive.bounds.max());
+            least =
+                std::min(least, convexGap(primitive.cover, cover, primitive.toShape * pose, needed, least, direction));
         }
         return least;
     }

@@ -32,6 +32,9 @@ namespace ompl_certificates
             return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         }
 
+        /** \brief gap() of one shape, whose cover is given in the body's frame */
+        double gapOfCover(const ConvexCover &cover, const Pose &pose, double needed, double wanted) const;
+
         /** \brief Whether a part of a body touches a triangle of the obstacles; see touches() */
         Touching touchesTriangles(const Shape &shape, const Pose &pose, double margin, ObstaclePart *hit) const;
 

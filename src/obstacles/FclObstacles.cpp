@@ -15,6 +15,12 @@ namespace ompl_certificates
 {
     namespace
     {
+        /** Among no more primitives than this a clearance costs less than the search for a certificate. */
+        constexpr std::size_t FEW_PRIMITIVES = 16;
+
+        /** Among no more than this the gap of a mesh costs less than the clearances of its balls. */
+        constexpr std::size_t MANY_PRIMITIVES = 256;
+
         std::vector<PlacedBody> bodiesOf(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                                          unsigned int dimension)
         {
@@ -62,13 +68,13 @@ namespace ompl_certificates
 
     FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension,
                                const ZInterval &zInterval)
-      : dimension_(dimension), zInterval_(zInterval), bodies_(obstacles), primitives_(std::make_unique<ClearanceTree>())
+      : dimension_(dimension), zInterval_(zInterval), bodies_(obstacles), clearances_(std::make_unique<ClearanceTree>())
     {
         const PlacedShapes shapes = placed(obstacles, dimension);
         for (const PlacedShape &shape : shapes)
             if (!isMesh(shape))
-                primitives_->add(shape.shape, shape.pose);
-        primitives_->build();
+                clearances_->add(shape.shape, shape.pose);
+        clearances_->build();
         surface_ = std::make_unique<MeshSurface>(shapes, dimension, zInterval);
 
         // In the plane, primitives are checked against meshes as prisms of the meshes' height.
@@ -83,8 +89,8 @@ namespace ompl_certificates
         else
             check_ = std::make_unique<SpatialCheck>(shapes);
         tolerance_ = fclTolerance(shapes, prismHeight);
-        primitiveList_ = std::make_unique<PrimitiveList>(shapes);
-        contactTest_ = std::make_unique<ContactTest>(*surface_, *primitiveList_, dimension, tolerance_);
+        primitives_ = std::make_unique<PrimitiveList>(shapes);
+        contactTest_ = std::make_unique<ContactTest>(*surface_, *primitives_, dimension, tolerance_);
     }
 
     FclObstacles::FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
@@ -102,12 +108,12 @@ namespace ompl_certificates
 
     double FclObstacles::clearance(const Eigen::Vector3d &point) const
     {
-        return surface_->distance(point, primitives_->signedDistance(point));
+        return surface_->distance(point, clearances_->signedDistance(point));
     }
 
     double FclObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
-        return surface_->findNearest(point, primitives_->signedDistance(point), part);
+        return surface_->findNearest(point, clearances_->signedDistance(point), part);
     }
 
     Touching FclObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
@@ -122,7 +128,7 @@ namespace ompl_certificates
 
     bool FclObstacles::hasGap() const
     {
-        return surface_->isEmpty() && primitives_->size() <= 256;
+        return surface_->isEmpty() && primitives_->size() <= MANY_PRIMITIVES;
     }
 
     bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
@@ -132,7 +138,7 @@ namespace ompl_certificates
 
     bool FclObstacles::isClearanceCheap() const
     {
-        return primitives_->size() <= 16 && surface_->isEmpty();
+        return surface_->isEmpty() && primitives_->size() <= FEW_PRIMITIVES;
     }
 
     std::uint64_t FclObstacles::getFingerprint() const

@@ -54,10 +54,11 @@ namespace ompl_certificates
         std::vector<MotionBound> motionBounds;
         std::vector<ompl::base::State *> samples;
 
-        /** \brief For each robot: the relative motion bounds of its own body pairs, and whether they are computed for
-            the motion */
+        /** \brief For each robot: the relative motion bounds of its own body pairs */
         std::vector<std::vector<PairMotionBound>> pairMotionBounds;
-        std::vector<bool> knowsPairMotionBounds, knowsMotionBounds;
+
+        /** \brief For each robot: whether the two kinds of motion bounds are computed for the motion */
+        std::vector<bool> knowsMotionBounds, knowsPairMotionBounds;
 
         /** \brief The number of the motion that is checked, and when each body, and each pair of bodies, is known to be
             free. Kept only for robots of several bodies. */

@@ -132,10 +132,10 @@ namespace ompl_certificates
     SubjectVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
     {
         const MotionSample sample{true, requiredInterval, samplesAhead, t};
-        SubjectVerdict verdict = SubjectVerdict::always();
         // Poses cost time, so what is known comes first.
-        if (sample.usesOtherTimes() && check_.isKnownFree(subjects_[subject], context_, t, verdict))
-            return verdict;
+        if (sample.usesOtherTimes())
+            if (const auto known = check_.findVerdict(subjects_[subject], context_, t))
+                return *known;
         pose(subject, t);
         return check_.settle(subjects_[subject], context_, sample);
     }

@@ -78,6 +78,7 @@ namespace ompl_certificates
         const Subject *const subjects_;
         const unsigned int subjectCount_;
 
+        /** \brief See CheckContext::OVERLAP */
         static constexpr double OVERLAP = CheckContext::OVERLAP;
 
     private:

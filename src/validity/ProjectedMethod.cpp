@@ -55,22 +55,22 @@ namespace ompl_certificates
     double ProjectedMethod::provenInterval(unsigned int robot, CheckContext &context) const
     {
         const std::size_t first = context.team.getFirstBody(robot), end = context.team.getFirstBody(robot + 1);
+        const bool usesOtherTimes = end - first > 1;
         double interval = std::numeric_limits<double>::infinity();
         for (std::size_t body = first; body < end; ++body)
         {
             ProvenTimes &times = context.bodyTimes[body];
-            if (const auto *known = end - first > 1 ? times.find(context.motion, 0.0) : nullptr)
+            if (const auto *known = usesOtherTimes ? times.find(context.motion, 0.0) : nullptr)
             {
                 interval = std::min(interval, known->last);
                 continue;
             }
+            const PoseQuery query = queryOf(robot, body - first, context, {true});
             PoseVerdict verdict;
-            const bool free = environmentOf(robot).settleByHint(queryOf(robot, body - first, context, {true}),
-                                                                context.hints[body], verdict);
-            interval = std::min(interval, free ? verdict.validInterval : 0.0);
-            if (end - first == 1)
-                break;
-            if (free)
+            if (!environmentOf(robot).settleByHint(query, context.hints[body], verdict))
+                verdict.validInterval = 0.0;
+            interval = std::min(interval, verdict.validInterval);
+            if (usesOtherTimes)
                 context.noteFree(times, 0.0, verdict.validInterval);
         }
         return interval;

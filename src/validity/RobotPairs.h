@@ -18,7 +18,9 @@ namespace ompl_certificates
         more for each robot that names pairs of its own bodies.
 
         Two discs or spheres are settled by arithmetic. Otherwise one body is the environment of the other, seen from
-        its own frame, as in the paper's footnote 2. Bodies of equal shape share that environment and its certificates. */
+        its own frame, as in the paper's footnote 2. First the gap between their convex covers may prove them apart. In
+        discrete mode the contact test and FCL settle the rest: certificates cost more than they saved there. In
+        continuous mode certificates do, which bodies of equal shape share. */
     class RobotPairs
     {
     public:

@@ -131,28 +131,26 @@ namespace ompl_certificates
         return pairs_.settle(subject.pair, context, sample);
     }
 
-    bool TeamCheck::isKnownFree(const Subject &subject, CheckContext &context, double time,
-                                SubjectVerdict &verdict) const
+    std::optional<SubjectVerdict> TeamCheck::findVerdict(const Subject &subject, CheckContext &context,
+                                                         double time) const
     {
-        if (subject.kind == Subject::TEAM)
-            return false;
-        const bool isPair = subject.kind == Subject::PAIR;
-        const auto &times = isPair ? context.bodyPairTimes : context.bodyTimes;
-        const std::size_t first = isPair ? pairs_.getFirstBodyPair(subject.pair) : team_.getFirstBody(subject.first);
-        const std::size_t end =
-            isPair ? pairs_.getFirstBodyPair(subject.pair + 1) : team_.getFirstBody(subject.first + 1);
+        const auto [first, end] = getParts(subject);
+        if (first == end)
+            return std::nullopt;
+        const auto &times = subject.kind == Subject::PAIR ? context.bodyPairTimes : context.bodyTimes;
+        SubjectVerdict verdict = SubjectVerdict::always();
         for (std::size_t i = first; i < end; ++i)
         {
             const ProvenTimes::Interval *known = times[i].find(context.motion, time);
             if (!known)
-                return false;
+                return std::nullopt;
             verdict.narrow(*known, time);
         }
-        if (isPair)
+        if (subject.kind == Subject::PAIR)
             ++context.counts.pairPoses;
         else
             countRobotPose(context.counts, SettledBy::CERTIFICATE, true);
-        return true;
+        return verdict;
     }
 
     double TeamCheck::provenInterval(const Subject &subject, CheckContext &context) const

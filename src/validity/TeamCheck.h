@@ -10,7 +10,9 @@
 #include "ompl_certificates/validity/WorldLock.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -120,15 +122,13 @@ namespace ompl_certificates
         /** \brief Whether a subject is one robot of several bodies, or a pair of several pairs of bodies */
         bool hasSeveralBodies(const Subject &subject) const
         {
-            if (subject.kind == Subject::PAIR)
-                return pairs_.getFirstBodyPair(subject.pair + 1) > pairs_.getFirstBodyPair(subject.pair) + 1;
-            return subject.kind == Subject::ROBOT &&
-                   team_.getFirstBody(subject.first + 1) > team_.getFirstBody(subject.first) + 1;
+            const auto [first, end] = getParts(subject);
+            return end - first > 1;
         }
 
-        /** \brief Whether all bodies of a subject are known to be free at a time of the motion; if so, narrows \e
-            verdict and counts */
-        bool isKnownFree(const Subject &subject, CheckContext &context, double time, SubjectVerdict &verdict) const;
+        /** \brief The verdict about a subject whose bodies are all known to be free at a time of the motion, which is
+            counted; else nothing */
+        std::optional<SubjectVerdict> findVerdict(const Subject &subject, CheckContext &context, double time) const;
 
         /** \brief Whether a state of the team is free */
         bool isFree(const ompl::base::State *state, CheckContext &context) const;
@@ -208,6 +208,22 @@ namespace ompl_certificates
     private:
         TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
                   std::unique_ptr<CheckMethod> checkMethod);
+
+        /** \brief The numbers of a robot's bodies, or of the pairs of bodies of a pair: the first, and one behind the last.
+            None for a team. */
+        std::pair<std::size_t, std::size_t> getParts(const Subject &subject) const
+        {
+            switch (subject.kind)
+            {
+                case Subject::TEAM:
+                    return {0, 0};
+                case Subject::ROBOT:
+                    return {team_.getFirstBody(subject.first), team_.getFirstBody(subject.first + 1)};
+                case Subject::PAIR:
+                    break;
+            }
+            return {pairs_.getFirstBodyPair(subject.pair), pairs_.getFirstBodyPair(subject.pair + 1)};
+        }
 
         const Team team_;
         ObstaclesPtr obstacles_;

@@ -103,9 +103,9 @@ namespace ompl_certificates
         ZInterval zInterval_;
         std::vector<PlacedBody> bodies_;
 
-        std::unique_ptr<ClearanceTree> primitives_;
+        std::unique_ptr<ClearanceTree> clearances_;
         std::unique_ptr<MeshSurface> surface_;
-        std::unique_ptr<PrimitiveList> primitiveList_;
+        std::unique_ptr<PrimitiveList> primitives_;
         std::unique_ptr<FclCheck> check_;
         std::unique_ptr<ContactTest> contactTest_;
         double tolerance_{0.0};

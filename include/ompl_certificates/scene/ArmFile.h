@@ -84,10 +84,10 @@ namespace ompl_certificates
         };
 
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
-            \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. A file
-            or a mesh cannot be read, links and joints make no tree, or are more than 1000, or a size is not positive.
-            Or a joint lacks what it needs, its limits, axis or mimic make no sense, or the SRDF file names what there
-            is not. */
+            \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. It is
+            thrown for a file or a mesh that cannot be read, for links and joints that make no tree or are more than
+            1000, and for a size that is not positive. It is also thrown for a joint that lacks what it needs, for
+            limits, an axis or a mimic that make no sense, and for an SRDF file that names what there is not. */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
 
         /** \brief The same, read as \e options say */
