@@ -21,6 +21,22 @@ namespace ompl_certificates
             __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
         }
 
+        /** Whether all samples of a motion are free, by whichever is quicker; if not, the last argument is set to the time up
+            to which they are, if it is there
+            \param sampled whether the method settles samples one by one */
+        template <typename... Free>
+        bool areSamplesFree(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
+                            bool sampled, Free &...free)
+        {
+            const auto byMethod = [&]
+            {
+                return sampled ? SampledMotionCheck(check, context, s1, s2).isFree(free...)
+                               : DiscreteMotionCheck(check, context, s1, s2).isFree(free...);
+            };
+            return check.decide(context.motionPolicy, context, byMethod,
+                                [&] { return SampledMotionCheck(check, context, s1, s2, true).isFree(free...); });
+        }
+
         /** Whether all of a motion is proved free; if not, \e free is set to the time up to which it is */
         bool isProved(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
                       double &free)
@@ -69,9 +85,8 @@ namespace ompl_certificates
     {
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
-        const bool valid = isSampled_          ? SampledMotionCheck(check, *context, s1, s2).isFree()
-                           : mode_ == DISCRETE ? DiscreteMotionCheck(check, *context, s1, s2).isFree()
-                                               : ContinuousMotionCheck(check, *context, s1, s2).isFree();
+        const bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_)
+                                             : ContinuousMotionCheck(check, *context, s1, s2).isFree();
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
@@ -107,9 +122,8 @@ namespace ompl_certificates
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
         double free = 1.0;
-        const bool valid = isSampled_          ? SampledMotionCheck(check, *context, s1, s2).isFree(free)
-                           : mode_ == DISCRETE ? DiscreteMotionCheck(check, *context, s1, s2).isFree(free)
-                                               : isProved(check, *context, s1, s2, free);
+        const bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
+                                             : isProved(check, *context, s1, s2, free);
         countMotion(valid ? valid_ : invalid_);
         if (!valid)
         {

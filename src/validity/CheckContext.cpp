@@ -18,6 +18,7 @@ namespace ompl_certificates
       , bodyPairDirections(bodyPairs, Eigen::Vector3d::Zero())
       , lastColliding(team.getRobotCount())
       , lastCollidingPair(team.getRobotCount() * (team.getRobotCount() + std::size_t(1)) / 2)
+      , robotPolicies(team.getRobotCount())
       , sample(team.getStateSpace()->allocState())
       , last(team.getStateSpace()->allocState())
     {
@@ -26,6 +27,12 @@ namespace ompl_certificates
             samples.push_back(team.getRobotSpace(robot).allocState());
             pairMotionBounds.emplace_back(team.getRobot(robot).getBodyPairs().size());
         }
+    }
+
+    void CheckContext::resetPolicies()
+    {
+        statePolicy = motionPolicy = pairPolicy = {};
+        robotPolicies.assign(robotPolicies.size(), {});
     }
 
     CheckContext::~CheckContext()

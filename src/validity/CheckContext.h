@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 #define OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 
+#include "CertificatePolicy.h"
 #include "ProvenTimes.h"
 #include "ThreadNumber.h"
 
@@ -101,6 +102,14 @@ namespace ompl_certificates
         /** \brief The fraction of recent motions between free ends that were free */
         double freeMotions{1.0};
 
+        /** \brief Whether certificates pay: for states and motions of the team, of each robot alone, and of single
+            pairs */
+        CertificatePolicy statePolicy, motionPolicy, pairPolicy;
+        std::vector<CertificatePolicy> robotPolicies;
+
+        /** \brief Forgets whether certificates pay */
+        void resetPolicies();
+
         /** \brief States of the team's space: a sample, and a candidate for the last valid state */
         ompl::base::State *sample, *last;
     };
@@ -119,6 +128,14 @@ namespace ompl_certificates
         {
             for (Slot &slot : slots_)
                 delete slot.context.load();
+        }
+
+        /** \brief Forgets whether certificates pay. Not while a context is lent. */
+        void resetPolicies()
+        {
+            for (Slot &slot : slots_)
+                if (CheckContext *context = slot.context.load())
+                    context->resetPolicies();
         }
 
         CheckContextPool(const CheckContextPool &) = delete;

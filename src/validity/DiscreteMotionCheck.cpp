@@ -1,5 +1,7 @@
 #include "DiscreteMotionCheck.h"
 
+#include "SampleOrder.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,6 +135,25 @@ namespace ompl_certificates
                 queue.push_back({subject, middle + 1 + after, last});
         }
         return true;
+    }
+
+    bool DiscreteMotionCheck::isExactlyFree()
+    {
+        const auto isFreeAt = [this](double time)
+        {
+            for (unsigned int subject = 0; subject < subjectCount_; ++subject)
+            {
+                place(subject, time);
+                if (!check_.isExactlyFree(subjects_[subject], context_))
+                    return false;
+            }
+            return true;
+        };
+        if (!isFreeAt(1.0))
+            return false;
+        const auto segments = static_cast<int>(countSegments());
+        return ompl_certificates::areInnerSamplesFree(
+            context_.open, segments, [&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
     }
 
     bool DiscreteMotionCheck::isFree(double &free)

@@ -24,6 +24,9 @@ namespace ompl_certificates
         /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
         bool isFree(double &free);
 
+        /** \brief The same verdict by Method::STANDARD, sample by sample. For motions of some subjects. */
+        bool isExactlyFree();
+
     private:
         /** \brief Settles all subjects at the end of the motion and sets endInterval. False if one is not free. */
         bool settleEnd();

@@ -1,12 +1,14 @@
 #include "SampledMotionCheck.h"
 
+#include "SampleOrder.h"
+
 #include <algorithm>
 
 namespace ompl_certificates
 {
     SampledMotionCheck::SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
-                                           const ompl::base::State *s2)
-      : check_(check), context_(context), s1_(s1), s2_(s2)
+                                           const ompl::base::State *s2, bool exactly)
+      : check_(check), context_(context), s1_(s1), s2_(s2), exactly_(exactly)
     {
         ++context_.counts.motions;
     }
@@ -22,33 +24,22 @@ namespace ompl_certificates
         return segments_;
     }
 
-    bool SampledMotionCheck::isSampleFree(int sample)
+    bool SampledMotionCheck::isStateFree(const ompl::base::State *state) const
+    {
+        return exactly_ ? check_.isExactlyFree(state, context_) : check_.isFreeByMethod(state, context_);
+    }
+
+    bool SampledMotionCheck::isSampleFree(int sample) const
     {
         check_.getTeam().getStateSpace()->interpolate(s1_, s2_, static_cast<double>(sample) / segments_,
                                                       context_.sample);
-        return check_.isFree(context_.sample, context_);
+        return isStateFree(context_.sample);
     }
 
     bool SampledMotionCheck::isFree()
     {
-        if (!check_.isFree(s2_, context_))
-            return false;
-        auto &queue = context_.open;
-        queue.clear();
-        if (countSegments() > 1)
-            queue.push_back({0, 1, segments_ - 1});
-        for (std::size_t next = 0; next < queue.size(); ++next)
-        {
-            const auto [subject, first, last] = queue[next];
-            const int middle = (first + last) / 2;
-            if (!isSampleFree(middle))
-                return false;
-            if (first < middle)
-                queue.push_back({0, first, middle - 1});
-            if (last > middle)
-                queue.push_back({0, middle + 1, last});
-        }
-        return true;
+        return isStateFree(s2_) &&
+               areInnerSamplesFree(context_.open, countSegments(), [this](int sample) { return isSampleFree(sample); });
     }
 
     bool SampledMotionCheck::isFree(double &free)
@@ -57,7 +48,7 @@ namespace ompl_certificates
         int invalid = 1;
         while (invalid < end && isSampleFree(invalid))
             ++invalid;
-        if (invalid == end && check_.isFree(s2_, context_))
+        if (invalid == end && isStateFree(s2_))
             return true;
         free = static_cast<double>(invalid - 1) / end;
         return false;

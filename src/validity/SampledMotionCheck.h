@@ -7,12 +7,13 @@ namespace ompl_certificates
 {
     /** \brief Checks a motion sample by sample, as the team's space interpolates it. Verdict and order of samples are
         those of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions
-        have no motion bounds. */
+        have no motion bounds; for motions for which certificates do not pay. */
     class SampledMotionCheck
     {
     public:
+        /** \param exactly whether to check by Method::STANDARD in place of the team's own method */
         SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
-                           const ompl::base::State *s2);
+                           const ompl::base::State *s2, bool exactly = false);
         ~SampledMotionCheck();
 
         SampledMotionCheck(const SampledMotionCheck &) = delete;
@@ -26,11 +27,13 @@ namespace ompl_certificates
 
     private:
         int countSegments();
-        bool isSampleFree(int sample);
+        bool isStateFree(const ompl::base::State *state) const;
+        bool isSampleFree(int sample) const;
 
         const TeamCheck &check_;
         CheckContext &context_;
         const ompl::base::State *s1_, *s2_;
+        const bool exactly_;
         int segments_{0};
     };
 }

@@ -86,6 +86,7 @@ namespace ompl_certificates
       , method_(method)
       , limit_(std::move(limit))
       , checkMethod_(checkMethod ? std::move(checkMethod) : makeMethod(method, team_, obstacles_, limit_))
+      , exactMethod_(obstacles_, true)
       , teamMethod_(checkMethod_->getTeamMethod())
       , pairs_(team_, method, limit_)
       , contexts_(team_, pairs_.getBodyPairCount())
@@ -167,20 +168,49 @@ namespace ompl_certificates
         return pairs_.provenInterval(subject.pair, context);
     }
 
-    bool TeamCheck::isFree(const ob::State *state, CheckContext &context) const
+    bool TeamCheck::isExactlyFree(const Subject &subject, CheckContext &context) const
     {
-        takeReferences(state, state, context);
+        if (subject.kind == Subject::PAIR)
+            return pairs_.settle(subject.pair, context, {}).free;
         bool free = true;
-        for (std::size_t i = 0; free && i < subjects_.size(); ++i)
+        for (unsigned int robot = subject.first; free && robot <= subject.last; ++robot)
+            free = exactMethod_.settleRobot(robot, context, {}).free;
+        return free;
+    }
+
+    template <typename IsFree>
+    bool TeamCheck::areAllFree(const ob::State *state, CheckContext &context, const IsFree &isFree) const
+    {
+        for (const Subject &subject : subjects_)
         {
-            const Subject &subject = subjects_[i];
             // Pairs come after all robots.
             for (unsigned int robot = subject.first; subject.kind != Subject::PAIR && robot <= subject.last; ++robot)
                 place(robot, team_.getRobotState(state, robot), context);
-            free = settle(subject, context, {}).free;
+            if (!isFree(subject))
+                return false;
         }
+        return true;
+    }
+
+    bool TeamCheck::isFree(const ob::State *state, CheckContext &context) const
+    {
+        return decide(
+            context.statePolicy, context, [&] { return isFreeByMethod(state, context); },
+            [&] { return isExactlyFree(state, context); });
+    }
+
+    bool TeamCheck::isFreeByMethod(const ob::State *state, CheckContext &context) const
+    {
+        takeReferences(state, state, context);
+        const bool free =
+            areAllFree(state, context, [&](const Subject &subject) { return settle(subject, context, {}).free; });
         giveReferences(state, context);
         return free;
+    }
+
+    bool TeamCheck::isExactlyFree(const ob::State *state, CheckContext &context) const
+    {
+        return areAllFree(state, context, [&](const Subject &subject) { return isExactlyFree(subject, context); });
     }
 
     double TeamCheck::clearance(const ob::State *state, CheckContext &context) const
@@ -228,6 +258,7 @@ namespace ompl_certificates
                 requireObstacles(obstacles, team_);
         const WorldLock::Change guard(lock_);
         checkMethod_->change(change);
+        exactMethod_.change(change);
         obstacles_ = change.after;
     }
 

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_CHECK_
 
 #include "CheckMethod.h"
+#include "ExactMethod.h"
 #include "RobotPairs.h"
 
 #include "certificates/CertificateLimit.h"
@@ -9,6 +10,7 @@
 #include "ompl_certificates/validity/Statistics.h"
 #include "ompl_certificates/validity/WorldLock.h"
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -96,6 +98,17 @@ namespace ompl_certificates
             return statistics_;
         }
 
+        /** \brief See TeamValidityChecker::setCertificatesAfter() */
+        void setCertificatesAfter(std::size_t checks)
+        {
+            certificatesAfter_ = checks;
+        }
+
+        std::size_t getCertificatesAfter() const
+        {
+            return certificatesAfter_;
+        }
+
         /** \brief All subjects of a state: robots first, then pairs */
         const std::vector<Subject> &getSubjects() const
         {
@@ -115,6 +128,15 @@ namespace ompl_certificates
         /** \brief Settles a subject whose robots' poses are in \e context */
         SubjectVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
 
+        /** \brief Whether a subject whose robots' poses are in \e context is free, by Method::STANDARD */
+        bool isExactlyFree(const Subject &subject, CheckContext &context) const;
+
+        /** \brief The result of \e certified or \e exact, which check the same with certificates and without:
+            whichever takes less time. Makes both checks at some calls, and counts one of them. */
+        template <typename Certified, typename Exact>
+        bool decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
+                    const Exact &exact) const;
+
         /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free after the start of a
             motion, where its robots are; 0 if they do not. Notes what is found of each body. */
         double provenInterval(const Subject &subject, CheckContext &context) const;
@@ -130,7 +152,13 @@ namespace ompl_certificates
             counted; else nothing */
         std::optional<SubjectVerdict> findVerdict(const Subject &subject, CheckContext &context, double time) const;
 
-        /** \brief Whether a state of the team is free */
+        /** \brief Whether a state of the team is free, by the method */
+        bool isFreeByMethod(const ompl::base::State *state, CheckContext &context) const;
+
+        /** \brief Whether a state of the team is free, by Method::STANDARD */
+        bool isExactlyFree(const ompl::base::State *state, CheckContext &context) const;
+
+        /** \brief Whether a state of the team is free, by whichever is quicker */
         bool isFree(const ompl::base::State *state, CheckContext &context) const;
 
         /** \brief See TeamValidityChecker::clearance() */
@@ -147,6 +175,7 @@ namespace ompl_certificates
         {
             checkMethod_->clear();
             pairs_.clear();
+            contexts_.resetPolicies();
         }
 
         /** \brief See TeamValidityChecker::setAdaptive() */
@@ -206,6 +235,10 @@ namespace ompl_certificates
         };
 
     private:
+        /** \brief Whether all subjects are free, once their robots are placed; asks for each until one is not */
+        template <typename IsFree>
+        bool areAllFree(const ompl::base::State *state, CheckContext &context, const IsFree &isFree) const;
+
         TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
                   std::unique_ptr<CheckMethod> checkMethod);
 
@@ -231,16 +264,45 @@ namespace ompl_certificates
         /** \brief Shared by the certificates of obstacles and of pairs */
         const std::shared_ptr<CertificateLimit> limit_;
         const std::unique_ptr<CheckMethod> checkMethod_;
+        /** \brief For when certificates do not pay */
+        ExactMethod exactMethod_;
         /** \brief Null if the method settles robots one by one */
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
         bool adaptive_{true};
+        std::size_t certificatesAfter_{128};
         std::vector<Subject> subjects_;
         std::vector<std::vector<Subject>> robotSubjects_;
         mutable WorldLock lock_;
         mutable Statistics statistics_;
         mutable CheckContextPool contexts_;
     };
+
+    template <typename Certified, typename Exact>
+    bool TeamCheck::decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
+                           const Exact &exact) const
+    {
+        if (!makesCertificates(method_) || !adaptive_)
+            return certified();
+        if (policy.isNew())
+            policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter_);
+        if (!policy.isTrial())
+            return policy.usesCertificates() ? certified() : exact();
+        const CheckCounts counts = context.counts;
+        const bool exactFirst = policy.beginsExactly();
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point begin = Clock::now();
+        if (exactFirst)
+            exact();
+        else
+            certified();
+        const Clock::time_point middle = Clock::now();
+        context.counts = counts;
+        const bool free = exactFirst ? certified() : exact();
+        const Clock::duration first = middle - begin, second = Clock::now() - middle;
+        policy.note(exactFirst ? second : first, exactFirst ? first : second);
+        return free;
+    }
 }
 
 #endif

@@ -13,6 +13,16 @@ namespace ompl_certificates
 
     namespace
     {
+        /** Whether a motion of some subjects is free, by whichever is quicker */
+        bool isMotionFree(const TeamCheck &check, CheckContext &context, CertificatePolicy &policy,
+                          const SubjectRange &subjects, std::initializer_list<const ob::State *> from,
+                          std::initializer_list<const ob::State *> to)
+        {
+            return check.decide(
+                policy, context, [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isFree(); },
+                [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isExactlyFree(); });
+        }
+
         const ob::StateSpacePtr &spaceOf(const ob::SpaceInformationPtr &si)
         {
             if (!si)
@@ -43,6 +53,9 @@ namespace ompl_certificates
             [this] { return getMaxCertificates(); });
         params_.declareParam<bool>(
             "adaptive", [this](bool adaptive) { setAdaptive(adaptive); }, [this] { return isAdaptive(); });
+        params_.declareParam<std::size_t>(
+            "certificates_after", [this](std::size_t checks) { setCertificatesAfter(checks); },
+            [this] { return getCertificatesAfter(); });
     }
 
     TeamValidityChecker::~TeamValidityChecker() = default;
@@ -75,8 +88,8 @@ namespace ompl_certificates
     bool TeamValidityChecker::isRobotMotionFree(unsigned int robot, const ob::State *from, const ob::State *to) const
     {
         const TeamCheck::Scope context(*check_);
-        DiscreteMotionCheck check(*check_, *context, check_->getRobotSubjects(robot), {from}, {to});
-        return check.isFree();
+        return isMotionFree(*check_, *context, (*context).robotPolicies[robot], check_->getRobotSubjects(robot), {from},
+                            {to});
     }
 
     bool TeamValidityChecker::isPairMotionFree(unsigned int first, const ob::State *firstFrom, const ob::State *firstTo,
@@ -85,9 +98,10 @@ namespace ompl_certificates
     {
         const SubjectRange pair = check_->getPair(first, second);
         const TeamCheck::Scope context(*check_);
+        CertificatePolicy &policy = (*context).pairPolicy;
         if (first < second)
-            return DiscreteMotionCheck(*check_, *context, pair, {firstFrom, secondFrom}, {firstTo, secondTo}).isFree();
-        return DiscreteMotionCheck(*check_, *context, pair, {secondFrom, firstFrom}, {secondTo, firstTo}).isFree();
+            return isMotionFree(*check_, *context, policy, pair, {firstFrom, secondFrom}, {firstTo, secondTo});
+        return isMotionFree(*check_, *context, policy, pair, {secondFrom, firstFrom}, {secondTo, firstTo});
     }
 
     double TeamValidityChecker::clearance(const ob::State *state) const
@@ -157,6 +171,16 @@ namespace ompl_certificates
     bool TeamValidityChecker::isAdaptive() const
     {
         return check_->isAdaptive();
+    }
+
+    void TeamValidityChecker::setCertificatesAfter(std::size_t checks)
+    {
+        check_->setCertificatesAfter(checks);
+    }
+
+    std::size_t TeamValidityChecker::getCertificatesAfter() const
+    {
+        return check_->getCertificatesAfter();
     }
 
     std::size_t TeamValidityChecker::getCertificateCount() const

@@ -69,14 +69,10 @@ TEST(BenchmarkTeam, logsEveryMethodWithTheSameRandomNumbers)
             { return std::stoull("0" + value(run, name + " INTEGER")); };
             EXPECT_GT(count("robot_poses"), 10u);
             EXPECT_EQ(count("robot_poses"), count("certified_free") + count("certified_colliding") + count("asked"));
-            // Among few obstacles, single robots search for certificates, and keep them, only now and then.
+            // With certificates, too, such short plans may end before there are any.
             if (method == "fcl" || method == "standard")
             {
                 EXPECT_EQ(count("certificates"), 0u);
-            }
-            if (method == "basic")
-            {
-                EXPECT_GT(count("certificates"), 0u);
             }
             EXPECT_GT(std::stod(value(run, "time_in_checking REAL")), 0.0);
         }

@@ -32,6 +32,7 @@ namespace
             setup = std::make_shared<TeamSetup>(team, scatteredObstacles(random, 2, 10));
             setup->getStateSpace()->setLongestValidSegmentFraction(0.02);
             si()->setup();  // otherwise motions have no samples
+            setup->getTeamChecker()->setAdaptive(false);
             do
             {
                 start = std::make_unique<ob::ScopedState<>>(randomState(random, team));
@@ -143,7 +144,10 @@ TEST(PlannersOnThreads, LearnFromEachOther)
         {
             std::vector<TeamSetupPtr> setups;
             for (unsigned int i = 0; i < (shared ? 1 : threads); ++i)
+            {
                 setups.push_back(std::make_shared<TeamSetup>(team, obstacles));
+                setups.back()->getTeamChecker()->setAdaptive(false);
+            }
             std::vector<std::thread> running;
             for (unsigned int thread = 0; thread < threads; ++thread)
                 running.emplace_back(

@@ -64,7 +64,10 @@ namespace ompl_certificates
             const TeamValidityChecker fcl(si, obstacles, Method::FCL);
             std::vector<std::unique_ptr<TeamValidityChecker>> checkers;
             for (const Method method : {Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
+            {
                 checkers.push_back(std::make_unique<TeamValidityChecker>(si, obstacles, method));
+                checkers.back()->setCertificatesAfter(0);
+            }
             team->setup();
             const auto sampler = team->allocStateSampler();
             ompl::base::ScopedState<> state(team), near(team);

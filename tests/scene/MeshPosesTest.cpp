@@ -35,6 +35,7 @@ namespace ompl_certificates
         const TeamSetup shared(team, obstacles, Method::SHARED_PROJECTION);
         standard.getSpaceInformation()->setup();
         shared.getSpaceInformation()->setup();
+        shared.getTeamChecker()->setCertificatesAfter(0);
         const unsigned int seed = 1, poses = scaled(100000) / team->getRobotCount();
         Random random(seed);
         unsigned int valid = 0;

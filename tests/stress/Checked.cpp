@@ -47,6 +47,7 @@ namespace ompl_certificates
             ompl = std::make_shared<ob::DiscreteMotionValidator>(si);
             const auto add = [this](const std::shared_ptr<TeamValidityChecker> &checker)
             {
+                checker->setCertificatesAfter(0);
                 certified.push_back(
                     {checker, std::make_shared<CertificateMotionValidator>(checker),
                      std::make_shared<CertificateMotionValidator>(checker, CertificateMotionValidator::CONTINUOUS)});

@@ -23,6 +23,8 @@ namespace ompl_certificates
                     setups.push_back(std::make_shared<TeamSetup>(team, obstacles, method));
                     setups.back()->getSpaceInformation()->setStateValidityCheckingResolution(resolution);
                     setups.back()->getSpaceInformation()->setup();
+                    // Tests are short.
+                    setups.back()->getTeamChecker()->setCertificatesAfter(0);
                 }
             }
 

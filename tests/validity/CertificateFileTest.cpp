@@ -33,7 +33,9 @@ namespace
 
         std::shared_ptr<TeamSetup> makeFresh(const ObstaclesPtr &obstacles, Method method) const
         {
-            return std::make_shared<TeamSetup>(team_, obstacles, method);
+            auto setup = std::make_shared<TeamSetup>(team_, obstacles, method);
+            setup->getTeamChecker()->setCertificatesAfter(0);
+            return setup;
         }
 
         ObstaclesPtr makeObstacles(unsigned int seed = 1) const

@@ -116,6 +116,7 @@ TEST_F(ChangingObstacles, KeepTheNumberOfCertificates)
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
     const auto checker = setup.getTeamChecker();
+    checker->setCertificatesAfter(0);
     for (int i = 0; i < 500; ++i)
         checker->isValid(randomState(random, team).get());
     const std::size_t known = checker->getCertificateCount();
@@ -135,6 +136,7 @@ TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
     const auto checker = setup.getTeamChecker();
+    checker->setCertificatesAfter(0);
     std::atomic<bool> done{false};
     std::atomic<unsigned int> checks{0}, wrong{0};
     // The robots are on both sides of the middle, so one of them always touches the box.
@@ -231,6 +233,7 @@ TEST_F(ChangingObstacles, KeepCertificatesOverALimitThatWasLowered)
     TeamSetup setup(team, set.takeChange().after);
     setup.getSpaceInformation()->setup();
     const auto checker = setup.getTeamChecker();
+    checker->setCertificatesAfter(0);
     checker->setAdaptive(false);
     for (int i = 0; i < 100; ++i)
         checker->isValid(randomState(random, team).get());

@@ -54,6 +54,7 @@ TEST_F(Methods, StandardChecksEveryRobotEveryTime)
 TEST_F(Methods, BasicNeedsAReferenceToATeamCertificate)
 {
     const TeamSetup setup(team_, obstacles_, Method::BASIC);
+    setup.getTeamChecker()->setAdaptive(false);
     EXPECT_EQ(exactAt(setup, apart_), 2U);
     EXPECT_EQ(exactAt(setup, moved_), 2U);
     ob::ScopedState<> near(team_), state(team_);
@@ -69,6 +70,7 @@ TEST_F(Methods, BasicNeedsAReferenceToATeamCertificate)
 TEST_F(Methods, PartialUsesARobotsOwnCertificatesOnly)
 {
     const TeamSetup setup(team_, obstacles_, Method::PARTIAL);
+    setup.getTeamChecker()->setAdaptive(false);
     EXPECT_EQ(exactAt(setup, apart_), 2U);
     EXPECT_EQ(exactAt(setup, moved_), 0U);
     EXPECT_EQ(exactAt(setup, swapped_), 2U);
@@ -78,6 +80,7 @@ TEST_F(Methods, PartialUsesARobotsOwnCertificatesOnly)
 TEST_F(Methods, SharedProjectionUsesAnyRobotsCertificates)
 {
     const TeamSetup setup(team_, obstacles_, Method::SHARED_PROJECTION);
+    setup.getTeamChecker()->setAdaptive(false);
     EXPECT_EQ(exactAt(setup, apart_), 2U);
     EXPECT_EQ(exactAt(setup, moved_), 0U);
     EXPECT_EQ(exactAt(setup, swapped_), 0U);
@@ -89,6 +92,7 @@ TEST_F(Methods, MoveFromStateToStateByReference)
     for (const Method method : {Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
     {
         const TeamSetup setup(team_, obstacles_, method);
+        setup.getTeamChecker()->setAdaptive(false);
         setup.getSpaceInformation()->setup();
         ob::ScopedState<> near(team_), fresh(team_);
         near = apart_;
@@ -105,6 +109,7 @@ TEST_F(Methods, MoveFromStateToStateByReference)
 TEST_F(Methods, RememberCollisionsIfTheyAreShared)
 {
     const TeamSetup setup(team_, obstacles_, Method::SHARED_PROJECTION);
+    setup.getTeamChecker()->setAdaptive(false);
     ob::ScopedState<> state(team_);
     state = std::vector<double>{-3.0, 3.0, 3.0, 0.0};
     EXPECT_FALSE(setup.getTeamChecker()->isValid(state.get()));

@@ -53,6 +53,7 @@ namespace
             auto made = std::make_shared<TeamSetup>(team, obstacles, method, CertificateMotionValidator::CONTINUOUS);
             made->getSpaceInformation()->setStateValidityCheckingResolution(resolution);
             made->getSpaceInformation()->setup();
+            made->getTeamChecker()->setCertificatesAfter(0);
             return made;
         }
 

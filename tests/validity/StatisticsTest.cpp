@@ -126,6 +126,7 @@ TEST(Statistics, ShowFewerExactChecksTheMoreIsShared)
     std::vector<double> fractions;
     for (const auto &setup : checkers.setups)
     {
+        setup->getTeamChecker()->setAdaptive(false);
         setup->getStatistics().reset();
         walk(*setup, team, 3000);
         const CheckCounts counts = setup->getStatistics().getCounts();

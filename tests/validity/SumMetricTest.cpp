@@ -144,6 +144,7 @@ namespace
         {
             ompl::RNG::setSeed(11);
             TeamSetup setup(teamOf(GetParam()), obstacles, method);
+            setup.getTeamChecker()->setCertificatesAfter(0);
             const auto tree = grow(setup, ends[0], ends[1], std::make_shared<Planner>(setup.getSpaceInformation()));
             EXPECT_TRUE(tree == expected)
                 << nameOf(method) << ": " << tree.size() << " states, not " << expected.size();

@@ -107,7 +107,7 @@ namespace ompl_certificates
         /** \brief Counts and times of this checker and of its motion validator */
         Statistics &getStatistics() const;
 
-        /** \brief The parameters max_certificates and adaptive, to be set by name */
+        /** \brief The parameters max_certificates, adaptive and certificates_after, to be set by name */
         ompl::base::ParamSet &params()
         {
             return params_;
@@ -124,13 +124,23 @@ namespace ompl_certificates
         /** \brief How many certificates are kept, of obstacles and of pairs of robots together */
         std::size_t getKeptCertificates() const;
 
-        /** \brief Whether to skip certificates and clearances where they have not paid lately; the default. If not, all
-            are tried for every pose. Counts then depend only on the states, not on the clock, so experiments are
-            repeatable. Verdicts never depend on it. Not while others use the checker. */
+        /** \brief Whether to skip certificates and clearances where they have not paid lately; the default. Some checks
+            are then made with certificates and without, to compare the times. If not, all are tried for every pose.
+            Counts then depend only on the states, not on the clock, so experiments are repeatable. Verdicts never depend
+            on it. Not while others use the checker. */
         void setAdaptive(bool adaptive);
 
         /** \brief See setAdaptive() */
         bool isAdaptive() const;
+
+        /** \brief After how many checks an adaptive checker first makes certificates; 128 by default. Until then it is as
+            quick as Method::STANDARD: a plan of few motions ends before certificates have saved what they cost. States,
+            motions of the team, those of each robot and those of pairs are counted each by themselves, in each thread.
+            Certificates that are there already are used at once. Before the first check. */
+        void setCertificatesAfter(std::size_t checks);
+
+        /** \brief See setCertificatesAfter() */
+        std::size_t getCertificatesAfter() const;
 
         /** \brief The number of certificates of the obstacles. In Basic: team certificates times bodies. */
         std::size_t getCertificateCount() const;

@@ -1,0 +1,72 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_POLICY_
+#define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_POLICY_
+
+#include <chrono>
+#include <cstdint>
+
+namespace ompl_certificates
+{
+    /** \brief Decides whether checks of one kind use certificates, or the standard check alone.
+
+        Certificates cost time first and save it later. So it begins with the standard check: short plans are not worth
+        an investment. Then it uses certificates, and at some checks compares the times of both ways: of the same motion,
+        so that few trials suffice. The longer they have been in use, the more they must have saved; else it returns to
+        the standard check, and tries them again when four times as many checks have been made. No verdict depends on
+        it. Each thread has its own. */
+    class CertificatePolicy
+    {
+    public:
+        /** \brief Whether to make the next check both ways, and to note() the times. Call it once for each check. */
+        bool isTrial()
+        {
+            return ++checks_ >= nextTrial_;
+        }
+
+        /** \brief Whether to use certificates for a check that is no trial */
+        bool usesCertificates() const
+        {
+            return usesCertificates_;
+        }
+
+        /** \brief Whether the trial begins with the standard check. In turn, since the second has the warmer cache. */
+        bool beginsExactly() const
+        {
+            return trials_ % 2 == 1;
+        }
+
+        /** \brief Notes how long the same check took in either way */
+        void note(std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
+
+        /** \brief Whether it has decided about no check yet */
+        bool isNew() const
+        {
+            return checks_ == 0;
+        }
+
+        /** \brief Sets after how many checks certificates are first used. For a new policy. */
+        void setFirstUse(std::uint64_t checks)
+        {
+            nextTrial_ = checks;
+        }
+
+    private:
+        /** \brief Begins to use certificates */
+        void begin();
+
+        /** \brief Takes a time into a mean */
+        void remember(double &mean, std::chrono::nanoseconds time) const;
+
+        std::uint64_t checks_{0}, nextTrial_{0};
+
+        /** \brief The number of checks when certificates were last taken into use */
+        std::uint64_t begin_{0};
+
+        /** \brief The number of trials since then, and the mean times (nanoseconds) */
+        std::uint32_t trials_{0};
+        double certified_{0.0}, exact_{0.0};
+
+        bool usesCertificates_{false};
+    };
+}
+
+#endif

@@ -1,0 +1,132 @@
+#include "support/Checkers.h"
+#include "support/RandomStates.h"
+#include "validity/CertificatePolicy.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+using std::chrono::nanoseconds;
+
+namespace
+{
+    /** What a policy decides about so many checks, whose times with certificates \e certified says by the number of checks
+        that have used these */
+    struct Course
+    {
+        unsigned int certified{0}, trials{0};
+
+        template <typename Certified>
+        Course(CertificatePolicy &policy, unsigned int checks, nanoseconds exact, const Certified &certifiedTime)
+        {
+            for (unsigned int i = 0; i < checks; ++i)
+            {
+                if (policy.isTrial())
+                {
+                    ++trials;
+                    policy.note(certifiedTime(certified + trials), exact);
+                }
+                else if (policy.usesCertificates())
+                    ++certified;
+            }
+        }
+    };
+
+    nanoseconds always2000(unsigned int /*uses*/)
+    {
+        return nanoseconds(2000);
+    }
+}
+
+TEST(CertificatePolicy, AsksForNoCertificatesBeforeTheirFirstUse)
+{
+    CertificatePolicy policy;
+    policy.setFirstUse(128);
+    const Course course(policy, 127, nanoseconds(1000), always2000);
+    EXPECT_EQ(course.certified + course.trials, 0U);
+    EXPECT_TRUE(policy.isTrial());
+}
+
+TEST(CertificatePolicy, LeavesCertificatesThatDoNotPay)
+{
+    CertificatePolicy policy;
+    policy.setFirstUse(128);
+    const Course course(policy, 10000, nanoseconds(1000), always2000);
+    EXPECT_FALSE(policy.usesCertificates());
+    // A twentieth of the time at most: a certified check costs as much more as a check, a trial twice that.
+    EXPECT_LT(course.certified + 2 * course.trials, 500U);
+    // They are tried again: after 160 checks, 640, 2560.
+    EXPECT_GT(course.certified, 3U * 20U);
+}
+
+TEST(CertificatePolicy, KeepsCertificatesThatPay)
+{
+    CertificatePolicy policy;
+    const Course course(policy, 10000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
+    EXPECT_TRUE(policy.usesCertificates());
+    EXPECT_EQ(course.certified + course.trials, 10000U);
+    EXPECT_LT(course.trials, 150U);
+}
+
+TEST(CertificatePolicy, IsPatientWithCertificatesThatPayLater)
+{
+    CertificatePolicy policy;
+    // At first they make each check longer, after 150 checks half as long.
+    const Course course(policy, 10000, nanoseconds(1000),
+                        [](unsigned int uses) { return nanoseconds(uses < 150 ? 1200 : 500); });
+    EXPECT_EQ(course.certified + course.trials, 10000U);
+}
+
+TEST(CertificatePolicy, LeavesCertificatesThatPayNoLonger)
+{
+    CertificatePolicy policy;
+    const Course before(policy, 5000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
+    ASSERT_TRUE(policy.usesCertificates());
+    const Course after(policy, 20000, nanoseconds(1000), always2000);
+    EXPECT_FALSE(policy.usesCertificates());
+}
+
+TEST(CertificatePolicy, IsNotMisledByASingleInterruption)
+{
+    CertificatePolicy policy;
+    Course(policy, 2000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
+    ASSERT_TRUE(policy.usesCertificates());
+    policy.note(nanoseconds(4000000), nanoseconds(1000));
+    EXPECT_TRUE(policy.usesCertificates());
+}
+
+TEST(CertificatesAfter, AreMadeThenAndChangeNoVerdict)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    for (unsigned int seed = 1; seed <= scaled(4); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const TeamStateSpacePtr team = anyTeam(seed);
+        const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 10));
+        for (const auto &setup : checkers.certified())
+        {
+            const auto checker = setup->getTeamChecker();
+            checker->params().setParam("certificates_after", "50");
+            EXPECT_EQ(checker->getCertificatesAfter(), 50U);
+            for (unsigned int i = 0; i < 400; ++i)
+            {
+                const auto from = randomState(random, team), to = randomState(random, team);
+                EXPECT_EQ(checker->isValid(from.get()), checkers.isValid(from.get()));
+                EXPECT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()),
+                          checkers.reference().getSpaceInformation()->checkMotion(from.get(), to.get()));
+                if (i == 48)
+                {
+                    EXPECT_EQ(checker->getCertificateCount(), 0U);
+                }
+            }
+            EXPECT_GT(checker->getStatistics().getCounts().clearanceQueries, 0U);
+            // clear() also begins anew.
+            checker->clear();
+            EXPECT_EQ(checker->getCertificateCount(), 0U);
+            checker->isValid(randomState(random, team).get());
+            EXPECT_EQ(checker->getCertificateCount(), 0U);
+        }
+    }
+}
