@@ -10,7 +10,7 @@ namespace ompl_certificates
         \param queue working memory
         \param isFree says whether the sample of a number is free; the end of the motion has number \e segments */
     template <typename IsFree>
-    bool areInnerSamplesFree(std::vector<OpenInterval> &queue, int segments, const IsFree &isFree)
+    bool areFreeBreadthFirst(std::vector<OpenInterval> &queue, int segments, const IsFree &isFree)
     {
         queue.clear();
         if (segments > 1)

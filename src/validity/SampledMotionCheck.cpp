@@ -39,7 +39,7 @@ namespace ompl_certificates
     bool SampledMotionCheck::isFree()
     {
         return isStateFree(s2_) &&
-               areInnerSamplesFree(context_.open, countSegments(), [this](int sample) { return isSampleFree(sample); });
+               areFreeBreadthFirst(context_.open, countSegments(), [this](int sample) { return isSampleFree(sample); });
     }
 
     bool SampledMotionCheck::isFree(double &free)

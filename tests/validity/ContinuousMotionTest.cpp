@@ -78,7 +78,7 @@ TEST_P(ContinuousMotions, ThatAreAcceptedNeverCollide)
             if (again)
             {
                 ASSERT_EQ(lastValid.second, -7.0);
-                ASSERT_LT(firstCollision(standard, from, to, 1.0, samples), 0.0);
+                ASSERT_TRUE(valid);
                 continue;
             }
             ASSERT_GE(lastValid.second, 0.0);
