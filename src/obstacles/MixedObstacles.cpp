@@ -16,8 +16,9 @@ namespace ompl_certificates
         {
             if (!member)
                 throw ompl::Exception("A member of mixed obstacles must not be null");
-            if (member->getDimension() != getDimension())
-                throw ompl::Exception("Mixed obstacles must have one dimension, not " + std::to_string(getDimension()) +
+            const unsigned int dimension = members_.front()->getDimension();
+            if (member->getDimension() != dimension)
+                throw ompl::Exception("Mixed obstacles must have one dimension, not " + std::to_string(dimension) +
                                       " and " + std::to_string(member->getDimension()));
         }
     }

@@ -217,7 +217,7 @@ namespace ompl_certificates
     void PointTree::prefetch(std::uint32_t child) const
     {
         if ((child & LEAF) != 0)
-            __builtin_prefetch(&points_[(child & ~LEAF) * LEAF_SIZE]);
+            __builtin_prefetch(&points_[std::size_t(child & ~LEAF) * LEAF_SIZE]);
         else
             __builtin_prefetch(&nodes_[child]);
     }
@@ -238,8 +238,8 @@ namespace ompl_certificates
         const double largest = shifted.cwiseAbs().maxCoeff();
         if (nodes_.empty() || !(largest < FARTHEST))
         {
-            for (std::uint32_t first = 0; first < points_.size(); first += LEAF_SIZE)
-                tryLeaf(first / LEAF_SIZE);
+            for (std::size_t first = 0; first < points_.size(); first += LEAF_SIZE)
+                tryLeaf(static_cast<std::uint32_t>(first / LEAF_SIZE));
             return found;
         }
         const auto slack = static_cast<float>(ROUNDING * (largest + extent_));

@@ -52,7 +52,7 @@ TEST(ThinnedCloud, HasOnePointPerCell)
 
 TEST(SlicedCloud, KeepsWhatReachesIn)
 {
-    const PointCloud cloud{{{1, 2, -1.2}, {3, 4, -1}, {5, 6, 0}, {7, 8, 2.09}, {9, 10, 2.2}}, 0.1};
+    const PointCloud cloud{{{1, 2, -1.2}, {3, 4, -1.05}, {5, 6, 0}, {7, 8, 2.09}, {9, 10, 2.2}}, 0.1};
     const PointCloud slice = sliced(cloud, {-1.0, 2.0});
     ASSERT_EQ(slice.points.size(), 3U);
     EXPECT_EQ(slice.radius, 0.1);
