@@ -161,7 +161,7 @@ namespace ompl_certificates
             void readBinary()
             {
                 const std::string_view rest = text_.getRest();
-                if (rest.size() / bytes_ < count_)
+                if (rest.size() / std::max<std::size_t>(1, bytes_) < count_)
                     text_.fail(std::to_string(count_) + " points of " + std::to_string(bytes_) +
                                " bytes must follow, but there are " + std::to_string(rest.size()) + " bytes");
                 points_.reserve(count_);
