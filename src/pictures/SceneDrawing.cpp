@@ -1,7 +1,11 @@
 #include "SceneDrawing.h"
 
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+
 #include <algorithm>
 #include <ompl/util/Exception.h>
+#include <set>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -18,6 +22,21 @@ namespace ompl_certificates
         {
             const Eigen::Vector2d up(size, size), down(size, -size);
             svg.segments({{center - up, center + up}, {center - down, center + down}}, attributes);
+        }
+
+        /** Draws the points of a cloud. Of many in one place of the picture one is drawn. */
+        void drawCloud(SvgWriter &svg, const SceneView &view, const PointCloudObstacles &cloud)
+        {
+            constexpr double pixels = 2.5;
+            std::set<std::pair<int, int>> drawn;
+            for (std::size_t i = 0; i < cloud.getPoints().size(); ++i)
+            {
+                const Eigen::Vector2d at = view.project(cloud.getPoints()[i]), inView = at - view.getCorner();
+                if (!((inView.array() >= 0.0).all() && (inView.array() <= view.getSize().array()).all()))
+                    continue;
+                if (drawn.emplace(static_cast<int>(inView.x() / pixels), static_cast<int>(inView.y() / pixels)).second)
+                    svg.circle(at, std::max(0.5 * pixels, cloud.getRadius(i) * view.getScale()), "stroke='none'");
+            }
         }
 
         std::string shortened(const std::string &name)
@@ -96,6 +115,9 @@ namespace ompl_certificates
         const ZInterval zInterval = scene_.getZInterval();
         for (const PlacedBody &obstacle : scene_.getObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
+        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+            if (const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.get()))
+                drawCloud(svg, view, *cloud);
         svg.endGroup();
     }
 
