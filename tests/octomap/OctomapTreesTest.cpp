@@ -47,7 +47,7 @@ namespace
         const auto planner = makePlanner(plannerName, setup.getSpaceInformation());
         setup.setPlanner(planner);
         setup.setup();
-        ob::IterationTerminationCondition condition(400);
+        ob::IterationTerminationCondition condition(plannerName == "RRTstar" ? 100 : 400);
         setup.solve(ob::PlannerTerminationCondition(condition));
         ob::PlannerData data(setup.getSpaceInformation());
         planner->getPlannerData(data);
