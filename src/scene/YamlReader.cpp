@@ -1,3 +1,4 @@
+#include "YamlOctomap.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 #include "YamlText.h"
@@ -43,7 +44,12 @@ namespace ompl_certificates
         YamlMeshes meshes(source);
         if (environment.has("obstacles"))
             for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
-                scene.addObstacle(readObstacle(obstacle, dimension, meshes));
+            {
+                if (obstacle.at("type").text() == "octomap")
+                    scene.addSensedObstacles(readOctomap(obstacle, dimension, source), obstacle.getKey());
+                else
+                    scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
+            }
         YamlArms arms(source);
         for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
             readRobot(robot, scene, meshes, arms);
