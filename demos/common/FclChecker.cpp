@@ -68,7 +68,8 @@ namespace demos
             sum_ += std::chrono::steady_clock::now() - start_;
     }
 
-    FclChecker::FclChecker(const ob::SpaceInformationPtr &si, const Scene &scene) : ob::StateValidityChecker(si)
+    FclChecker::FclChecker(const ob::SpaceInformationPtr &si, const Scene &scene)
+      : ob::StateValidityChecker(si), sensed_(scene.getSensedObstacles())
     {
         for (const PlacedBody &obstacle : scene.getObstacles())
             for (const Body::Part &part : obstacle.body.getParts())
@@ -108,7 +109,7 @@ namespace demos
             robots_[i].robot->computePoses(team->components[i], poses_.data());
             for (const Part &part : robots_[i].parts)
                 place(*part.object, poses_[part.body] * part.pose);
-            if (hitsObstacle(robots_[i]))
+            if (hitsObstacle(robots_[i]) || hitsSensedObstacle(robots_[i]))
                 return false;
         }
         for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -128,6 +129,16 @@ namespace demos
                                manager_.collide(part.object.get(), &hit, stopAtFirstContact);
                                return hit;
                            });
+    }
+
+    bool FclChecker::hitsSensedObstacle(const Robot &robot) const
+    {
+        const auto &bodies = robot.robot->getBodies();
+        for (const ObstaclesPtr &obstacles : sensed_)
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                if (obstacles->collides(bodies[i], poses_[i]))
+                    return true;
+        return false;
     }
 
     bool FclChecker::collide(const Robot &first, const Robot &second) const

@@ -15,7 +15,8 @@ namespace demos
 {
     /** \brief The validity checker that programs with OMPL and FCL have. FCL's broadphase tree is over the obstacles.
         Each part of a robot is one FCL object, moved to where the state has it. fcl::collide() checks those whose boxes
-        overlap. It remembers nothing from one state to the next. For one thread. */
+        overlap. Sensed obstacles make their own exact check. It remembers nothing from one state to the next. For one
+        thread. */
     class FclChecker : public ompl::base::StateValidityChecker
     {
     public:
@@ -80,10 +81,12 @@ namespace demos
 
         bool check(const ompl::base::State *state) const;
         bool hitsObstacle(const Robot &robot) const;
+        bool hitsSensedObstacle(const Robot &robot) const;
         bool collide(const Robot &first, const Robot &second) const;
 
         std::vector<std::unique_ptr<fcl::CollisionObjectd>> obstacles_;
         fcl::DynamicAABBTreeCollisionManagerd manager_;
+        std::vector<ompl_certificates::ObstaclesPtr> sensed_;
         std::vector<Robot> robots_;
         mutable std::vector<ompl_certificates::Pose> poses_;
         mutable Counts counts_;

@@ -59,7 +59,8 @@ namespace demos
             lenders_.push_back(std::make_shared<TeamSetup>(
                 std::static_pointer_cast<TeamStateSpace>(host_->getStateSpace()), obstacles, method));
         addExperimentParameter("robots", "INTEGER", std::to_string(scene.getMembers().size()));
-        addExperimentParameter("obstacles", "INTEGER", std::to_string(scene.getObstacles().size()));
+        addExperimentParameter("obstacles", "INTEGER",
+                               std::to_string(scene.getObstacles().size() + scene.getSensedObstacles().size()));
         for (const PlannerChoice &planner : planners)
             for (std::size_t method = 0; method < methods_.size(); ++method)
             {

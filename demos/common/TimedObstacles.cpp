@@ -16,7 +16,7 @@ namespace demos
     }
 
     TimedObstacles::TimedObstacles(const Scene &scene, bool adaptive)
-      : FclObstacles(scene.getObstacles(), scene.getDimension(), scene.getZInterval()), adaptive_(adaptive)
+      : obstacles_(scene.makeObstacles()), adaptive_(adaptive)
     {
         clockCost_ = nanosecondsSince(std::chrono::steady_clock::now());
         for (int i = 0; i < 1000; ++i)
@@ -46,26 +46,26 @@ namespace demos
 
     bool TimedObstacles::collides(const Body &body, const Pose &pose) const
     {
-        return timed([&] { return FclObstacles::collides(body, pose); });
+        return timed([&] { return obstacles_->collides(body, pose); });
     }
 
     double TimedObstacles::clearance(const Eigen::Vector3d &point) const
     {
-        return timed([&] { return FclObstacles::clearance(point); });
+        return timed([&] { return obstacles_->clearance(point); });
     }
 
     double TimedObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
-        return timed([&] { return FclObstacles::findNearest(point, part); });
+        return timed([&] { return obstacles_->findNearest(point, part); });
     }
 
     Touching TimedObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
-        return timed([&] { return FclObstacles::touches(body, pose, hit); });
+        return timed([&] { return obstacles_->touches(body, pose, hit); });
     }
 
     bool TimedObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
-        return timed([&] { return FclObstacles::certainlyHits(body, pose, part); });
+        return timed([&] { return obstacles_->certainlyHits(body, pose, part); });
     }
 }

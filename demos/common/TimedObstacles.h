@@ -13,7 +13,7 @@ namespace demos
 
         A clock costs a good part of a cheap check. So it is read for the first FIRST_CALLS calls and then for one call
         in INTERVAL, which stands for the others; what the clock itself takes is left out. */
-    class TimedObstacles : public ompl_certificates::FclObstacles
+    class TimedObstacles : public ompl_certificates::Obstacles
     {
     public:
         /** \brief The obstacles of \e scene, as its makeObstacles() makes them
@@ -29,7 +29,43 @@ namespace demos
 
         bool isClearanceCheap() const override
         {
-            return adaptive_ && FclObstacles::isClearanceCheap();
+            return adaptive_ && obstacles_->isClearanceCheap();
+        }
+
+        unsigned int getDimension() const override
+        {
+            return obstacles_->getDimension();
+        }
+
+        ompl_certificates::ZInterval getZInterval() const override
+        {
+            return obstacles_->getZInterval();
+        }
+
+        double getTolerance() const override
+        {
+            return obstacles_->getTolerance();
+        }
+
+        bool hasGap() const override
+        {
+            return obstacles_->hasGap();
+        }
+
+        bool provesCollisions() const override
+        {
+            return obstacles_->provesCollisions();
+        }
+
+        std::uint64_t getFingerprint() const override
+        {
+            return obstacles_->getFingerprint();
+        }
+
+        double gap(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose, double needed,
+                   double wanted) const override
+        {
+            return obstacles_->gap(body, pose, needed, wanted);
         }
 
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
@@ -58,6 +94,7 @@ namespace demos
         template <typename Call>
         auto timed(const Call &call) const;
 
+        ompl_certificates::ObstaclesPtr obstacles_;
         bool adaptive_;
         std::int64_t clockCost_{0};
         mutable std::atomic<std::uint64_t> calls_{0};

@@ -1,6 +1,7 @@
 #include "generators/RandomPolygons.h"
 
 #include "generators/SeededRandom.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>

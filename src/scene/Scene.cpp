@@ -1,5 +1,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
@@ -56,6 +58,17 @@ namespace ompl_certificates
             title.empty() ? "environment.obstacles[" + std::to_string(obstacleTitles_.size()) + "]" : title);
     }
 
+    void Scene::addSensedObstacles(const ObstaclesPtr &obstacles, const std::string &title)
+    {
+        if (!obstacles)
+            throw ompl::Exception(source_, title + ": must not be null");
+        if (obstacles->getDimension() != getDimension())
+            throw ompl::Exception(source_, title + ": must have " + std::to_string(getDimension()) +
+                                               " dimensions, not " + std::to_string(obstacles->getDimension()));
+        sensed_.push_back(obstacles);
+        sensedTitles_.push_back(title);
+    }
+
     void Scene::addMember(const Member &member)
     {
         const std::string key = "robots[" + std::to_string(members_.size()) + "]";
@@ -105,9 +118,12 @@ namespace ompl_certificates
         return team;
     }
 
-    std::shared_ptr<FclObstacles> Scene::makeObstacles() const
+    ObstaclesPtr Scene::makeObstacles() const
     {
-        return std::make_shared<FclObstacles>(obstacles_, getDimension(), getZInterval());
+        std::vector<ObstaclesPtr> all = sensed_;
+        if (!obstacles_.empty() || all.empty())
+            all.insert(all.begin(), std::make_shared<FclObstacles>(obstacles_, getDimension(), getZInterval()));
+        return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
     }
 
     ZInterval Scene::getZInterval() const
@@ -165,6 +181,9 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < obstacles_.size(); ++i)
                 if (FclObstacles({obstacles_[i]}, getDimension(), team->getZInterval()).collides(body, pose))
                     return obstacleTitles_[i];
+            for (std::size_t i = 0; i < sensed_.size(); ++i)
+                if (sensed_[i]->collides(body, pose))
+                    return sensedTitles_[i];
             return "an obstacle";
         };
         const auto obstacles = makeObstacles();

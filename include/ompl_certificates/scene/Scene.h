@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_SCENE_
 #define OMPL_CERTIFICATES_SCENE_SCENE_
 
-#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
@@ -66,10 +66,16 @@ namespace ompl_certificates
             return bounds_;
         }
 
-        /** \brief The obstacles */
+        /** \brief The obstacles that are bodies */
         const std::vector<PlacedBody> &getObstacles() const
         {
             return obstacles_;
+        }
+
+        /** \brief Further obstacles that are no bodies, such as point clouds */
+        const std::vector<ObstaclesPtr> &getSensedObstacles() const
+        {
+            return sensed_;
         }
 
         /** \brief The robots, in the order of the team's components */
@@ -94,6 +100,11 @@ namespace ompl_certificates
             \param title what messages call it; environment.obstacles[i] if empty
             \throws ompl::Exception if it has not the workspace's dimension */
         void addObstacle(const PlacedBody &obstacle, const std::string &title = "");
+
+        /** \brief Add obstacles that are no bodies, such as a point cloud
+            \param title what messages call them
+            \throws ompl::Exception if they are null or have not the workspace's dimension */
+        void addSensedObstacles(const ObstaclesPtr &obstacles, const std::string &title);
 
         /** \brief Add a robot
             \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
@@ -120,9 +131,9 @@ namespace ompl_certificates
             there is no robot, or one of primitives. */
         ZInterval getZInterval() const;
 
-        /** \brief The obstacles, to be checked by FCL; in a planar scene those parts of meshes that getZInterval()
-            reaches */
-        std::shared_ptr<FclObstacles> makeObstacles() const;
+        /** \brief All obstacles. Bodies are FclObstacles; in a planar scene those parts of meshes count that
+            getZInterval() reaches. With sensed ones among them they are MixedObstacles. */
+        ObstaclesPtr makeObstacles() const;
 
         /** \brief The start of all robots, as a state of \e team, which makeTeam() made */
         ompl::base::ScopedState<> makeStart(const TeamStateSpacePtr &team) const;
@@ -151,6 +162,8 @@ namespace ompl_certificates
         ompl::base::RealVectorBounds bounds_;
         std::vector<PlacedBody> obstacles_;
         std::vector<std::string> obstacleTitles_;
+        std::vector<ObstaclesPtr> sensed_;
+        std::vector<std::string> sensedTitles_;
         std::vector<Member> members_;
         std::vector<std::string> notes_;
         double resolution_{0.0};

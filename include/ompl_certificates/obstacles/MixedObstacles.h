@@ -1,0 +1,70 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_MIXED_OBSTACLES_
+#define OMPL_CERTIFICATES_OBSTACLES_MIXED_OBSTACLES_
+
+#include "ompl_certificates/obstacles/Obstacles.h"
+
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Obstacles of several kinds in one workspace, such as shapes and a point cloud.
+
+        A body collides if it collides with any of them; the clearance is the least of theirs. Each question costs what
+        it costs to ask all of them. */
+    class MixedObstacles : public Obstacles
+    {
+    public:
+        /** \brief All of \e members together
+            \throws ompl::Exception if there are none, if one is null, or if they differ in dimension */
+        explicit MixedObstacles(std::vector<ObstaclesPtr> members);
+
+        unsigned int getDimension() const override
+        {
+            return members_.front()->getDimension();
+        }
+
+        /** \brief What the z-intervals of all members have in common */
+        ZInterval getZInterval() const override;
+
+        bool collides(const Body &body, const Pose &pose) const override;
+
+        double clearance(const Eigen::Vector3d &point) const override;
+
+        double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
+
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
+
+        double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
+
+        /** \brief True if all members have a gap */
+        bool hasGap() const override;
+
+        bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
+
+        /** \brief The largest of the members' tolerances */
+        double getTolerance() const override;
+
+        /** \brief True if it is true of all members: which of them a clearance is from is not known */
+        bool provesCollisions() const override;
+
+        /** \brief A checksum of the members' fingerprints, whatever their order; 0 if one has none */
+        std::uint64_t getFingerprint() const override;
+
+        /** \brief True if it is true of all members */
+        bool isClearanceCheap() const override;
+
+        /** \brief The obstacles given to the constructor */
+        const std::vector<ObstaclesPtr> &getMembers() const
+        {
+            return members_;
+        }
+
+    private:
+        /** \brief The number here of a member's part: those of all members take turns. NO_PART if it is too large. */
+        ObstaclePart nameOf(ObstaclePart part, std::size_t member) const;
+
+        std::vector<ObstaclesPtr> members_;
+    };
+}
+
+#endif

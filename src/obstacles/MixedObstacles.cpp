@@ -1,0 +1,140 @@
+#include "ompl_certificates/obstacles/MixedObstacles.h"
+
+#include "Fingerprint.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    MixedObstacles::MixedObstacles(std::vector<ObstaclesPtr> members) : members_(std::move(members))
+    {
+        if (members_.empty())
+            throw ompl::Exception("Mixed obstacles need at least one member");
+        for (const ObstaclesPtr &member : members_)
+        {
+            if (!member)
+                throw ompl::Exception("A member of mixed obstacles must not be null");
+            if (member->getDimension() != getDimension())
+                throw ompl::Exception("Mixed obstacles must have one dimension, not " + std::to_string(getDimension()) +
+                                      " and " + std::to_string(member->getDimension()));
+        }
+    }
+
+    ZInterval MixedObstacles::getZInterval() const
+    {
+        ZInterval common;
+        for (const ObstaclesPtr &member : members_)
+            common = common.intersectedWith(member->getZInterval());
+        return common;
+    }
+
+    bool MixedObstacles::collides(const Body &body, const Pose &pose) const
+    {
+        return std::any_of(members_.begin(), members_.end(),
+                           [&](const ObstaclesPtr &member) { return member->collides(body, pose); });
+    }
+
+    double MixedObstacles::clearance(const Eigen::Vector3d &point) const
+    {
+        double least = members_.front()->clearance(point);
+        for (std::size_t i = 1; i < members_.size(); ++i)
+            least = std::min(least, members_[i]->clearance(point));
+        return least;
+    }
+
+    ObstaclePart MixedObstacles::nameOf(ObstaclePart part, std::size_t member) const
+    {
+        const auto name = std::uint64_t(part) * members_.size() + member;
+        return part == NO_PART || name >= NO_PART ? NO_PART : static_cast<ObstaclePart>(name);
+    }
+
+    double MixedObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+    {
+        double least = members_.front()->findNearest(point, part);
+        part = nameOf(part, 0);
+        for (std::size_t i = 1; i < members_.size(); ++i)
+        {
+            ObstaclePart other;
+            if (const double clearance = members_[i]->findNearest(point, other); clearance < least)
+            {
+                least = clearance;
+                part = nameOf(other, i);
+            }
+        }
+        return least;
+    }
+
+    Touching MixedObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    {
+        Touching all = Touching::NO;
+        for (std::size_t i = 0; i < members_.size(); ++i)
+        {
+            const Touching answer = members_[i]->touches(body, pose, hit);
+            if (answer == Touching::YES)
+            {
+                if (hit)
+                    *hit = nameOf(*hit, i);
+                return answer;
+            }
+            if (answer == Touching::UNKNOWN)
+                all = answer;
+        }
+        return all;
+    }
+
+    double MixedObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
+    {
+        double least = wanted;
+        for (const ObstaclesPtr &member : members_)
+            if (least > needed)
+                least = std::min(least, member->gap(body, pose, needed, least));
+        return least;
+    }
+
+    bool MixedObstacles::hasGap() const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const ObstaclesPtr &member) { return member->hasGap(); });
+    }
+
+    bool MixedObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
+    {
+        const auto count = static_cast<ObstaclePart>(members_.size());
+        return part != NO_PART && members_[part % count]->certainlyHits(body, pose, part / count);
+    }
+
+    double MixedObstacles::getTolerance() const
+    {
+        double most = 0.0;
+        for (const ObstaclesPtr &member : members_)
+            most = std::max(most, member->getTolerance());
+        return most;
+    }
+
+    bool MixedObstacles::provesCollisions() const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const ObstaclesPtr &member) { return member->provesCollisions(); });
+    }
+
+    std::uint64_t MixedObstacles::getFingerprint() const
+    {
+        std::uint64_t sum = fingerprintOf({double(getDimension()), double(members_.size())});
+        for (const ObstaclesPtr &member : members_)
+        {
+            const std::uint64_t fingerprint = member->getFingerprint();
+            if (fingerprint == 0)
+                return 0;
+            sum += fingerprint;
+        }
+        return sum == 0 ? 1 : sum;
+    }
+
+    bool MixedObstacles::isClearanceCheap() const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const ObstaclesPtr &member) { return member->isClearanceCheap(); });
+    }
+}
