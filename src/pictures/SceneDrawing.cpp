@@ -1,5 +1,7 @@
 #include "SceneDrawing.h"
 
+#include "ompl_certificates/obstacles/CellObstacles.h"
+
 #include <algorithm>
 #include <ompl/util/Exception.h>
 
@@ -96,6 +98,9 @@ namespace ompl_certificates
         const ZInterval zInterval = scene_.getZInterval();
         for (const PlacedBody &obstacle : scene_.getObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
+        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+            if (const auto *cells = dynamic_cast<const CellObstacles *>(sensed.get()))
+                view.draw(svg, *cells, 4);
         svg.endGroup();
     }
 

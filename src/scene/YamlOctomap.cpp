@@ -35,8 +35,7 @@ namespace ompl_certificates
             {
                 const auto ends = node.at("slice").numbers(2);
                 if (!(ends[0] < ends[1]))
-                    node.at("slice").fail("its low end must be below its high one, not " +
-                                          node.at("slice").describe());
+                    node.at("slice").fail("its low end must be below its high one, not " + node.at("slice").describe());
                 options.slice = {ends[0], ends[1]};
             }
             return options;
