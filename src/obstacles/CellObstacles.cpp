@@ -85,6 +85,7 @@ namespace ompl_certificates
     void CellObstacles::makeShapes()
     {
         std::map<std::array<std::int32_t, 3>, std::uint32_t> known;
+        shapeOfBox_.reserve(getBoxes().size());
         Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
         for (std::uint32_t i = 0; i < getBoxes().size(); ++i)
         {

@@ -52,9 +52,9 @@ namespace ompl_certificates
         for (const CellBox &box : boxes_)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 extent_ = std::max({extent_, std::abs(double(box.low[axis])), std::abs(double(box.high[axis]))});
-        nodes_.reserve(boxes_.size() / 2);
         if (!boxes_.empty())
             build(0, static_cast<std::uint32_t>(boxes_.size()));
+        nodes_.shrink_to_fit();
     }
 
     std::uint32_t CellTree::build(std::uint32_t first, std::uint32_t count)

@@ -49,6 +49,8 @@ namespace ompl_certificates
     {
         for (std::size_t axis = 0; axis < 3; ++axis)
             joinAlong(axis, boxes, most);
+        // Mostly few are left.
+        boxes.shrink_to_fit();
         return boxes;
     }
 
