@@ -1,0 +1,159 @@
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+
+#include "Fingerprint.h"
+#include "PointTree.h"
+
+#include "geometry/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr double LARGEST = 1e15;
+
+        constexpr std::size_t MOST_POINTS = std::size_t(1) << 31;
+
+        /** The rounding of distances, relative to the largest coordinate */
+        constexpr double ROUNDING = 1e-12;
+
+        void check(const std::vector<Eigen::Vector3d> &points, const std::vector<double> &radii, unsigned int dimension)
+        {
+            if (dimension != 2 && dimension != 3)
+                throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
+            if (points.size() > MOST_POINTS)
+                throw ompl::Exception("A point cloud must have at most " + std::to_string(MOST_POINTS) +
+                                      " points, not " + std::to_string(points.size()));
+            if (radii.size() != 1 && radii.size() != points.size())
+                throw ompl::Exception("A point cloud of " + std::to_string(points.size()) +
+                                      " points needs as many radii or one, not " + std::to_string(radii.size()));
+            for (std::size_t i = 0; i < radii.size(); ++i)
+                if (!(radii[i] >= 0.0 && radii[i] <= LARGEST))
+                    throw ompl::Exception("The radius of a point must be finite and not negative, but that of point " +
+                                          std::to_string(i) + " is " + std::to_string(radii[i]));
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                if (!(points[i].cwiseAbs().maxCoeff() <= LARGEST) || !points[i].allFinite())
+                    throw ompl::Exception("The coordinates of point " + std::to_string(i) +
+                                          " of a cloud must be finite and at most 10^15");
+                if (dimension == 2 && points[i].z() != 0.0)
+                    throw ompl::Exception("In the plane points must have z = 0, but that of point " +
+                                          std::to_string(i) + " is " + std::to_string(points[i].z()) +
+                                          "; see sliced()");
+            }
+        }
+    }
+
+    PointCloudObstacles::PointCloudObstacles(std::vector<Eigen::Vector3d> points, std::vector<double> radii,
+                                             unsigned int dimension)
+      : dimension_(dimension)
+    {
+        check(points, radii, dimension);
+        const double largest = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
+        tree_ = std::make_unique<PointTree>(std::move(points), std::move(radii));
+        tolerance_ = ROUNDING * (tree_->getExtent() + largest);
+    }
+
+    PointCloudObstacles::PointCloudObstacles(PointCloud cloud, unsigned int dimension)
+      : PointCloudObstacles(std::move(cloud.points), {cloud.radius}, dimension)
+    {
+    }
+
+    PointCloudObstacles::~PointCloudObstacles() = default;
+
+    bool PointCloudObstacles::hits(const Shape &shape, const Eigen::Vector3d &point, double radius) const
+    {
+        if (!shape.getMesh() || dimension_ == 2)
+            return shape.signedDistance(point) <= radius;
+        // Any limit above the radius will do.
+        return shape.getMesh()->getTree().distance(point, radius + tolerance_ + ROUNDING) <= radius;
+    }
+
+    ObstaclePart PointCloudObstacles::findHit(const Shape &shape, const Pose &pose) const
+    {
+        const Pose toShape = pose.inverse();
+        Eigen::AlignedBox3d bounds = shape.getBounds();
+        // A planar mesh is above or below the points.
+        if (dimension_ == 2 && shape.getMesh())
+            bounds.min().z() = bounds.max().z() = toShape.translation().z();
+        // No rounding may hide what hits() finds.
+        const double slack =
+            tolerance_ + ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
+        const auto isHit = [&](std::uint32_t i)
+        {
+            const Eigen::Vector3d point = toShape * tree_->getPoints()[i];
+            const double radius = tree_->getRadius(i), reach = radius + slack;
+            return bounds.squaredExteriorDistance(point) <= reach * reach && hits(shape, point, radius);
+        };
+        const std::uint32_t hit = tree_->findNear(bounds, pose, isHit);
+        return hit == PointTree::NONE ? NO_PART : hit;
+    }
+
+    bool PointCloudObstacles::collides(const Body &body, const Pose &pose) const
+    {
+        return touches(body, pose) == Touching::YES;
+    }
+
+    Touching PointCloudObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    {
+        for (const Body::Part &part : body.getParts())
+            if (const ObstaclePart found = findHit(part.shape, pose * part.pose); found != NO_PART)
+            {
+                if (hit)
+                    *hit = found;
+                return Touching::YES;
+            }
+        return Touching::NO;
+    }
+
+    bool PointCloudObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
+    {
+        if (part >= tree_->getPoints().size())
+            return false;
+        const Eigen::Vector3d &point = tree_->getPoints()[part];
+        return std::any_of(body.getParts().begin(), body.getParts().end(),
+                           [&](const Body::Part &bodyPart)
+                           {
+                               const Pose toShape = (pose * bodyPart.pose).inverse();
+                               return hits(bodyPart.shape, toShape * point, tree_->getRadius(part));
+                           });
+    }
+
+    double PointCloudObstacles::clearance(const Eigen::Vector3d &point) const
+    {
+        return tree_->signedDistance(point, nullptr);
+    }
+
+    double PointCloudObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+    {
+        std::uint32_t nearest;
+        const double distance = tree_->signedDistance(point, &nearest);
+        part = nearest == PointTree::NONE ? NO_PART : nearest;
+        return distance;
+    }
+
+    std::uint64_t PointCloudObstacles::getFingerprint() const
+    {
+        std::uint64_t sum = fingerprintOf({double(dimension_), double(getPoints().size())});
+        for (std::size_t i = 0; i < getPoints().size(); ++i)
+        {
+            const Eigen::Vector3d &point = getPoints()[i];
+            sum += fingerprintOf({point.x(), point.y(), point.z(), getRadius(i)});
+        }
+        return sum == 0 ? 1 : sum;
+    }
+
+    const std::vector<Eigen::Vector3d> &PointCloudObstacles::getPoints() const
+    {
+        return tree_->getPoints();
+    }
+
+    double PointCloudObstacles::getRadius(std::size_t point) const
+    {
+        return tree_->getRadius(static_cast<std::uint32_t>(point));
+    }
+}

@@ -1,0 +1,336 @@
+#include "PointTree.h"
+
+#include "ompl_certificates/geometry/Ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr float INF = std::numeric_limits<float>::infinity();
+
+        /** Pays for the rounding of squared distances in single precision */
+        constexpr float SHRINK = 1.0F - 2e-6F;
+
+        /** More than the rounding of coordinates in single precision, relative to the largest */
+        constexpr double ROUNDING = 1e-6;
+
+        /** The squares of larger coordinates do not fit into single precision. */
+        constexpr double FARTHEST = 1e18;
+
+        const Eigen::Vector3d &pointOf(const Eigen::Vector3d &point)
+        {
+            return point;
+        }
+
+        const Eigen::Vector3d &pointOf(const Ball &ball)
+        {
+            return ball.center;
+        }
+
+        /** Orders points so that those of a leaf, and those of each half of the leaves, are close together */
+        template <typename Item>
+        void order(Item *begin, Item *end, std::ptrdiff_t leafSize)
+        {
+            const std::ptrdiff_t leaves = (end - begin + leafSize - 1) / leafSize;
+            if (leaves < 2)
+                return;
+            Eigen::AlignedBox3d box;
+            for (const Item *item = begin; item != end; ++item)
+                box.extend(pointOf(*item));
+            Eigen::Index axis;
+            box.sizes().maxCoeff(&axis);
+            Item *const middle = begin + leaves / 2 * leafSize;
+            std::nth_element(begin, middle, end,
+                             [axis](const Item &a, const Item &b) { return pointOf(a)[axis] < pointOf(b)[axis]; });
+            order(begin, middle, leafSize);
+            order(middle, end, leafSize);
+        }
+
+        /** Sorts four numbers without a branch */
+        void sort(std::uint64_t (&keys)[4])
+        {
+            const auto inOrder = [&keys](std::size_t i, std::size_t j)
+            {
+                const std::uint64_t low = std::min(keys[i], keys[j]), high = std::max(keys[i], keys[j]);
+                keys[i] = low;
+                keys[j] = high;
+            };
+            inOrder(0, 1);
+            inOrder(2, 3);
+            inOrder(0, 2);
+            inOrder(1, 3);
+            inOrder(1, 2);
+        }
+
+        std::uint32_t bitsOf(float number)
+        {
+            std::uint32_t bits;
+            std::memcpy(&bits, &number, sizeof(bits));
+            return bits;
+        }
+
+        float ofBits(std::uint32_t bits)
+        {
+            float number;
+            std::memcpy(&number, &bits, sizeof(number));
+            return number;
+        }
+
+        float roundedUp(double value)
+        {
+            return std::nextafter(static_cast<float>(value), INF);
+        }
+    }
+
+    PointTree::PointTree(std::vector<Eigen::Vector3d> points, std::vector<double> radii)
+      : points_(std::move(points)), radii_(std::move(radii))
+    {
+        if (points_.empty())
+            return;
+        if (radii_.size() == 1)
+            order(points_.data(), points_.data() + points_.size(), LEAF_SIZE);
+        else
+        {
+            std::vector<Ball> balls(points_.size());
+            for (std::size_t i = 0; i < balls.size(); ++i)
+                balls[i] = {points_[i], radii_[i]};
+            order(balls.data(), balls.data() + balls.size(), LEAF_SIZE);
+            for (std::size_t i = 0; i < balls.size(); ++i)
+            {
+                points_[i] = balls[i].center;
+                radii_[i] = balls[i].radius;
+            }
+        }
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d &point : points_)
+            box.extend(point);
+        origin_ = box.center();
+        extent_ = 0.5 * box.sizes().maxCoeff();
+        const auto leaves = static_cast<std::uint32_t>((points_.size() + LEAF_SIZE - 1) / LEAF_SIZE);
+        nodes_.reserve(leaves / 3 + 1);
+        std::uint32_t root;
+        largestRadius_ = addNode(0, leaves, root).radius;
+        nodes_.shrink_to_fit();
+    }
+
+    double PointTree::getExtent() const
+    {
+        return origin_.norm() + std::sqrt(3.0) * extent_;
+    }
+
+    PointTree::Bounds PointTree::leafBounds(std::uint32_t leaf) const
+    {
+        Bounds bounds;
+        for (std::uint32_t i = leaf * LEAF_SIZE; i < endOf(leaf); ++i)
+        {
+            bounds.box.extend((points_[i] - origin_).cast<float>());
+            bounds.radius = std::max(bounds.radius, roundedUp(getRadius(i)));
+        }
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+        {
+            bounds.box.min()[axis] = std::nextafter(bounds.box.min()[axis], -INF);
+            bounds.box.max()[axis] = std::nextafter(bounds.box.max()[axis], INF);
+        }
+        return bounds;
+    }
+
+    PointTree::Bounds PointTree::addChild(std::uint32_t first, std::uint32_t last, std::uint32_t &child)
+    {
+        if (last - first > 1)
+            return addNode(first, last, child);
+        child = LEAF | first;
+        return leafBounds(first);
+    }
+
+    PointTree::Bounds PointTree::addNode(std::uint32_t first, std::uint32_t last, std::uint32_t &index)
+    {
+        index = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        // The same halves, twice, as in order()
+        const std::uint32_t middle = first + (last - first) / 2;
+        const std::uint32_t ends[5] = {first, first + (middle - first) / 2, middle, middle + (last - middle) / 2, last};
+        Bounds all;
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+            Bounds bounds;
+            std::uint32_t child = 0;
+            bounds.box.min().setConstant(INF);
+            bounds.box.max().setConstant(-INF);
+            if (ends[k] < ends[k + 1])
+            {
+                bounds = addChild(ends[k], ends[k + 1], child);
+                all.box.extend(bounds.box);
+                all.radius = std::max(all.radius, bounds.radius);
+            }
+            Node &node = nodes_[index];
+            const auto lane = static_cast<Eigen::Index>(k);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                node.low[axis][lane] = bounds.box.min()[static_cast<Eigen::Index>(axis)];
+                node.high[axis][lane] = bounds.box.max()[static_cast<Eigen::Index>(axis)];
+            }
+            node.radius[lane] = bounds.radius;
+            node.child[k] = child;
+        }
+        return all;
+    }
+
+    double PointTree::leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point) const
+    {
+        const std::uint32_t first = leaf * LEAF_SIZE, count = endOf(leaf) - first;
+        double least = std::numeric_limits<double>::infinity();
+        if (radii_.size() != 1)
+        {
+            for (std::uint32_t i = first; i < first + count; ++i)
+                least = std::min(least, (points_[i] - point).norm() - radii_[i]);
+            return least;
+        }
+        const Eigen::Vector3d *const points = &points_[first];
+        if (count == LEAF_SIZE)
+            for (std::uint32_t i = 0; i < LEAF_SIZE; ++i)
+                least = std::min(least, (points[i] - point).squaredNorm());
+        else
+            for (std::uint32_t i = 0; i < count; ++i)
+                least = std::min(least, (points[i] - point).squaredNorm());
+        return std::sqrt(least) - radii_.front();
+    }
+
+    double PointTree::signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        const std::uint32_t leaf = findNearestLeaf(point, least);
+        if (nearest)
+        {
+            *nearest = NONE;
+            if (leaf != NONE)
+                for (std::uint32_t i = leaf * LEAF_SIZE; i < endOf(leaf) && *nearest == NONE; ++i)
+                    if ((points_[i] - point).norm() - getRadius(i) <= least)
+                        *nearest = i;
+        }
+        return least;
+    }
+
+    void PointTree::prefetch(std::uint32_t child) const
+    {
+        if ((child & LEAF) != 0)
+            __builtin_prefetch(&points_[(child & ~LEAF) * LEAF_SIZE]);
+        else
+            __builtin_prefetch(&nodes_[child]);
+    }
+
+    std::uint32_t PointTree::findNearestLeaf(const Eigen::Vector3d &point, double &least) const
+    {
+        std::uint32_t found = NONE;
+        const auto tryLeaf = [&](std::uint32_t leaf)
+        {
+            const double distance = leafDistance(leaf, point);
+            if (distance < least)
+            {
+                least = distance;
+                found = leaf;
+            }
+        };
+        const Eigen::Vector3d shifted = point - origin_;
+        const double largest = shifted.cwiseAbs().maxCoeff();
+        if (nodes_.empty() || !(largest < FARTHEST))
+        {
+            for (std::uint32_t first = 0; first < points_.size(); first += LEAF_SIZE)
+                tryLeaf(first / LEAF_SIZE);
+            return found;
+        }
+        const auto slack = static_cast<float>(ROUNDING * (largest + extent_));
+        const Eigen::Vector3f p = shifted.cast<float>();
+        const float low[3] = {p.x() + slack, p.y() + slack, p.z() + slack};
+        const float high[3] = {p.x() - slack, p.y() - slack, p.z() - slack};
+        // What is open: the squared distance of a box, whose bits are ordered as it is, and the child
+        std::uint64_t stack[STACK_SIZE];
+        std::size_t open = 0;
+        std::uint32_t current = 0;
+        float most = INF;  // the least distance
+        for (;;)
+        {
+            if ((current & LEAF) != 0)
+            {
+                tryLeaf(current & ~LEAF);
+                most = roundedUp(least);
+            }
+            else
+            {
+                const Node &node = nodes_[current];
+                Eigen::Array4f bounds = Eigen::Array4f::Zero();
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    bounds += (node.low[axis] - low[axis]).max(high[axis] - node.high[axis]).max(0.0F).square();
+                bounds *= SHRINK;
+                // Above zero if a child may be nearer; of an absent one it never is
+                const Eigen::Array4f nearer = (node.radius + most).max(0.0F).square() - bounds;
+                std::uint64_t keys[4];
+                std::size_t count = 0;
+                for (std::size_t k = 0; k < 4; ++k)
+                {
+                    const auto lane = static_cast<Eigen::Index>(k);
+                    const bool isOpen = nearer[lane] > 0.0F;
+                    keys[k] = isOpen ? std::uint64_t(bitsOf(bounds[lane])) << 32 | node.child[k] : ~std::uint64_t(0);
+                    count += isOpen ? 1 : 0;
+                }
+                sort(keys);
+                // The nearest child goes on top of the stack.
+                for (std::size_t k = count; k > 0; --k)
+                {
+                    stack[open++] = keys[k - 1];
+                    prefetch(static_cast<std::uint32_t>(keys[k - 1]));
+                }
+            }
+            const float reach = std::max(most + largestRadius_, 0.0F);
+            float bound;
+            do
+            {
+                if (open == 0)
+                    return found;
+                const std::uint64_t key = stack[--open];
+                bound = ofBits(static_cast<std::uint32_t>(key >> 32));
+                current = static_cast<std::uint32_t>(key);
+            } while (!(bound < reach * reach));
+        }
+    }
+
+    PointTree::Oriented PointTree::orient(const Eigen::AlignedBox3d &box, const Pose &pose) const
+    {
+        const Eigen::Vector3d center = pose * box.center() - origin_, half = 0.5 * box.sizes();
+        Oriented oriented;
+        oriented.toBox = pose.linear().transpose().cast<float>();
+        oriented.absolute = oriented.toBox.cwiseAbs();
+        oriented.center = center.cast<float>();
+        oriented.half = half.cast<float>();
+        oriented.halfHere = oriented.absolute.transpose() * oriented.half;
+        oriented.slack = static_cast<float>(ROUNDING * (2.0 * extent_ + center.norm() + half.norm()));
+        return oriented;
+    }
+
+    void PointTree::overlaps(const Node &node, const Oriented &box, bool *overlap)
+    {
+        // How far apart the boxes are along the axis that separates them best
+        const Eigen::Array4f reach = node.radius + box.slack;
+        Eigen::Array4f gap = Eigen::Array4f::Constant(-INF), middles[3], halves[3];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            const auto i = static_cast<Eigen::Index>(axis);
+            const float low = box.center[i] - box.halfHere[i], high = box.center[i] + box.halfHere[i];
+            gap = gap.max(node.low[axis] - high).max(low - node.high[axis]);
+            middles[axis] = 0.5F * (node.low[axis] + node.high[axis]) - box.center[i];
+            halves[axis] = 0.5F * (node.high[axis] - node.low[axis]);
+        }
+        for (Eigen::Index i = 0; i < 3; ++i)
+        {
+            const float x = box.toBox(i, 0), y = box.toBox(i, 1), z = box.toBox(i, 2);
+            const Eigen::Array4f apart = (x * middles[0] + y * middles[1] + z * middles[2]).abs();
+            gap = gap.max(apart - box.half[i] - std::abs(x) * halves[0] - std::abs(y) * halves[1] -
+                          std::abs(z) * halves[2]);
+        }
+        for (Eigen::Index k = 0; k < 4; ++k)
+            overlap[k] = gap[k] <= reach[k];
+    }
+}

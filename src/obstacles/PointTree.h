@@ -1,0 +1,146 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_POINT_TREE_
+#define OMPL_CERTIFICATES_OBSTACLES_POINT_TREE_
+
+#include "ompl_certificates/geometry/Pose.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief A tree of boxes over points with radii. It finds the ball nearest to a point, and the balls near a body.
+
+        Each node holds the boxes of four children, in single precision and rounded outwards. A leaf is up to 16
+        points that stand in a row, in double precision. Uses about 30 bytes per point, and 8 more if radii differ. */
+    class PointTree
+    {
+    public:
+        /** \brief Stands for no point */
+        static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+
+        /** \brief A tree over \e points, which it reorders. Cost: n log n for n points.
+            \param radii one for all points, or one for each */
+        PointTree(std::vector<Eigen::Vector3d> points, std::vector<double> radii);
+
+        /** \brief The least distance of \e point to a ball, negative inside; infinite if there are none
+            \param nearest if not null: set to the position of that ball, or to NONE */
+        double signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest) const;
+
+        /** \brief Call \e visit with the position of each ball that may touch \e box, until it returns true
+            \param pose from the frame of \e box to the workspace
+            \return the position where it did, or NONE */
+        template <typename Visit>
+        std::uint32_t findNear(const Eigen::AlignedBox3d &box, const Pose &pose, const Visit &visit) const;
+
+        /** \brief The points, in the order of their positions */
+        const std::vector<Eigen::Vector3d> &getPoints() const
+        {
+            return points_;
+        }
+
+        /** \brief The radius of the ball at a position */
+        double getRadius(std::uint32_t position) const
+        {
+            return radii_.size() == 1 ? radii_.front() : radii_[position];
+        }
+
+        /** \brief The largest distance of a ball's point from the origin of the workspace, or more */
+        double getExtent() const;
+
+    private:
+        static constexpr std::uint32_t LEAF_SIZE = 16;
+
+        /** \brief Four boxes around points, relative to origin_, and their largest radii. An absent box is inside out and
+            infinite. */
+        struct alignas(64) Node
+        {
+            Eigen::Array4f low[3];
+            Eigen::Array4f high[3];
+            Eigen::Array4f radius;
+            std::uint32_t child[4];
+        };
+
+        /** A child is an inner node, or with this flag a leaf: the position of its first point divided by LEAF_SIZE. */
+        static constexpr std::uint32_t LEAF = 0x80000000U;
+
+        /** \brief The stack that a depth-first walk needs: three open children per level */
+        static constexpr std::size_t STACK_SIZE = 64;
+
+        /** \brief A box in another frame, in single precision */
+        struct Oriented
+        {
+            Eigen::Matrix3f toBox, absolute;
+            Eigen::Vector3f center, half, halfHere;
+            float slack;
+        };
+
+        struct Bounds
+        {
+            Eigen::AlignedBox3f box;
+            float radius{0.0F};
+        };
+
+        /** \brief The leaves from \e first to \e last as a child of a node */
+        Bounds addChild(std::uint32_t first, std::uint32_t last, std::uint32_t &child);
+        Bounds addNode(std::uint32_t first, std::uint32_t last, std::uint32_t &index);
+        Bounds leafBounds(std::uint32_t leaf) const;
+
+        std::uint32_t endOf(std::uint32_t leaf) const
+        {
+            return std::min(static_cast<std::uint32_t>(points_.size()), (leaf + 1) * LEAF_SIZE);
+        }
+
+        void prefetch(std::uint32_t child) const;
+        Oriented orient(const Eigen::AlignedBox3d &box, const Pose &pose) const;
+        static void overlaps(const Node &node, const Oriented &box, bool *overlap);
+
+        /** \brief The least distance of \e point to a ball of a leaf */
+        double leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point) const;
+
+        /** \brief The leaf of the ball nearest to \e point, or NONE
+            \param least infinite; set to the distance of that ball */
+        std::uint32_t findNearestLeaf(const Eigen::Vector3d &point, double &least) const;
+
+        Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};
+
+        /** \brief The largest coordinate of a point, relative to origin_ */
+        double extent_{0.0};
+        float largestRadius_{0.0F};
+        std::vector<Eigen::Vector3d> points_;
+        std::vector<double> radii_;
+        std::vector<Node> nodes_;
+    };
+
+    template <typename Visit>
+    std::uint32_t PointTree::findNear(const Eigen::AlignedBox3d &box, const Pose &pose, const Visit &visit) const
+    {
+        if (nodes_.empty())
+            return NONE;
+        const Oriented oriented = orient(box, pose);
+        std::uint32_t stack[STACK_SIZE];
+        std::size_t open = 0;
+        stack[open++] = 0;
+        while (open > 0)
+        {
+            const std::uint32_t current = stack[--open];
+            if ((current & LEAF) != 0)
+            {
+                const std::uint32_t leaf = current & ~LEAF;
+                for (std::uint32_t i = leaf * LEAF_SIZE; i < endOf(leaf); ++i)
+                    if (visit(i))
+                        return i;
+                continue;
+            }
+            const Node &node = nodes_[current];
+            bool overlap[4];
+            overlaps(node, oriented, overlap);
+            for (int k = 0; k < 4; ++k)
+                if (overlap[k])
+                    stack[open++] = node.child[k];
+        }
+        return NONE;
+    }
+}
+
+#endif

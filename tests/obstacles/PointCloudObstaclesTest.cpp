@@ -1,0 +1,239 @@
+#include "support/RandomBodies.h"
+#include "support/RandomClouds.h"
+#include "support/RandomMeshes.h"
+#include "support/RandomStates.h"
+
+#include "ompl_certificates/obstacles/CheckObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    constexpr double INF = std::numeric_limits<double>::infinity();
+
+    /** Balls in a row, asked one by one */
+    struct Balls
+    {
+        std::vector<Eigen::Vector3d> points;
+        std::vector<double> radii;
+
+        double radius(std::size_t i) const
+        {
+            return radii.size() == 1 ? radii[0] : radii[i];
+        }
+
+        double clearance(const Eigen::Vector3d &point) const
+        {
+            double least = INF;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                least = std::min(least, (points[i] - point).norm() - radius(i));
+            return least;
+        }
+
+        /** The least distance of a body to a ball; where a solid and a ball overlap, some negative number */
+        double distance(const Body &body, const Pose &pose) const
+        {
+            double least = INF;
+            for (const Body::Part &part : body.getParts())
+            {
+                const Pose toPart = (pose * part.pose).inverse();
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    least = std::min(least, part.shape.signedDistance(toPart * points[i]) - radius(i));
+            }
+            return least;
+        }
+    };
+
+    Body anyBody(Random &random, unsigned int dimension, double size)
+    {
+        return random.chance(0.3) ? randomMeshBody(random, dimension, size) : randomBody(random, dimension, size);
+    }
+
+    /** All that is asked of a body at a pose must agree. */
+    void expectAgreement(const PointCloudObstacles &cloud, const Body &body, const Pose &pose, bool expected)
+    {
+        ASSERT_EQ(cloud.collides(body, pose), expected) << pose.matrix();
+        ObstaclePart hit = NO_PART;
+        ASSERT_EQ(cloud.touches(body, pose, &hit), expected ? Touching::YES : Touching::NO);
+        ASSERT_TRUE(!expected || cloud.certainlyHits(body, pose, hit));
+        for (ObstaclePart part = 0; part < cloud.getPoints().size() && !expected; ++part)
+            ASSERT_FALSE(cloud.certainlyHits(body, pose, part));
+        ASSERT_FALSE(cloud.certainlyHits(body, pose, NO_PART));
+    }
+
+    std::size_t anyCount(Random &random)
+    {
+        const std::size_t few[] = {0, 1, 2, 7, 8, 9, 16, 17, 32, 33, 65, 129};
+        return random.chance(0.6) ? few[random.below(std::size(few))] : random.integer(100, 2000);
+    }
+}
+
+TEST(PointCloudObstacles, KnowTheClearanceExactly)
+{
+    for (unsigned int seed = 1; seed <= scaled(150); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        // Some clouds are far from the origin, as those with coordinates of a map are.
+        const Eigen::Vector3d center = random.chance(0.3) ? random.point(dimension, 1e6) : Eigen::Vector3d::Zero();
+        const std::size_t count = anyCount(random);
+        Balls balls{randomPoints(random, dimension, count, 5.0, center), randomRadii(random, count, 0.5)};
+        const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
+        ASSERT_EQ(cloud.getPoints().size(), count);
+        for (int i = 0; i < 100; ++i)
+        {
+            Eigen::Vector3d point = center + random.point(dimension, random.logUniform(0.1, 100.0));
+            if (count > 0 && random.chance(0.3))
+                point = balls.points[random.below(count)] + random.point(dimension, random.logUniform(1e-9, 1.0));
+            if (random.chance(0.02))
+                point *= 1e20;
+            const double clearance = cloud.clearance(point);
+            // The same arithmetic gives the same number.
+            ASSERT_EQ(clearance, balls.clearance(point)) << point.transpose();
+            ObstaclePart part;
+            ASSERT_EQ(cloud.findNearest(point, part), clearance);
+            ASSERT_EQ(part == NO_PART, count == 0);
+            if (count > 0)
+            {
+                ASSERT_EQ((cloud.getPoints()[part] - point).norm() - cloud.getRadius(part), clearance);
+            }
+            const Eigen::Vector3d other = point + random.logUniform(1e-6, 10.0) * random.direction(dimension);
+            if (count > 0 && point.norm() < 1e9)
+            {
+                ASSERT_LE(std::abs(cloud.clearance(other) - clearance),
+                          (other - point).norm() + 2.0 * cloud.getTolerance());
+            }
+        }
+    }
+}
+
+TEST(PointCloudObstacles, GiveTheVerdictOfAllPoints)
+{
+    unsigned int grazing = 0, colliding = 0, asked = 0;
+    for (unsigned int seed = 1; seed <= scaled(400); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const std::size_t count = 1 + anyCount(random) / 4;
+        const Balls balls{randomPoints(random, dimension, count, 3.0), randomRadii(random, count, 0.3)};
+        const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
+        const Body body = anyBody(random, dimension, random.logUniform(0.1, 3.0));
+        for (int i = 0; i < 4; ++i)
+        {
+            // From anywhere to where it just touches
+            Pose pose = random.pose(dimension, 4.0);
+            const Eigen::Vector3d start = pose.translation(), along = random.direction(dimension);
+            const auto distanceAt = [&](double t)
+            {
+                pose.translation() = start + t * along;
+                return balls.distance(body, pose);
+            };
+            const bool first = distanceAt(0.0) <= 0.0;
+            double low = 0.0, high = 8.0;
+            if ((distanceAt(high) <= 0.0) != first)
+                while (high - low > 1e-13)
+                {
+                    const double middle = 0.5 * (low + high);
+                    ((distanceAt(middle) <= 0.0) == first ? low : high) = middle;
+                    if (middle == low && middle == high)
+                        break;
+                }
+            for (const double beside : {0.0, 1e-10, -1e-10, 1e-7, -1e-7, 1e-3, -1e-3, -low})
+            {
+                const double distance = distanceAt(low + beside);
+                // Only rounding may matter, of triangles for one.
+                const bool unsure = std::abs(distance) < 1e-13;
+                ASSERT_NO_FATAL_FAILURE(
+                    expectAgreement(cloud, body, pose, unsure ? cloud.collides(body, pose) : distance <= 0.0))
+                    << distance;
+                grazing += !unsure && std::abs(distance) < 2e-7;
+                colliding += distance <= 0.0;
+                ++asked;
+            }
+        }
+    }
+    EXPECT_GT(grazing, asked / 8);
+    EXPECT_GT(colliding, asked / 8);
+    EXPECT_LT(colliding, asked / 8 * 7);
+}
+
+TEST(PointCloudObstacles, MeetAMeshAtItsSurface)
+{
+    const PointCloudObstacles cloud(PointCloud{{Eigen::Vector3d::Zero()}, 0.1}, 3);
+    const Body hollow = Body::mesh(boxMesh({2.0, 2.0, 2.0}));
+    EXPECT_FALSE(cloud.collides(hollow, Pose::Identity()));
+    EXPECT_TRUE(cloud.collides(hollow, poseAt({0.95, 0.0, 0.0})));
+    EXPECT_TRUE(cloud.collides(hollow, poseAt({1.05, 0.0, 0.0})));
+    EXPECT_FALSE(cloud.collides(hollow, poseAt({1.15, 0.0, 0.0})));
+    EXPECT_TRUE(cloud.collides(Body::box(2.0, 2.0, 2.0), Pose::Identity()));
+    // A planar mesh is what is seen of it from above, at any z.
+    const PointCloudObstacles planar(PointCloud{{Eigen::Vector3d::Zero()}, 0.1}, 2);
+    const Body raisedBox = Body::planarMesh(raised(boxMesh({2.0, 2.0, 2.0}), 50.0));
+    EXPECT_TRUE(planar.collides(raisedBox, Pose::Identity()));
+    EXPECT_TRUE(planar.collides(raisedBox, poseAt({1.05, 0.0, 0.0})));
+    EXPECT_FALSE(planar.collides(raisedBox, poseAt({1.15, 0.0, 0.0})));
+}
+
+TEST(PointCloudObstacles, KeepTheContract)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    ompl::RNG::setSeed(7);
+    for (unsigned int seed = 1; seed <= scaled(12); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const PointCloudObstacles cloud(randomPoints(random, dimension, 500, 4.0), randomRadii(random, 500, 0.3),
+                                        dimension);
+        checkObstacles(cloud,
+                       {randomBody(random, dimension, 1.0), randomBody(random, dimension, 3.0),
+                        randomMeshBody(random, dimension, 1.0)},
+                       cubeBounds(dimension, 5.0), 200);
+    }
+}
+
+TEST(PointCloudObstacles, HaveAFingerprint)
+{
+    Random random(1);
+    const auto points = randomPoints(random, 3, 100, 1.0);
+    const auto reversed = std::vector<Eigen::Vector3d>(points.rbegin(), points.rend());
+    const auto printOf = [](const std::vector<Eigen::Vector3d> &some, double radius) {
+        return PointCloudObstacles(PointCloud{some, radius}, 3).getFingerprint();
+    };
+    EXPECT_NE(printOf(points, 0.1), 0U);
+    EXPECT_EQ(printOf(points, 0.1), printOf(reversed, 0.1));
+    EXPECT_NE(printOf(points, 0.1), printOf(points, 0.2));
+    auto moved = points;
+    moved[50].x() += 1e-9;
+    EXPECT_NE(printOf(points, 0.1), printOf(moved, 0.1));
+}
+
+TEST(PointCloudObstacles, RefuseWhatIsNoCloud)
+{
+    const Eigen::Vector3d here(1.0, 2.0, 0.0), nan(0.0, NAN, 0.0), far(0.0, 0.0, INF);
+    const auto make = [](const std::vector<Eigen::Vector3d> &points, const std::vector<double> &radii,
+                         unsigned int dimension) { PointCloudObstacles(points, radii, dimension); };
+    EXPECT_NO_THROW(make({here, here}, {0.0}, 2));
+    EXPECT_NO_THROW(make({}, {0.0}, 2));
+    EXPECT_NO_THROW(make({}, {}, 3));
+    EXPECT_THROW(make({here}, {0.1}, 4), ompl::Exception);
+    EXPECT_THROW(make({here, nan}, {0.1}, 3), ompl::Exception);
+    EXPECT_THROW(make({here, far}, {0.1}, 3), ompl::Exception);
+    EXPECT_THROW(make({{0.0, 0.0, 1e-9}}, {0.1}, 2), ompl::Exception);
+    EXPECT_THROW(make({here, here}, {0.1, 0.1, 0.1}, 3), ompl::Exception);
+    EXPECT_THROW(make({here, here}, {}, 3), ompl::Exception);
+    for (const double radius : {-0.1, double(NAN), INF})
+    {
+        EXPECT_THROW(make({here}, {radius}, 3), ompl::Exception);
+        EXPECT_THROW(make({here, here}, {0.1, radius}, 3), ompl::Exception);
+    }
+}
