@@ -1,9 +1,12 @@
 #include "SceneDrawing.h"
 
 #include "ompl_certificates/obstacles/CellObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <algorithm>
 #include <ompl/util/Exception.h>
+#include <set>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -16,10 +19,28 @@ namespace ompl_certificates
 
         constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0;
 
+        /** How many times occupied cells are drawn in space: all, then those nearer and nearer to the viewer */
+        constexpr int CELL_LEVELS = 4;
+
         void cross(SvgWriter &svg, const Eigen::Vector2d &center, double size, const std::string &attributes)
         {
             const Eigen::Vector2d up(size, size), down(size, -size);
             svg.segments({{center - up, center + up}, {center - down, center + down}}, attributes);
+        }
+
+        /** Draws the points of a cloud. Of many in one place of the picture one is drawn. */
+        void drawCloud(SvgWriter &svg, const SceneView &view, const PointCloudObstacles &cloud)
+        {
+            constexpr double pixels = 2.5;
+            std::set<std::pair<int, int>> drawn;
+            for (std::size_t i = 0; i < cloud.getPoints().size(); ++i)
+            {
+                const Eigen::Vector2d at = view.project(cloud.getPoints()[i]), inView = at - view.getCorner();
+                if (!((inView.array() >= 0.0).all() && (inView.array() <= view.getSize().array()).all()))
+                    continue;
+                if (drawn.emplace(static_cast<int>(inView.x() / pixels), static_cast<int>(inView.y() / pixels)).second)
+                    svg.circle(at, std::max(0.5 * pixels, cloud.getRadius(i) * view.getScale()), "stroke='none'");
+            }
         }
 
         std::string shortened(const std::string &name)
@@ -99,8 +120,12 @@ namespace ompl_certificates
         for (const PlacedBody &obstacle : scene_.getObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
         for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+        {
+            if (const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.get()))
+                drawCloud(svg, view, *cloud);
             if (const auto *cells = dynamic_cast<const CellObstacles *>(sensed.get()))
-                view.draw(svg, *cells, 4);
+                view.draw(svg, *cells, CELL_LEVELS);
+        }
         svg.endGroup();
     }
 

@@ -1,4 +1,5 @@
 #include "MeshReaders.h"
+#include "CloudReaders.h"
 #include "LineReader.h"
 
 #include <algorithm>
@@ -79,20 +80,22 @@ namespace ompl_certificates
         class PlyReader
         {
         public:
-            PlyReader(std::string_view content, MeshCollector &mesh) : content_(content), text_(content), mesh_(mesh)
+            /** \param needsFaces whether there must be faces; else only the vertices count */
+            PlyReader(std::string_view content, bool needsFaces)
+              : content_(content), text_(content), needsFaces_(needsFaces)
             {
             }
 
-            void run()
+            MeshPart run(std::size_t &work)
             {
                 readHeader();
                 for (const Element &element : elements_)
                     // What has no properties is nowhere.
                     for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i)
-                        readInstance(element);
+                        readInstance(element, work);
                 if (isText_ ? nextFullLine() : !rest_.empty())
                     fail("there is more than the header speaks of");
-                mesh_.add(part_);
+                return std::move(part_);
             }
 
         private:
@@ -122,14 +125,16 @@ namespace ompl_certificates
                                ", neither ascii nor binary_little_endian nor binary_big_endian");
                 std::string order;
                 for (const Element &element : elements_)
-                    if (element.name == "face")
+                    if (element.name == "face" && needsFaces_)
                         order += element.has(INDICES) ? "face " : "";
                     else if (element.name == "vertex")
                     {
                         order += element.has(0) && element.has(1) && element.has(2) ? "vertex " : "";
                         part_.hasNormals = element.has(NORMAL);
                     }
-                if (order != "vertex face ")
+                if (!needsFaces_ && order != "vertex ")
+                    text_.fail("there is not one element 'vertex', with x, y and z");
+                if (needsFaces_ && order != "vertex face ")
                     text_.fail(
                         "there is not one element 'vertex', with x, y and z, and then one 'face', with a list of "
                         "whole numbers 'vertex_indices'");
@@ -181,7 +186,7 @@ namespace ompl_certificates
                 return false;
             }
 
-            void readInstance(const Element &element)
+            void readInstance(const Element &element, std::size_t &work)
             {
                 if (isText_ && !nextFullLine())
                     fail("it ends before the last " + inQuotes(element.name));
@@ -195,7 +200,7 @@ namespace ompl_certificates
                     for (; count > 0.0; --count)
                     {
                         const double index = values[property.use] = value(property.type);
-                        if (property.use != INDICES)
+                        if (property.use != INDICES || !needsFaces_)
                             continue;
                         if (!(index >= 0.0 && index < static_cast<double>(part_.vertices.size()) &&
                               index == std::floor(index)))
@@ -206,12 +211,15 @@ namespace ompl_certificates
                 }
                 if (isText_ && !text_.next().empty())
                     fail("there are more numbers than the element " + inQuotes(element.name) + " and its lists need");
-                if (element.name == "face")
-                    part_.addPolygon(corners, mesh_.work);
+                if (element.name == "face" && needsFaces_)
+                    part_.addPolygon(corners, work);
                 if (element.name != "vertex")
                     return;
                 const Eigen::Vector3d point(values), normal(values + NORMAL),
                     texture(values[TEXTURE] + values[TEXTURE + 2], values[TEXTURE + 1] + values[TEXTURE + 3], 0.0);
+                // An organized cloud has such where nothing was seen.
+                if (!needsFaces_ && point.hasNaN())
+                    return;
                 if (!isPoint(point))
                     fail(NO_POINT);
                 part_.add({point, normal.cast<float>(), texture.cast<float>()});
@@ -246,7 +254,7 @@ namespace ompl_certificates
 
             std::string_view content_, rest_;
             LineReader text_;
-            MeshCollector &mesh_;
+            const bool needsFaces_;
             MeshPart part_;
             std::vector<Element> elements_;
             bool isText_{true}, isBigEndian_{false};
@@ -255,6 +263,18 @@ namespace ompl_certificates
 
     void readPly(std::string_view content, MeshCollector &mesh)
     {
-        PlyReader(content, mesh).run();
+        MeshPart part = PlyReader(content, true).run(mesh.work);
+        mesh.add(part);
+    }
+
+    std::vector<Eigen::Vector3d> readPlyPoints(std::string_view content)
+    {
+        std::size_t work = 0;
+        const MeshPart part = PlyReader(content, false).run(work);
+        std::vector<Eigen::Vector3d> points;
+        points.reserve(part.vertices.size());
+        for (const MeshPart::Vertex &vertex : part.vertices)
+            points.push_back(vertex.point);
+        return points;
     }
 }

@@ -14,19 +14,6 @@ namespace ompl_certificates
             return {values[0], values[1], values.size() > 2 ? values[2] : 0.0};
         }
 
-        /** \param needsCenter whether the center must be given: for shapes that say nothing else of their place */
-        Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter)
-        {
-            Pose pose = Pose::Identity();
-            if (needsCenter || node.has("center"))
-                pose.translation() = pointOf(node.at("center").numbers(dimension));
-            if (dimension == 3)
-                pose.linear() = readRotation(node);
-            else if (node.has("angle"))
-                pose.linear() = planarPose(0.0, 0.0, node.at("angle").number()).linear();
-            return pose;
-        }
-
         Shape makeHull(const YamlNode &node, unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
         {
             try
@@ -136,8 +123,8 @@ namespace ompl_certificates
             }
             const std::string known =
                 planar ? "box, disc, capsule, polygon, mesh" : "box, sphere, capsule, cylinder, polytope, mesh";
-            typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") + " in " +
-                          std::to_string(dimension) + " dimensions, not '" + type + "'");
+            typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") + (placed ? ", cloud" : "") +
+                          " in " + std::to_string(dimension) + " dimensions, not '" + type + "'");
         }
     }
 
@@ -163,6 +150,18 @@ namespace ompl_certificates
             return quaternion.normalized().toRotationMatrix();
         }
         return Eigen::Matrix3d::Identity();
+    }
+
+    Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter)
+    {
+        Pose pose = Pose::Identity();
+        if (needsCenter || node.has("center"))
+            pose.translation() = pointOf(node.at("center").numbers(dimension));
+        if (dimension == 3)
+            pose.linear() = readRotation(node);
+        else if (node.has("angle"))
+            pose.linear() = planarPose(0.0, 0.0, node.at("angle").number()).linear();
+        return pose;
     }
 
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)

@@ -10,6 +10,10 @@ namespace ompl_certificates
     /** \brief What \e node has under rotation or under quaternion; no rotation if it has neither */
     Eigen::Matrix3d readRotation(const YamlNode &node);
 
+    /** \brief What \e node has under center, and under angle, rotation or quaternion
+        \param needsCenter whether the center must be given: for shapes that say nothing else of their place */
+    Pose readPose(const YamlNode &node, unsigned int dimension, bool needsCenter);
+
     /** \brief The obstacle that \e node describes, in a workspace of \e dimension */
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
 

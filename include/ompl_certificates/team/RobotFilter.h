@@ -1,0 +1,20 @@
+#ifndef OMPL_CERTIFICATES_TEAM_ROBOT_FILTER_
+#define OMPL_CERTIFICATES_TEAM_ROBOT_FILTER_
+
+#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/team/Team.h"
+
+namespace ompl_certificates
+{
+    /** \brief The cloud without the team that was seen with it. Drops points that are nearer to a body than \e padding and
+        the cloud's radius, or inside it, so that the state collides with no point. A mesh has an inside if it is
+        closed.
+        \param team the robots
+        \param state where they were, in the team's space
+        \param padding the error of the sensor and of the state, in the scene's length unit
+        \throws ompl::Exception if the padding is negative or not finite
+        Cost: some nanoseconds per point and body. Points near a mesh take a time linear in its triangles. */
+    PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding);
+}
+
+#endif

@@ -1,0 +1,221 @@
+#include "CloudReaders.h"
+#include "LineReader.h"
+#include "MeshPart.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/endian/conversion.hpp>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr std::size_t MOST_FIELDS = 1000;
+
+        template <typename Number>
+        double convert(const char *bytes)
+        {
+            Number number;
+            std::memcpy(&number, bytes, sizeof(Number));
+            return static_cast<double>(number);
+        }
+
+        struct Field
+        {
+            std::string name;
+            std::size_t size{4}, count{1};
+            char type{'F'};
+        };
+
+        /** A coordinate: which number of a text's line, or which byte of a point, it is */
+        struct Place
+        {
+            std::size_t word{0}, byte{0}, size{0};
+        };
+
+        class PcdReader
+        {
+        public:
+            explicit PcdReader(std::string_view content) : text_(content)
+            {
+            }
+
+            std::vector<Eigen::Vector3d> run()
+            {
+                readHeader();
+                findCoordinates();
+                if (data_ == "ascii")
+                    readText();
+                else if (data_ == "binary")
+                    readBinary();
+                else if (data_ == "binary_compressed")
+                    text_.fail("the data is binary_compressed, which is not supported; convert it to binary");
+                else
+                    text_.fail("the data is " + inQuotes(data_) + ", neither ascii nor binary");
+                return std::move(points_);
+            }
+
+        private:
+            void readHeader()
+            {
+                while (data_.empty())
+                {
+                    if (!text_.nextLine())
+                        text_.fail("the header has no line 'DATA'");
+                    const std::string_view key = text_.next();
+                    if (key.empty() || key.front() == '#' || key == "VERSION" || key == "VIEWPOINT" || key == "HEIGHT")
+                        continue;
+                    std::vector<std::string> words;
+                    for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
+                        words.emplace_back(word);
+                    if (words.empty() || words.size() > MOST_FIELDS)
+                        text_.fail("there is no such number of values");
+                    if (key == "FIELDS")
+                        for (const std::string &word : words)
+                            fields_.push_back({word});
+                    else if (key == "SIZE" || key == "TYPE" || key == "COUNT")
+                        describeFields(key, words);
+                    else if (key == "POINTS")
+                        count_ = wholeNumber(words[0], text_.getRest().size());
+                    else if (key == "DATA")
+                        data_ = words[0];
+                    else if (key != "WIDTH")
+                        text_.fail("there is " + inQuotes(key) + ", which is no entry of a header");
+                }
+                if (fields_.empty())
+                    text_.fail("the header has no line 'FIELDS'");
+            }
+
+            void describeFields(std::string_view key, const std::vector<std::string> &words)
+            {
+                if (words.size() != fields_.size())
+                    text_.fail("there are " + std::to_string(words.size()) + " values for " +
+                               std::to_string(fields_.size()) + " fields");
+                for (std::size_t i = 0; i < words.size(); ++i)
+                    if (key == "TYPE")
+                        fields_[i].type = words[i].front();
+                    else
+                        (key == "SIZE" ? fields_[i].size : fields_[i].count) = wholeNumber(words[i], 1U << 20U);
+            }
+
+            std::size_t wholeNumber(const std::string &word, std::size_t most) const
+            {
+                std::size_t number;
+                if (!parseNumber(word, number) || number > most)
+                    text_.fail("there is " + inQuotes(word) + ", not a whole number up to " + std::to_string(most));
+                return number;
+            }
+
+            void findCoordinates()
+            {
+                Place place;
+                std::array<bool, 3> found{};
+                for (const Field &field : fields_)
+                {
+                    const std::size_t axis = field.name == "x" ? 0 : field.name == "y" ? 1 : field.name == "z" ? 2 : 3;
+                    if (axis < 3)
+                    {
+                        if (found[axis] || field.type != 'F' || field.count != 1 ||
+                            (field.size != 4 && field.size != 8))
+                            text_.fail("the field '" + field.name +
+                                       "' must be there once, as one number of type F and size 4 or 8");
+                        found[axis] = true;
+                        place.size = field.size;
+                        places_[axis] = place;
+                    }
+                    place.word += field.count;
+                    place.byte += field.count * field.size;
+                }
+                if (!found[0] || !found[1] || !found[2])
+                    text_.fail("there are no fields x, y and z");
+                words_ = place.word;
+                bytes_ = place.byte;
+            }
+
+            void readText()
+            {
+                std::vector<std::string_view> words;
+                for (std::size_t i = 0; i < count_;)
+                {
+                    if (!text_.nextLine())
+                        text_.fail("it ends before the last of " + std::to_string(count_) + " points");
+                    words.clear();
+                    for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
+                        words.push_back(word);
+                    if (words.empty())
+                        continue;
+                    if (words.size() != words_)
+                        text_.fail("there are " + std::to_string(words.size()) + " values of a point, not " +
+                                   std::to_string(words_));
+                    ++i;
+                    Eigen::Vector3d point;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        point[static_cast<Eigen::Index>(axis)] = text_.toNumber(words[places_[axis].word]);
+                    add(point);
+                }
+            }
+
+            void readBinary()
+            {
+                const std::string_view rest = text_.getRest();
+                if (rest.size() / bytes_ < count_)
+                    text_.fail(std::to_string(count_) + " points of " + std::to_string(bytes_) +
+                               " bytes must follow, but there are " + std::to_string(rest.size()) + " bytes");
+                points_.reserve(count_);
+                for (std::size_t i = 0; i < count_; ++i)
+                {
+                    Eigen::Vector3d point;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                    {
+                        const Place &place = places_[axis];
+                        const char *bytes = rest.data() + i * bytes_ + place.byte;
+                        point[static_cast<Eigen::Index>(axis)] =
+                            place.size == 4 ? convert<float>(bytes) : convert<double>(bytes);
+                    }
+                    add(point);
+                }
+            }
+
+            void add(const Eigen::Vector3d &point)
+            {
+                if (point.hasNaN())
+                    return;
+                if (!isPoint(point))
+                    text_.fail("point " + std::to_string(points_.size()) +
+                               " has a coordinate that is not a finite number of at most 1e9");
+                points_.push_back(point);
+            }
+
+            LineReader text_;
+            std::vector<Field> fields_;
+            std::array<Place, 3> places_;
+            std::size_t count_{0}, words_{0}, bytes_{0};
+            std::string data_;
+            std::vector<Eigen::Vector3d> points_;
+        };
+    }
+
+    std::vector<Eigen::Vector3d> readPcd(std::string_view content)
+    {
+        static_assert(boost::endian::order::native == boost::endian::order::little,
+                      "PCD files are read as they are on little-endian machines");
+        return PcdReader(content).run();
+    }
+
+    std::vector<Eigen::Vector3d> readXyz(std::string_view content)
+    {
+        std::vector<Eigen::Vector3d> points;
+        LineReader text(content);
+        while (text.nextLine())
+        {
+            const std::string_view line = text.getLine();
+            const std::size_t first = line.find_first_not_of(" \t\r\v\f");
+            if (first != std::string_view::npos && line[first] != '#')
+                points.push_back(text.point());
+        }
+        return points;
+    }
+}

@@ -1,0 +1,63 @@
+#include "YamlClouds.h"
+
+#include "YamlShapes.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/scene/CloudFile.h"
+
+#include <filesystem>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        PointCloud loadCloud(const YamlNode &node, const std::string &source)
+        {
+            const auto path = std::filesystem::path(source).parent_path() / node.text();
+            try
+            {
+                return ompl_certificates::loadCloud(path.lexically_normal().string());
+            }
+            catch (const ompl::Exception &exception)
+            {
+                node.fail(exception.what());
+            }
+        }
+
+        ZInterval readHeights(const YamlNode &node)
+        {
+            const auto heights = node.numbers(2);
+            if (!(heights[0] <= heights[1]))
+                node.fail("must be the lower height and then the upper one, not " + node.describe());
+            return {heights[0], heights[1]};
+        }
+    }
+
+    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source)
+    {
+        std::vector<std::string> keys{"type", "file", "radius", "resolution", "scale", "center"};
+        if (dimension == 2)
+            keys.insert(keys.end(), {"angle", "heights"});
+        else
+            keys.insert(keys.end(), {"rotation", "quaternion"});
+        node.allow(keys);
+        PointCloud cloud = loadCloud(node.at("file"), source);
+        cloud.radius = node.at("radius").positive();
+        const double scale = node.has("scale") ? node.at("scale").positive() : 1.0;
+        const Pose pose = readPose(node, dimension, false);
+        for (Eigen::Vector3d &point : cloud.points)
+            point = pose * (scale * point);
+        if (dimension == 2)
+            cloud = sliced(std::move(cloud), node.has("heights") ? readHeights(node.at("heights")) : ZInterval());
+        try
+        {
+            if (node.has("resolution"))
+                cloud = thinned(std::move(cloud), node.at("resolution").positive());
+            return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            node.fail(exception.what());
+        }
+    }
+}

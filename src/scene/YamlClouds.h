@@ -1,0 +1,14 @@
+#ifndef OMPL_CERTIFICATES_SCENE_YAML_CLOUDS_
+#define OMPL_CERTIFICATES_SCENE_YAML_CLOUDS_
+
+#include "YamlNode.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
+
+namespace ompl_certificates
+{
+    /** \brief The point cloud that \e node describes, in a workspace of \e dimension
+        \param source the scene's file, whose folder the cloud's path is relative to */
+    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source);
+}
+
+#endif

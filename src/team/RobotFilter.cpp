@@ -1,0 +1,90 @@
+#include "ompl_certificates/team/RobotFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** A part of a body, seen from its own frame */
+        struct PlacedPart
+        {
+            const Shape *shape;
+            Pose toShape;
+            Eigen::AlignedBox3d bounds;
+            /** Whether it is a mesh with an inside */
+            bool isClosed;
+        };
+
+        /** Half the signed solid angle of a triangle, seen from the origin: the formula of Van Oosterom and Strackee */
+        double halfAngle(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c)
+        {
+            const double x = a.norm(), y = b.norm(), z = c.norm();
+            return std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+        }
+
+        /** Whether a closed mesh winds around a point */
+        bool isInside(const TriangleMesh &mesh, const Eigen::Vector3d &point)
+        {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
+            {
+                const auto [a, b, c] = mesh.getCorners(i);
+                sum += halfAngle(a - point, b - point, c - point);
+            }
+            return std::abs(sum) > M_PI;
+        }
+
+        bool isNear(const PlacedPart &part, const Eigen::Vector3d &point, double distance)
+        {
+            const Eigen::Vector3d local = part.toShape * point;
+            // Somewhat more, as the bounds are rounded
+            if (part.bounds.squaredExteriorDistance(local) > 1.001 * distance * distance)
+                return false;
+            return part.shape->signedDistance(local) <= distance ||
+                   (part.isClosed && isInside(*part.shape->getMesh(), local));
+        }
+
+        std::vector<PlacedPart> partsOf(const Team &team, const ompl::base::State *state)
+        {
+            std::vector<PlacedPart> parts;
+            for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            {
+                const Robot &robot = team.getRobot(i);
+                std::vector<Pose> poses(robot.getBodies().size());
+                robot.computePoses(team.getRobotState(state, i), poses.data());
+                for (std::size_t k = 0; k < poses.size(); ++k)
+                    for (const Body::Part &part : robot.getBodies()[k].getParts())
+                    {
+                        const TriangleMesh *mesh = part.shape.getMesh();
+                        PlacedPart placed{&part.shape, (poses[k] * part.pose).inverse(), part.shape.getBounds(),
+                                          mesh && part.shape.getDimension() == 3 && mesh->isClosed()};
+                        // In the plane a mesh is above or below the points.
+                        if (mesh && part.shape.getDimension() == 2)
+                            placed.bounds.min().z() = placed.bounds.max().z() = placed.toShape.translation().z();
+                        parts.push_back(placed);
+                    }
+            }
+            return parts;
+        }
+    }
+
+    PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding)
+    {
+        if (!(padding >= 0.0) || !std::isfinite(padding))
+            throw ompl::Exception("The padding of robots must be finite and not negative, not " +
+                                  std::to_string(padding));
+        const std::vector<PlacedPart> parts = partsOf(team, state);
+        // More than rounding, so that no body touches a point that is left
+        const double distance = (padding + cloud.radius) * (1.0 + 1e-9) + 1e-12;
+        const auto isRobot = [&](const Eigen::Vector3d &point)
+        {
+            return std::any_of(parts.begin(), parts.end(),
+                               [&](const PlacedPart &part) { return isNear(part, point, distance); });
+        };
+        cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(), isRobot), cloud.points.end());
+        return cloud;
+    }
+}

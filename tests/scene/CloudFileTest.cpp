@@ -1,0 +1,177 @@
+#include "support/Folder.h"
+#include "support/Message.h"
+
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/scene/CloudFile.h"
+#include "ompl_certificates/scene/SceneFile.h"
+
+#include <gtest/gtest.h>
+#include <cstring>
+
+namespace ompl_certificates
+{
+    using namespace test;
+
+    namespace
+    {
+        const std::string PCD_HEADER =
+            "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"
+            "COUNT 1 1 1 1\nWIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n";
+
+        const std::string PCD_TEXT = PCD_HEADER + "DATA ascii\n1 2 3 7\nnan nan nan 7\n-4.5 5 6e-1 8\n";
+
+        const std::string PLY_TEXT =
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+            "property float z\nproperty uchar red\nend_header\n1 2 3 255\n-4.5 5 0.6 0\n";
+
+        const std::vector<Eigen::Vector3d> POINTS{{1.0, 2.0, 3.0}, {-4.5, 5.0, 0.6}};
+
+        std::string bytesOf(const std::vector<float> &numbers)
+        {
+            std::string bytes(numbers.size() * sizeof(float), '\0');
+            std::memcpy(bytes.data(), numbers.data(), bytes.size());
+            return bytes;
+        }
+
+        std::string with(std::string text, const std::string &old, const std::string &now)
+        {
+            return text.replace(text.find(old), old.size(), now);
+        }
+
+        const std::string SCENE =
+            "environment:\n  min: [-9, -9, -9]\n  max: [9, 9, 9]\n  obstacles:\n"
+            "    - {type: sphere, center: [5, 5, 5], radius: 1}\n"
+            "    - {type: cloud, file: cloud.xyz, radius: 0.5}\n"
+            "robots: [{type: rigid, space: R3, shape: {type: sphere, radius: 0.2}, "
+            "start: [4, 0, 0], goal: [-4, 0, 0]}]\n";
+    }
+
+    TEST(CloudFile, ReadsEveryKind)
+    {
+        const Folder folder;
+        const std::pair<const char *, std::string> files[] = {
+            {"text.pcd", PCD_TEXT},
+            {"binary.pcd", PCD_HEADER + "DATA binary\n" +
+                               bytesOf({1.0F, 2.0F, 3.0F, 7.0F, NAN, NAN, NAN, 7.0F, -4.5F, 5.0F, 0.6F, 8.0F})},
+            {"text.ply", PLY_TEXT},
+            {"text.XYZ", "# a comment\n1 2 3\n\n -4.5\t5 0.6 255 0 0\r\n"},
+            {"text.txt", "1 2 3\n-4.5 5 0.6"}};
+        for (const auto &[name, content] : files)
+        {
+            const PointCloud cloud = loadCloud(folder.write(name, content));
+            EXPECT_EQ(cloud.radius, 0.0);
+            ASSERT_EQ(cloud.points.size(), POINTS.size()) << name;
+            for (std::size_t i = 0; i < POINTS.size(); ++i)
+                EXPECT_LT((cloud.points[i] - POINTS[i]).norm(), 1e-6) << name;
+        }
+    }
+
+    TEST(CloudFile, TakesFieldsInAnyOrder)
+    {
+        const Folder folder;
+        const std::string text =
+            "FIELDS label normal z y x\nSIZE 1 4 8 8 8\nTYPE U F F F F\nCOUNT 1 3 1 1 1\nPOINTS 1\n"
+            "DATA ascii\n9 0 0 1 3 2 1\n";
+        const PointCloud cloud = loadCloud(folder.write("fields.pcd", text));
+        ASSERT_EQ(cloud.points.size(), 1U);
+        EXPECT_EQ(cloud.points[0], Eigen::Vector3d(1.0, 2.0, 3.0));
+        const double numbers[3] = {3.0, 2.0, 1.0};
+        std::string bytes(13 + sizeof(numbers), '\0');
+        std::memcpy(bytes.data() + 13, numbers, sizeof(numbers));
+        const std::string binary = text.substr(0, text.find("ascii")) + "binary\n" + bytes;
+        EXPECT_EQ(loadCloud(folder.write("fields.pcd", binary)).points.at(0), Eigen::Vector3d(1.0, 2.0, 3.0));
+    }
+
+    TEST(CloudFile, RefusesWhatIsNoCloud)
+    {
+        const Folder folder;
+        struct Broken
+        {
+            const char *name;
+            std::string content, complaint;
+        };
+        const Broken files[] = {
+            {"a.las", "", "must end with .pcd, .ply, .xyz or .txt"},
+            {"a.pcd", "", "the header has no line 'DATA'"},
+            {"a.pcd", "hello\n", "there is no such number of values"},
+            {"a.pcd", "hello you\n", "line 1: there is 'hello', which is no entry"},
+            {"a.pcd", "POINTS 0\nDATA ascii\n", "no line 'FIELDS'"},
+            {"a.pcd", with(PCD_TEXT, "x y z", "x y w"), "there are no fields x, y and z"},
+            {"a.pcd", with(PCD_TEXT, "x y z", "x x z"), "the field 'x' must be there once"},
+            {"a.pcd", with(PCD_TEXT, "F F F", "F I F"), "the field 'y' must be there once"},
+            {"a.pcd", with(PCD_TEXT, "SIZE 4", "SIZE 2"), "the field 'x' must be there once"},
+            {"a.pcd", with(PCD_TEXT, "SIZE 4", "SIZE -4"), "line 4: there is '-4', not a whole number"},
+            {"a.pcd", with(PCD_TEXT, "SIZE 4 4", "SIZE 4"), "there are 3 values for 4 fields"},
+            {"a.pcd", with(PCD_TEXT, "POINTS 3", "POINTS 4"), "it ends before the last of 4 points"},
+            {"a.pcd", with(PCD_TEXT, "POINTS 3", "POINTS 99999999999"), "not a whole number up to"},
+            {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 3"), "line 12: there are 3 values of a point, not 4"},
+            {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 c 7"), "line 12: there is 'c', not a number"},
+            {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 inf 7"), "not a finite number of at most 1e9"},
+            {"a.pcd", with(PCD_TEXT, "ascii", "binary_compressed"), "convert it to binary"},
+            {"a.pcd", with(PCD_TEXT, "ascii", "runes"), "neither ascii nor binary"},
+            {"a.pcd", with(PCD_TEXT, "ascii", "binary"), "3 points of 16 bytes must follow, but there are"},
+            {"a.ply", "solid\n", "line 1: the first line is not 'ply'"},
+            {"a.ply", with(PLY_TEXT, "float z", "float w"), "there is not one element 'vertex', with x, y and z"},
+            {"a.ply", with(PLY_TEXT, "vertex 2", "vertex 3"), "it ends before the last 'vertex'"},
+            {"a.xyz", "1 2 3\n1 2\n", "line 2: "},
+            {"a.xyz", "1 2 3e99\n", "line 1: "},
+            {"a.txt", "one two three\n", "line 1: "}};
+        for (const Broken &file : files)
+        {
+            const std::string path = folder.write(file.name, file.content);
+            const std::string message = messageOf([&] { loadCloud(path); });
+            EXPECT_NE(message.find(file.complaint), std::string::npos) << file.content << "\n" << message;
+            EXPECT_NE(message.find(file.name), std::string::npos) << message;
+        }
+        EXPECT_NE(messageOf([&] { loadCloud(folder / "none.pcd"); }), "");
+    }
+
+    TEST(CloudScene, HoldsShapesAndClouds)
+    {
+        const Folder folder;
+        folder.write("cloud.xyz", "0 0 0\n0 1 0\n");
+        const Scene scene = sceneFromYaml(SCENE, folder / "scene.yaml");
+        EXPECT_NO_THROW(scene.validate());
+        ASSERT_EQ(scene.getSensedObstacles().size(), 1U);
+        const auto obstacles = scene.makeObstacles();
+        EXPECT_NEAR(obstacles->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
+        EXPECT_NEAR(obstacles->clearance({5.0, 5.0, 2.0}), 2.0, 1e-12);
+        EXPECT_NE(obstacles->getFingerprint(), 0U);
+
+        const Scene hit = sceneFromYaml(with(SCENE, "start: [4", "start: [0.6"), folder / "scene.yaml");
+        const std::string message = messageOf([&] { hit.validate(); });
+        EXPECT_NE(message.find("touches environment.obstacles[1]"), std::string::npos) << message;
+    }
+
+    TEST(CloudScene, PlacesAndThinsTheCloud)
+    {
+        const Folder folder;
+        folder.write("cloud.xyz", "1 0 0\n1.1 0 0\n2 0 9\n");
+        const auto clearanceAt = [&](const std::string &keys, unsigned int dimension, const Eigen::Vector3d &point)
+        {
+            const std::string bounds =
+                dimension == 2 ? "min: [-9, -9], max: [9, 9]" : "min: [-9, -9, -9], max: [9, 9, 9]";
+            return sceneFromYaml("environment: {" + bounds + ", obstacles: [{type: cloud, file: cloud.xyz, " + keys +
+                                     "}]}\nrobots: [{type: rigid, space: " + (dimension == 2 ? "R2" : "R3") +
+                                     ", shape: {type: point}, start: [" + (dimension == 2 ? "5, 5" : "5, 5, 5") +
+                                     "], goal: [" + (dimension == 2 ? "5, 5" : "5, 5, 5") + "]}]",
+                                 folder / "scene.yaml")
+                .makeObstacles()
+                ->clearance(point);
+        };
+        EXPECT_NEAR(clearanceAt("radius: 0.5", 3, {0, 0, 0}), 0.5, 1e-12);
+        EXPECT_NEAR(clearanceAt("radius: 0.5, scale: 2, center: [0, 0, 1]", 3, {0, 0, 1}), 1.5, 1e-12);
+        EXPECT_NEAR(clearanceAt("radius: 0.5, rotation: {axis: [0, 0, 1], angle: 3.141592653589793}", 3, {0, 0, 0}),
+                    0.5, 1e-12);
+        EXPECT_NEAR(clearanceAt("radius: 0.5, resolution: 0.5", 3, {1.05, 0, 0}), -0.6 + 0.05, 1e-9);
+        EXPECT_NEAR(clearanceAt("radius: 0.5", 2, {3, 0, 0}), 0.5, 1e-12);
+        EXPECT_NEAR(clearanceAt("radius: 0.5, heights: [-1, 1]", 2, {3, 0, 0}), 1.4, 1e-12);
+        for (const std::string bad : {"", "radius: 0", "radius: 0.5, resolution: -1", "radius: 0.5, heights: [0, 1]",
+                                      "radius: 0.5, size: 3", "radius: 0.5, center: [1, 2]"})
+            EXPECT_THROW(clearanceAt(bad, 3, {0, 0, 0}), ompl::Exception) << bad;
+        EXPECT_THROW(clearanceAt("radius: 0.5, heights: [2, 1]", 2, {0, 0, 0}), ompl::Exception);
+        const std::string message =
+            messageOf([&] { sceneFromYaml(with(SCENE, "cloud.xyz", "none.xyz"), folder / "scene.yaml"); });
+        EXPECT_NE(message.find("environment.obstacles[1].file"), std::string::npos) << message;
+    }
+}
