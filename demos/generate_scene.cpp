@@ -1,5 +1,6 @@
 // Makes scenes from a seed: the paper's discs among random polygons; carts in a maze, quadrotors in a canyon, or gears
-// among knots; and larger teams of six kinds. Scenes of meshes get these next to the scene's file.
+// among knots; drones in a point cloud; and larger teams of six kinds. Meshes and clouds are written next to the scene's
+// file.
 //
 //     generate_scene --robots 3 --seed 7 --output scene.yaml
 //     generate_scene --kind canyon --output canyon.yaml
@@ -7,6 +8,7 @@
 
 #include "common/CommandLine.h"
 #include "common/Outputs.h"
+#include "generators/CloudScenes.h"
 #include "generators/MeshScenes.h"
 #include "generators/RandomPolygons.h"
 #include "generators/TeamScenes.h"
@@ -29,7 +31,7 @@ namespace
     /** What was given; what was not is the kind's own */
     struct Given
     {
-        std::optional<unsigned int> robots, obstacles;
+        std::optional<unsigned int> robots, obstacles, points;
         std::optional<double> size, radius;
         std::uint64_t seed{1};
     };
@@ -65,6 +67,15 @@ namespace
         addMeshes("maze", "3 carts in a maze, of meshes", generators::mazeOfMeshes);
         addMeshes("canyon", "3 quadrotors in a canyon, of meshes", generators::canyonOfMeshes);
         addMeshes("knots", "3 gears among knots, of meshes", generators::knotsOfMeshes);
+        const auto cloud = [&given]
+        {
+            generators::CloudSettings settings;
+            settings.robots = given.robots.value_or(settings.robots);
+            settings.points = given.points.value_or(settings.points);
+            settings.seed = given.seed;
+            return generators::droneCloud(settings);
+        };
+        kinds.push_back({"cloud", "4 drones in a building, of 6000 points", {"--points"}, cloud});
         for (const generators::TeamKind &team : generators::teamKinds())
         {
             std::ostringstream description;
@@ -106,9 +117,10 @@ int main(int argc, char **argv)
     const std::vector<CLI::Option *> someKinds{
         app.add_option("--obstacles", given.obstacles, "number of random obstacles"),
         app.add_option("--size", given.size, "side of the square that the robots are in"),
-        app.add_option("--radius", given.radius, "radius of the discs among polygons")};
+        app.add_option("--radius", given.radius, "radius of the discs among polygons"),
+        app.add_option("--points", given.points, "number of points of a cloud")};
     app.add_option("--seed", given.seed, "seed; the same settings make the same scene")->capture_default_str();
-    app.add_option("--output", output, "file to write, - for standard output (if the kind has no meshes)")
+    app.add_option("--output", output, "file to write, - for standard output (if the kind has no meshes and no cloud)")
         ->capture_default_str();
     const auto generate = [&]
     {

@@ -11,6 +11,7 @@ TEST(GenerateScene, WritesEachKind)
     const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
         {"paper_three_discs.yaml", {"--robots", "3"}},
         {"maze.yaml", {"--kind", "maze"}},
+        {"cloud.yaml", {"--kind", "cloud"}},
         {"teams/boxes_16.yaml", {"--kind", "boxes", "--robots", "16", "--obstacles", "10"}},
         {"teams/discs_50.yaml", {"--kind", "discs", "--robots", "50", "--size", "40"}},
         {"teams/drones_30.yaml", {"--kind", "drones", "--seed", "1"}},
@@ -24,6 +25,8 @@ TEST(GenerateScene, WritesEachKind)
         EXPECT_EQ(contentOf(made), contentOf(SCENES + file)) << file;
     }
     EXPECT_EQ(contentOf(folder / "mixed_8_gear.obj"), contentOf(SCENES + "teams/mixed_8_gear.obj"));
+
+    EXPECT_EQ(contentOf(folder / "cloud_cloud.xyz"), contentOf(SCENES + "cloud_cloud.xyz"));
 
     Program program("generate_scene", {"--kind", "window"});
     EXPECT_EQ(program.wait(), 0) << program.errors();
@@ -39,6 +42,9 @@ TEST(GenerateScene, RefusesOptionsOfOtherKinds)
         {{"--kind", "discs", "--obstacles", "1"}, "--obstacles: is not for --kind discs"},
         {{"--kind", "warehouse", "--obstacles", "1"}, "--obstacles: is not for --kind warehouse"},
         {{"--kind", "window", "--obstacles", "1"}, "--obstacles: is not for --kind window"},
+        {{"--kind", "maze", "--points", "9", "--output", "maze.yaml"}, "--points: is not for --kind maze"},
+        {{"--kind", "cloud", "--points", "9", "--output", "cloud.yaml"}, "points: must be from 100 to 1000000, not 9"},
+        {{"--kind", "cloud", "--robots", "7", "--output", "cloud.yaml"}, "robots: must be from 1 to 6, not 7"},
         {{"--kind", "drones", "--robots", "0"}, "robots: must be from 1 to 1000, not 0"},
         {{"--kind", "drones", "--size", "1"}, "size: must be from 5 to 1000 in drones, not 1"},
         {{"--kind", "discs", "--robots", "100", "--size", "5"}, "no place was found for disc_"},

@@ -64,7 +64,7 @@ TEST_P(CloudTrees, AreTheSameUnderAllMethods)
             const unsigned int dimension = team->getWorkspaceDimension();
             // A few lumps, so that there is a way
             std::vector<Eigen::Vector3d> points;
-            for (int lump = 0; lump < 8; ++lump)
+            for (int lump = 0; lump < 20; ++lump)
                 for (const auto &point : randomPoints(random, dimension, 60, 0.3, random.point(dimension, HALF)))
                     points.push_back(point);
             ObstaclesPtr obstacles = std::make_shared<PointCloudObstacles>(PointCloud{points, 0.03}, dimension);
@@ -81,7 +81,7 @@ TEST_P(CloudTrees, AreTheSameUnderAllMethods)
             for (const Method method : allMethods())
                 ASSERT_TRUE(treeOf(team, obstacles, method, GetParam(), start, goal) == expected) << nameOf(method);
         }
-    EXPECT_GT(numbers, 5000U);
+    EXPECT_GT(numbers, 500U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Planner, CloudTrees, testing::Values("RRT", "RRTConnect"),

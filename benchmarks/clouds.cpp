@@ -1,0 +1,128 @@
+// Point clouds: what a clearance costs among more and more points, how long a tree takes to build, and what a drone's check
+// costs with the contact test and with certificates. Random boxes in a room of 20 by 20 by 6 are sampled, with noise.
+//
+//     clouds --benchmark_filter=Clearance
+
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+
+#include <benchmark/benchmark.h>
+#include <map>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+
+namespace
+{
+    const Eigen::Vector3d ROOM(20.0, 20.0, 6.0);
+
+    Eigen::Vector3d pointIn(ompl::RNG &random, const Eigen::Vector3d &low, const Eigen::Vector3d &size)
+    {
+        Eigen::Vector3d point = low;
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            point[axis] += random.uniformReal(0.0, size[axis]);
+        return point;
+    }
+
+    PointCloud sampledBoxes(std::size_t count)
+    {
+        constexpr double noise = 0.01;
+        ompl::RNG random(1);
+        std::vector<Eigen::Vector3d> corners, sizes;
+        for (int i = 0; i < 40; ++i)
+        {
+            corners.push_back(pointIn(random, Eigen::Vector3d::Zero(), ROOM));
+            sizes.push_back(pointIn(random, Eigen::Vector3d::Constant(0.5), Eigen::Vector3d::Constant(2.0)));
+        }
+        PointCloud cloud{{}, 0.02};
+        while (cloud.points.size() < count)
+        {
+            const auto box = static_cast<std::size_t>(random.uniformInt(0, 39));
+            const Eigen::Index axis = random.uniformInt(0, 2);
+            Eigen::Vector3d point = pointIn(random, corners[box], sizes[box]);
+            point[axis] = corners[box][axis] + (random.uniformBool() ? sizes[box][axis] : 0.0);
+            for (double &coordinate : point)
+                coordinate += random.gaussian(0.0, noise);
+            cloud.points.push_back(point);
+        }
+        return cloud;
+    }
+
+    std::shared_ptr<const PointCloudObstacles> obstaclesOf(std::size_t count)
+    {
+        static std::map<std::size_t, std::shared_ptr<const PointCloudObstacles>> known;
+        auto &obstacles = known[count];
+        if (!obstacles)
+            obstacles = std::make_shared<PointCloudObstacles>(sampledBoxes(count), 3);
+        return obstacles;
+    }
+
+    void build(benchmark::State &state)
+    {
+        const PointCloud cloud = sampledBoxes(static_cast<std::size_t>(state.range(0)));
+        for (auto _ : state)
+            benchmark::DoNotOptimize(PointCloudObstacles(cloud, 3).getPoints().data());
+    }
+
+    void clearance(benchmark::State &state)
+    {
+        const auto obstacles = obstaclesOf(static_cast<std::size_t>(state.range(0)));
+        ompl::RNG random(2);
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < 100000; ++i)
+            points.push_back(pointIn(random, Eigen::Vector3d::Zero(), ROOM));
+        std::size_t next = 0;
+        for (auto _ : state)
+            benchmark::DoNotOptimize(obstacles->clearance(points[next++ % points.size()]));
+    }
+
+    /** Random motions of a drone: by the contact test alone, or with certificates of earlier ones */
+    void motion(benchmark::State &state)
+    {
+        const auto obstacles = obstaclesOf(static_cast<std::size_t>(state.range(0)));
+        const auto method = static_cast<Method>(state.range(1));
+        std::vector<Body::Part> parts{{Shape::box(Eigen::Vector3d(0.4, 0.4, 0.2)), Pose::Identity()}};
+        for (const double x : {-0.3, 0.3})
+            for (const double y : {-0.3, 0.3})
+                parts.push_back({Shape::ball(3, 0.2), poseAt({x, y, 0.0})});
+        ompl::base::RealVectorBounds bounds(3);
+        for (unsigned int axis = 0; axis < 3; ++axis)
+            bounds.setHigh(axis, ROOM[axis]);
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::inSE3("drone", Body(parts), bounds));
+        TeamSetup setup(team, obstacles, method);
+        setup.getSpaceInformation()->setStateValidityCheckingResolution(0.002);
+        setup.getSpaceInformation()->setup();
+        const auto &si = setup.getSpaceInformation();
+        const auto sampler = si->allocStateSampler();
+        ompl::base::ScopedState<> from(si), to(si);
+        const auto nextMotion = [&]
+        {
+            do
+                sampler->sampleUniform(from.get());
+            while (!si->isValid(from.get()));
+            sampler->sampleUniformNear(to.get(), from.get(), 2.0);
+        };
+        for (int i = 0; i < 5000; ++i)
+        {
+            nextMotion();
+            si->checkMotion(from.get(), to.get());
+        }
+        for (auto _ : state)
+        {
+            state.PauseTiming();
+            nextMotion();
+            state.ResumeTiming();
+            benchmark::DoNotOptimize(si->checkMotion(from.get(), to.get()));
+        }
+        state.SetLabel(nameOf(method));
+    }
+}
+
+BENCHMARK(build)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(clearance)->Arg(10000)->Arg(100000)->Arg(1000000);
+BENCHMARK(motion)
+    ->ArgsProduct({{10000, 100000, 1000000},
+                   {static_cast<int>(Method::STANDARD), static_cast<int>(Method::SHARED_PROJECTION)}})
+    ->Unit(benchmark::kMicrosecond);
