@@ -33,9 +33,10 @@ namespace ompl_certificates
             }
             if (dimension == 2)
             {
-                const auto ends = node.at("slice").numbers(2);
+                const auto ends = node.at("heights").numbers(2);
                 if (!(ends[0] < ends[1]))
-                    node.at("slice").fail("its low end must be below its high one, not " + node.at("slice").describe());
+                    node.at("heights").fail("its low end must be below its high one, not " +
+                                            node.at("heights").describe());
                 options.slice = {ends[0], ends[1]};
             }
             return options;
@@ -46,7 +47,7 @@ namespace ompl_certificates
     {
         std::vector<std::string> keys{"type", "file", "depth", "unknown"};
         if (dimension == 2)
-            keys.emplace_back("slice");
+            keys.emplace_back("heights");
         node.allow(keys);
         const OctomapOptions options = readOptions(node, dimension);
         const auto file = std::filesystem::path(source).parent_path() / node.at("file").text();

@@ -6,7 +6,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief The octomap that \e node describes: file, depth, unknown and, in the plane, slice
+    /** \brief The octomap that \e node describes: file, depth, unknown and, in the plane, heights
         \param source the scene's file, whose folder the map's path is relative to */
     ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);
 }

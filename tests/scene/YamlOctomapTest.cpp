@@ -53,8 +53,8 @@ namespace ompl_certificates
         // A building ends at x = 7 and y = 7, beyond which the map has a row of cells that it touches. It is 8 high.
         EXPECT_NEAR(clearanceOf(3, "", {9.0, 5.0, 3.0}), 1.75, 1e-9);
         EXPECT_NEAR(clearanceOf(3, ", depth: 14", {9.0, 5.0, 3.0}), 1.0, 1e-9);
-        EXPECT_NEAR(clearanceOf(2, ", slice: [3, 4]", {9.0, 5.0, 0.0}), 1.75, 1e-9);
-        EXPECT_GT(clearanceOf(2, ", slice: [10, 11]", {9.0, 5.0, 0.0}), 1.75);
+        EXPECT_NEAR(clearanceOf(2, ", heights: [3, 4]", {9.0, 5.0, 0.0}), 1.75, 1e-9);
+        EXPECT_GT(clearanceOf(2, ", heights: [10, 11]", {9.0, 5.0, 0.0}), 1.75);
         // All cells of the scene are known.
         EXPECT_NEAR(clearanceOf(3, ", unknown: occupied", {9.0, 5.0, 3.0}), 1.75, 1e-9);
         EXPECT_NEAR(clearanceOf(3, ", unknown: free", {9.0, 5.0, 3.0}), 1.75, 1e-9);
@@ -62,7 +62,7 @@ namespace ompl_certificates
 
     TEST_F(YamlOctomap, IsNamedInMessages)
     {
-        std::string text = "type: octomap, file: map.bt, slice: [3, 4]";
+        std::string text = "type: octomap, file: map.bt, heights: [3, 4]";
         const std::string path = file(2, text);
         std::string scene = folder_.read("scene.yaml");
         scene.replace(scene.find("[1, 1]"), 6, "[5, 5]");
@@ -85,11 +85,11 @@ namespace ompl_certificates
             {3, "type: octomap, file: map.bt, depth: 17", ".depth: must be a whole number from 1 to 16, not 17"},
             {3, "type: octomap, file: map.bt, depth: 15.5", ".depth: must be a whole number from 1 to 16, not 15.5"},
             {3, "type: octomap, file: map.bt, unknown: maybe", ".unknown: must be free or occupied, not 'maybe'"},
-            {3, "type: octomap, file: map.bt, slice: [0, 1]", ".slice: unknown key"},
+            {3, "type: octomap, file: map.bt, heights: [0, 1]", ".heights: unknown key"},
             {3, "type: octomap, file: map.bt, center: [0, 0, 0]", ".center: unknown key"},
-            {2, "type: octomap, file: map.bt", ".slice: missing"},
-            {2, "type: octomap, file: map.bt, slice: [1, 1]", ".slice: its low end must be below its high one"},
-            {2, "type: octomap, file: map.bt, slice: [1]", ".slice: must"}};
+            {2, "type: octomap, file: map.bt", ".heights: missing"},
+            {2, "type: octomap, file: map.bt, heights: [1, 1]", ".heights: its low end must be below its high one"},
+            {2, "type: octomap, file: map.bt, heights: [1]", ".heights: must"}};
         for (const auto &[dimension, keys, complaint] : broken)
         {
             SCOPED_TRACE(keys);
