@@ -56,6 +56,9 @@ namespace ompl_certificates
                     words >> key;
                     if (key == "data")
                     {
+                        // Without a line's end there is no place behind it.
+                        if (lines.eof())
+                            break;
                         header.data = static_cast<std::size_t>(lines.tellg());
                         requireHeader(header);
                         return header;
