@@ -1,9 +1,12 @@
-# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS scene pictures]) finds it again.
+# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS octomap scene pictures]) finds it again.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE PATTERN "pictures" EXCLUDE)
 install(TARGETS ompl_certificates ompl_certificates_neighbors EXPORT ompl_certificatesTargets)
+if(TARGET ompl_certificates_octomap)
+  install(TARGETS ompl_certificates_octomap EXPORT ompl_certificatesTargets)
+endif()
 install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
 
 if(TARGET ompl_certificates_scene)

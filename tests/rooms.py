@@ -11,7 +11,7 @@ DEPTHS = [
     ["neighbors", "robots", "obstacles"],
     ["certificates", "team"],
     ["validity"],
-    ["planning"],
+    ["planning", "octomap"],
     ["scene"],
     ["pictures"],
 ]

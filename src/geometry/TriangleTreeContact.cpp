@@ -1,5 +1,6 @@
 #include "TriangleTree.h"
 
+#include "BoxOverlap.h"
 #include "PrimitiveContact.h"
 #include "TriangleContact.h"
 
@@ -16,12 +17,6 @@ namespace ompl_certificates
         /** After so many triangles that may just touch, the exact check decides. Where meshes lie upon each other,
             nearly all triangles do, and the first one ends the exact check. */
         constexpr unsigned int MOST_UNKNOWN = 32;
-
-        struct Box
-        {
-            Eigen::Vector3f center;
-            Eigen::Vector3f half;
-        };
 
         /** The answers about one pair of triangles after the other, until they settle the matter */
         class Answers
@@ -49,63 +44,6 @@ namespace ompl_certificates
             Touching all_{Touching::NO};
             unsigned int unknown_{0};
         };
-
-        /** The transform of boxes from one frame to another */
-        struct Turn
-        {
-            Eigen::Matrix3f rotation;
-            Eigen::Matrix3f absolute;
-            Eigen::Vector3f shift;
-
-            Turn(const Eigen::Matrix3d &r, const Eigen::Vector3d &t)
-              : rotation(r.cast<float>()), absolute(rotation.cwiseAbs()), shift(t.cast<float>())
-            {
-            }
-        };
-
-        /** Which of the four boxes of \e node touch \e box, to within \e slack: no axis of either separates them. \e
-            turn takes \e box to the node's frame. */
-        template <typename Node>
-        void overlaps(const Node &node, const Box &box, const Turn &turn, float slack, bool *overlap)
-        {
-            const Eigen::Vector3f center = turn.rotation * box.center + turn.shift;
-            const Eigen::Vector3f half = turn.absolute * box.half + Eigen::Vector3f::Constant(slack);
-            int outside[4] = {0, 0, 0, 0};
-            float middles[3][4], halves[3][4];
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const float low = center[axis] - half[axis], high = center[axis] + half[axis];
-                for (int k = 0; k < 4; ++k)
-                {
-                    outside[k] |=
-                        static_cast<int>(node.low[axis][k] > high) | static_cast<int>(node.high[axis][k] < low);
-                    middles[axis][k] = 0.5F * (node.low[axis][k] + node.high[axis][k]) - center[axis];
-                    halves[axis][k] = 0.5F * (node.high[axis][k] - node.low[axis][k]);
-                }
-            }
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const float x = turn.rotation(0, axis), y = turn.rotation(1, axis), z = turn.rotation(2, axis);
-                const float ax = turn.absolute(0, axis), ay = turn.absolute(1, axis), az = turn.absolute(2, axis);
-                const float extent = box.half[axis] + slack;
-                for (int k = 0; k < 4; ++k)
-                {
-                    const float gap = std::abs(x * middles[0][k] + y * middles[1][k] + z * middles[2][k]);
-                    const float both = extent + ax * halves[0][k] + ay * halves[1][k] + az * halves[2][k];
-                    outside[k] |= static_cast<int>(gap > both);
-                }
-            }
-            for (int k = 0; k < 4; ++k)
-                overlap[k] = outside[k] == 0;
-        }
-
-        template <typename Node>
-        Box boxOf(const Node &node, int k)
-        {
-            const Eigen::Vector3f low(node.low[0][k], node.low[1][k], node.low[2][k]);
-            const Eigen::Vector3f high(node.high[0][k], node.high[1][k], node.high[2][k]);
-            return {0.5F * (low + high), 0.5F * (high - low)};
-        }
     }
 
     Touching TriangleTree::touches(const Facet &triangle, double margin) const
@@ -155,13 +93,13 @@ namespace ompl_certificates
         if (nodes_.empty() || other.nodes_.empty())
             return Touching::NO;
         const Eigen::Vector3d shift = pose * other.origin_ - origin_;
-        const Turn toHere(pose.linear(), shift),
+        const BoxTurn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
         const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + other.extent_ + shift.norm()));
         struct Open
         {
             std::uint32_t here, there;
-            Box boxHere, boxThere;
+            FloatBox boxHere, boxThere;
         };
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
@@ -207,10 +145,10 @@ namespace ompl_certificates
         if (nodes_.empty())
             return Touching::NO;
         const Eigen::AlignedBox3d bounds = primitive.getBounds();
-        const Box box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
+        const FloatBox box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
         const Eigen::Matrix3d toHere = pose.linear().transpose();
         const Eigen::Vector3d shift = -(toHere * (pose * origin_));
-        const Turn turn(toHere, shift);
+        const BoxTurn turn(toHere, shift);
         const auto slack = static_cast<float>(
             margin + ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
         std::uint32_t stack[STACK_SIZE];

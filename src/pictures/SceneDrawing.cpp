@@ -1,5 +1,6 @@
 #include "SceneDrawing.h"
 
+#include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <algorithm>
@@ -17,6 +18,9 @@ namespace ompl_certificates
         constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
         constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0;
+
+        /** How many times occupied cells are drawn in space: all, then those nearer and nearer to the viewer */
+        constexpr int CELL_LEVELS = 4;
 
         void cross(SvgWriter &svg, const Eigen::Vector2d &center, double size, const std::string &attributes)
         {
@@ -116,8 +120,12 @@ namespace ompl_certificates
         for (const PlacedBody &obstacle : scene_.getObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
         for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+        {
             if (const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.get()))
                 drawCloud(svg, view, *cloud);
+            if (const auto *cells = dynamic_cast<const CellObstacles *>(sensed.get()))
+                view.draw(svg, *cells, CELL_LEVELS);
+        }
         svg.endGroup();
     }
 

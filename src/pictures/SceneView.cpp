@@ -1,5 +1,7 @@
 #include "SceneView.h"
 
+#include "CellOutline.h"
+
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -10,6 +12,9 @@ namespace ompl_certificates
     {
         /** The number of points of a circle; a whole outline has at most two circles */
         constexpr int CIRCLE_POINTS = 64;
+
+        /** The least width, in pixels, at which cells are drawn one by one */
+        constexpr double FINEST_CELL = 1.5;
 
         /** The radius of a round shape; a point would be invisible */
         double radiusOf(const Shape &shape, double scale)
@@ -150,6 +155,23 @@ namespace ompl_certificates
             }
             else
                 svg.polygon(outlineOf(part.shape, partPose));
+        }
+    }
+
+    void SceneView::draw(SvgWriter &svg, const CellObstacles &cells, int levels) const
+    {
+        // Edges of cells, which are smaller than what they are parts of, would hide them.
+        std::string attributes = "stroke='none'";
+        for (const auto &rectangles : cellOutlines(cells, up_, FINEST_CELL / scale_, levels))
+        {
+            std::vector<MeshOutline::Loop> loops;
+            for (const Eigen::AlignedBox3d &rectangle : rectangles)
+            {
+                const Eigen::Vector2d a = project(rectangle.min()), b = project(rectangle.max());
+                loops.push_back({a, {b.x(), a.y()}, b, {a.x(), b.y()}});
+            }
+            svg.area(loops, attributes);
+            attributes = "stroke='none' fill-opacity='0.15'";
         }
     }
 }

@@ -9,6 +9,8 @@
 
 namespace ompl_certificates
 {
+    class CellObstacles;
+
     /** \brief The workspace seen along one of its axes, at a position in a picture */
     class SceneView
     {
@@ -51,6 +53,9 @@ namespace ompl_certificates
             \param levels how many outlines a mesh gets: the whole, then parts nearer and nearer to the viewer */
         void draw(SvgWriter &svg, const Body &body, const Pose &pose, const ZInterval &zInterval = ZInterval(),
                   int levels = 1) const;
+
+        /** \brief Draw occupied cells: the whole, then parts nearer and nearer to the viewer */
+        void draw(SvgWriter &svg, const CellObstacles &cells, int levels) const;
 
     private:
         /** \brief Outlines of a mesh: the whole, then parts nearer and nearer to the viewer. None if it is out of

@@ -1,4 +1,5 @@
 #include "YamlClouds.h"
+#include "YamlOctomap.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 #include "YamlText.h"
@@ -45,8 +46,11 @@ namespace ompl_certificates
         if (environment.has("obstacles"))
             for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
             {
-                if (obstacle.at("type").text() == "cloud")
+                const std::string type = obstacle.at("type").text();
+                if (type == "cloud")
                     scene.addSensedObstacles(readCloud(obstacle, dimension, source), obstacle.getKey());
+                else if (type == "octomap")
+                    scene.addSensedObstacles(readOctomap(obstacle, dimension, source), obstacle.getKey());
                 else
                     scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
             }

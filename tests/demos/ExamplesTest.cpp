@@ -1,4 +1,7 @@
 #include "demos/Program.h"
+#include "support/Folder.h"
+
+#include <filesystem>
 
 TEST(Examples, solve)
 {
@@ -12,4 +15,17 @@ TEST(Examples, solve)
         EXPECT_EQ(program.wait(), 0) << name << "\n" << program.errors();
         EXPECT_NE(program.output(), "") << name;
     }
+}
+
+TEST(Examples, PlanAmongAnOctomapThatTheyWrite)
+{
+    if (!std::filesystem::exists(OMPL_CERTIFICATES_BIN_DIR "/09_octomap"))
+        GTEST_SKIP() << "built without octomap";
+    const ompl_certificates::test::Folder folder;
+    Program program("09_octomap", {OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/drones_3d.yaml", folder / "map.bt"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_NE(program.output().find("boxes of occupied cells"), std::string::npos);
+    // The map of the scene with cells is the one that the example writes.
+    std::ifstream kept(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/drones_octomap.bt", std::ios::binary);
+    EXPECT_EQ(folder.read("map.bt"), std::string(std::istreambuf_iterator<char>(kept), {}));
 }

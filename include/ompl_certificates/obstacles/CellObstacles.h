@@ -1,0 +1,102 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_CELL_OBSTACLES_
+#define OMPL_CERTIFICATES_OBSTACLES_CELL_OBSTACLES_
+
+#include "ompl_certificates/obstacles/CellBox.h"
+#include "ompl_certificates/obstacles/Obstacles.h"
+
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    class CellTree;
+
+    /** \brief Obstacles that are the occupied cells of a grid or of an octree: solid cubes of space, or squares of the
+        plane.
+
+        Cells that touch are joined into boxes of up to 16 cells along an axis. That changes neither what is occupied
+        nor what is free. A part is such a box.
+
+        Closed formulas decide whether a body touches a box; FCL is asked for those that it just touches. */
+    class CellObstacles : public Obstacles
+    {
+    public:
+        /** \brief Obstacles of \e cells, possibly none
+            \param cellSize the edge length of a cell
+            \param cells boxes of occupied cells. In space they must not overlap. In the plane they may: their extents
+            along z do not count, and a cell stands for an endless upright prism, also against meshes.
+            \param dimension the dimension of the workspace, 2 or 3
+            \throws ompl::Exception if a number is not positive and finite, a box is empty, or an index is out of
+            range; see CellBox::FARTHEST
+            Cost: n log n for n boxes, some 0.15 s for 400 000. */
+        CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension = 3);
+
+        ~CellObstacles() override;
+
+        unsigned int getDimension() const override
+        {
+            return dimension_;
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override;
+
+        /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its box */
+        double clearance(const Eigen::Vector3d &point) const override;
+
+        double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
+
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
+
+        bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
+
+        double getTolerance() const override
+        {
+            return tolerance_;
+        }
+
+        /** \brief A checksum of the cells and their size. Cost: linear in the number of boxes. */
+        std::uint64_t getFingerprint() const override;
+
+        /** \brief The edge length of a cell */
+        double getCellSize() const
+        {
+            return cellSize_;
+        }
+
+        /** \brief The boxes that the cells were joined into; an ObstaclePart is an index of one */
+        const std::vector<CellBox> &getBoxes() const;
+
+        /** \brief The box of a part, in the workspace; in the plane at z = 0 */
+        Eigen::AlignedBox3d getBounds(ObstaclePart part) const;
+
+    private:
+        void makeShapes();
+
+        /** \brief How near a contact must be for FCL to decide it */
+        double marginOf(const Body &body) const
+        {
+            return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
+        }
+
+        /** \brief Call \e visit with the boxes near a part of a body and whether they touch it, until it returns true */
+        template <typename Visit>
+        void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief Whether a part of a body touches a box */
+        Touching touchesBox(const Shape &shape, const Pose &pose, ObstaclePart box, double margin) const;
+
+        /** \brief FCL's verdict on a body and one box */
+        bool fclCollides(const Body &body, const Pose &pose, ObstaclePart box) const;
+
+        double cellSize_;
+        unsigned int dimension_;
+        std::unique_ptr<CellTree> tree_;
+
+        /** \brief The shapes of boxes, one for each size, and which of them each box has */
+        std::vector<Shape> shapes_;
+        std::vector<std::uint32_t> shapeOfBox_;
+        double tolerance_{0.0};
+    };
+}
+
+#endif

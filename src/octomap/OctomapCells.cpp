@@ -1,0 +1,154 @@
+#include "OctomapCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        constexpr unsigned int DEEPEST = 16;
+
+        /** Of a cell, in which a slice must reach so far to count: what pays for the rounding of heights */
+        constexpr double ROUNDING = 1e-6;
+
+        CellBox intersection(const CellBox &a, const CellBox &b)
+        {
+            CellBox both = a;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                both.low[axis] = std::max(a.low[axis], b.low[axis]);
+                both.high[axis] = std::min(a.high[axis], b.high[axis]);
+            }
+            return both;
+        }
+
+        bool isEmpty(const CellBox &box)
+        {
+            return box.low[0] >= box.high[0] || box.low[1] >= box.high[1] || box.low[2] >= box.high[2];
+        }
+
+        /** Goes through the nodes of a map with the cubes that they stand for */
+        class MapWalk
+        {
+        public:
+            MapWalk(const octomap::OcTree &map, const OctomapOptions &options) : map_(map), options_(options)
+            {
+                if (options.unknownIsOccupied && map.getRoot())
+                    extend(map.getRoot(), whole());
+            }
+
+            std::vector<CellBox> getCells()
+            {
+                if (map_.getRoot())
+                    collect(map_.getRoot(), whole(), 0);
+                return std::move(cells_);
+            }
+
+        private:
+            /** What is in a cube */
+            struct Content
+            {
+                bool occupied{false};
+                bool unknown{false};
+            };
+
+            static CellBox whole()
+            {
+                constexpr std::int32_t half = 1 << (DEEPEST - 1);
+                return {{-half, -half, -half}, {half, half, half}};
+            }
+
+            static CellBox childOf(const CellBox &cube, unsigned int i)
+            {
+                const std::int32_t half = (cube.high[0] - cube.low[0]) / 2;
+                CellBox child = cube;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                {
+                    child.low[axis] += (i >> axis & 1U) != 0 ? half : 0;
+                    child.high[axis] = child.low[axis] + half;
+                }
+                return child;
+            }
+
+            const octomap::OcTreeNode *childOf(const octomap::OcTreeNode *node, unsigned int i) const
+            {
+                return map_.nodeChildExists(node, i) ? map_.getNodeChild(node, i) : nullptr;
+            }
+
+            /** Extends the box of what is known by the leaves below a node */
+            void extend(const octomap::OcTreeNode *node, const CellBox &cube)
+            {
+                if (!map_.nodeHasChildren(node))
+                {
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                    {
+                        known_.low[axis] = std::min(known_.low[axis], cube.low[axis]);
+                        known_.high[axis] = std::max(known_.high[axis], cube.high[axis]);
+                    }
+                    return;
+                }
+                for (unsigned int i = 0; i < 8; ++i)
+                    if (const octomap::OcTreeNode *child = childOf(node, i))
+                        extend(child, childOf(cube, i));
+            }
+
+            /** Notes the obstacles in a cube; \e node is null where nothing is known. */
+            void collect(const octomap::OcTreeNode *node, const CellBox &cube, unsigned int depth)
+            {
+                if (node && map_.nodeHasChildren(node) && depth < options_.depth)
+                {
+                    for (unsigned int i = 0; i < 8; ++i)
+                        collect(childOf(node, i), childOf(cube, i), depth + 1);
+                    return;
+                }
+                const Content content = contentOf(node, cube);
+                if (content.occupied)
+                    cells_.push_back(cube);
+                else if (content.unknown)
+                    cells_.push_back(intersection(cube, known_));
+            }
+
+            Content contentOf(const octomap::OcTreeNode *node, const CellBox &cube) const
+            {
+                if (!node)
+                    return {false, options_.unknownIsOccupied && !isEmpty(intersection(cube, known_))};
+                if (!map_.nodeHasChildren(node))
+                    return {map_.isNodeOccupied(node), false};
+                Content all;
+                for (unsigned int i = 0; i < 8 && !all.occupied; ++i)
+                {
+                    const Content content = contentOf(childOf(node, i), childOf(cube, i));
+                    all.occupied = content.occupied;
+                    all.unknown = all.unknown || content.unknown;
+                }
+                return all;
+            }
+
+            const octomap::OcTree &map_;
+            const OctomapOptions &options_;
+
+            /** The smallest box that contains all known cells */
+            CellBox known_{whole().high, whole().low};
+            std::vector<CellBox> cells_;
+        };
+    }
+
+    std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options)
+    {
+        if (options.depth < 1 || options.depth > DEEPEST)
+            throw ompl::Exception("The depth of an octomap's cells must be from 1 to " + std::to_string(DEEPEST) +
+                                  ", not " + std::to_string(options.depth));
+        std::vector<CellBox> cells = MapWalk(map, options).getCells();
+        if (!options.slice)
+            return cells;
+        const auto &[low, high] = *options.slice;
+        if (!(low < high))
+            throw ompl::Exception("The slice of an octomap must have its low end below its high one");
+        const double lowest = low / map.getResolution() + ROUNDING, highest = high / map.getResolution() - ROUNDING;
+        const auto isOutside = [&](const CellBox &box) { return box.high[2] <= lowest || box.low[2] >= highest; };
+        cells.erase(std::remove_if(cells.begin(), cells.end(), isOutside), cells.end());
+        return cells;
+    }
+}

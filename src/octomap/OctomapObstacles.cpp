@@ -1,0 +1,17 @@
+#include "ompl_certificates/octomap/OctomapObstacles.h"
+
+#include "OctomapCells.h"
+#include "OctomapFile.h"
+
+namespace ompl_certificates
+{
+    OctomapObstacles::OctomapObstacles(const octomap::OcTree &map, const OctomapOptions &options)
+      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3)
+    {
+    }
+
+    OctomapObstacles::OctomapObstacles(const std::string &file, const OctomapOptions &options)
+      : OctomapObstacles(*readOctomap(file), options)
+    {
+    }
+}

@@ -1,0 +1,75 @@
+#include "YamlOctomap.h"
+
+#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
+#include "ompl_certificates/octomap/OctomapObstacles.h"
+
+#include <cmath>
+#include <filesystem>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        unsigned int readDepth(const YamlNode &node)
+        {
+            const double depth = node.number();
+            if (!(depth >= 1.0 && depth <= 16.0) || depth != std::floor(depth))
+                node.fail("must be a whole number from 1 to 16, not " + node.describe());
+            return static_cast<unsigned int>(depth);
+        }
+
+        OctomapOptions readOptions(const YamlNode &node, unsigned int dimension)
+        {
+            OctomapOptions options;
+            if (node.has("depth"))
+                options.depth = readDepth(node.at("depth"));
+            if (node.has("unknown"))
+            {
+                const std::string unknown = node.at("unknown").text();
+                if (unknown != "free" && unknown != "occupied")
+                    node.at("unknown").fail("must be free or occupied, not '" + unknown + "'");
+                options.unknownIsOccupied = unknown == "occupied";
+            }
+            if (dimension == 2)
+            {
+                const auto ends = node.at("heights").numbers(2);
+                if (!(ends[0] < ends[1]))
+                    node.at("heights").fail("its low end must be below its high one, not " +
+                                            node.at("heights").describe());
+                options.slice = {ends[0], ends[1]};
+            }
+            return options;
+        }
+    }
+
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source)
+    {
+        std::vector<std::string> keys{"type", "file", "depth", "unknown"};
+        if (dimension == 2)
+            keys.emplace_back("heights");
+        node.allow(keys);
+        const OctomapOptions options = readOptions(node, dimension);
+        const auto file = std::filesystem::path(source).parent_path() / node.at("file").text();
+        try
+        {
+            return std::make_shared<OctomapObstacles>(file.lexically_normal().string(), options);
+        }
+        catch (const ompl::Exception &exception)
+        {
+            node.at("file").fail(exception.what());
+        }
+    }
+}
+
+#else
+
+namespace ompl_certificates
+{
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int /*dimension*/, const std::string & /*source*/)
+    {
+        node.fail("this program was built without octomap");
+    }
+}
+
+#endif

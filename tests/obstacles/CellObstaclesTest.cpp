@@ -1,0 +1,220 @@
+#include "obstacles/JoinCells.h"
+#include "ompl_certificates/obstacles/CellObstacles.h"
+#include "ompl_certificates/obstacles/CheckObstacles.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "support/Message.h"
+#include "support/RandomCells.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    constexpr std::int32_t HALF = 8;
+
+    Eigen::AlignedBox3d boundsOf(const CellBox &box, double cellSize)
+    {
+        return {cellSize * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
+                cellSize * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
+    }
+
+    /** The same boxes of cells, for FCL */
+    FclObstacles fclObstacles(const std::vector<CellBox> &boxes, double size, unsigned int dimension)
+    {
+        std::vector<PlacedBody> bodies;
+        for (const CellBox &box : boxes)
+        {
+            const Eigen::AlignedBox3d bounds = boundsOf(box, size);
+            const Eigen::Vector3d sizes = bounds.sizes();
+            bodies.push_back(
+                {dimension == 2 ? Body::box(sizes.x(), sizes.y()) : Body::box(sizes.x(), sizes.y(), sizes.z()),
+                 poseAt(bounds.center())});
+        }
+        return {bodies, dimension};
+    }
+
+    using CellSet = std::set<std::array<std::int32_t, 3>>;
+
+    /** The cells of boxes, of which each must be in one box only */
+    CellSet cellsOf(const std::vector<CellBox> &boxes)
+    {
+        CellSet cells;
+        for (const auto &[low, high] : boxes)
+            for (std::int32_t x = low[0]; x < high[0]; ++x)
+                for (std::int32_t y = low[1]; y < high[1]; ++y)
+                    for (std::int32_t z = low[2]; z < std::max(high[2], low[2] + 1); ++z)
+                        EXPECT_TRUE(cells.insert({x, y, z}).second);
+        return cells;
+    }
+
+    ompl::base::RealVectorBounds boundsFor(unsigned int dimension, double half)
+    {
+        ompl::base::RealVectorBounds bounds(dimension);
+        bounds.setLow(-half);
+        bounds.setHigh(half);
+        return bounds;
+    }
+}
+
+class CellObstaclesTest : public testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(CellObstaclesTest, JoinsCellsWithoutChangingThem)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto cells = randomCells(random, GetParam(), HALF);
+        const CellObstacles obstacles(random.logUniform(0.01, 1.0), cells, GetParam());
+        ASSERT_EQ(cellsOf(obstacles.getBoxes()), cellsOf(cells));
+        ASSERT_LE(obstacles.getBoxes().size(), cells.size());
+    }
+    std::vector<CellBox> row;
+    for (std::int32_t i = 0; i < 20; ++i)
+        row.push_back({{i, 0, 0}, {i + 1, 1, 1}});
+    EXPECT_EQ(joinCells(row, 16).size(), 2U);
+}
+
+TEST_P(CellObstaclesTest, KnowsTheDistanceToTheNearestCell)
+{
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double size = random.logUniform(0.01, 1.0);
+        const auto cells = randomCells(random, GetParam(), HALF);
+        const CellObstacles obstacles(size, cells, GetParam());
+        for (int i = 0; i < 100; ++i)
+        {
+            const Eigen::Vector3d point = random.point(GetParam(), size * HALF *
+                                                                       (random.chance(0.1)    ? 1e3
+                                                                        : random.chance(0.01) ? 1e25
+                                                                                              : 1.2));
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const CellBox &cell : cells)
+                nearest = std::min(nearest, boundsOf(cell, size).exteriorDistance(point));
+            ObstaclePart part;
+            const double clearance = obstacles.findNearest(point, part);
+            ASSERT_EQ(clearance, obstacles.clearance(point));
+            if (cells.empty())
+            {
+                ASSERT_TRUE(std::isinf(clearance) && part == NO_PART);
+                continue;
+            }
+            ASSERT_NEAR(std::max(clearance, 0.0), nearest, 1e-12 * (size * HALF + point.norm())) << point.transpose();
+            ASSERT_NEAR(obstacles.getBounds(part).exteriorDistance(point), nearest,
+                        1e-12 * (size * HALF + point.norm()));
+            ASSERT_LE(-clearance, 0.5 * size * 16);
+        }
+    }
+}
+
+TEST_P(CellObstaclesTest, DecidesAsFclDoesOfEachCell)
+{
+    unsigned int hits = 0, poses = 0, unknown = 0;
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double size = random.logUniform(0.01, 1.0);
+        const auto cells = randomCells(random, GetParam(), HALF);
+        const CellObstacles obstacles(size, cells, GetParam());
+        const FclObstacles reference = fclObstacles(cells, size, GetParam()),
+                           joined = fclObstacles(obstacles.getBoxes(), size, GetParam());
+        const Body body = bodyAmongCells(random, GetParam(), size);
+        for (int i = 0; i < 30; ++i)
+        {
+            Pose pose = random.pose(GetParam(), size * HALF);
+            // Now and then the body just touches a cell, in a level pose, or is a few tolerances away.
+            if (!cells.empty() && random.chance(0.5))
+            {
+                const Eigen::AlignedBox3d bounds = boundsOf(cells[random.below(cells.size())], size);
+                const Eigen::AlignedBox3d own =
+                    body.getParts()[0].shape.getBounds().transformed(pose * body.getParts()[0].pose);
+                const Eigen::Index axis = random.below(GetParam());
+                pose.translation() += bounds.center() - own.center();
+                pose.translation()[axis] += random.sign() * 0.5 * (bounds.sizes()[axis] + own.sizes()[axis]) +
+                                            random.sign() * random.logUniform(1e-7, 1e-3) * size;
+                if (GetParam() == 2)
+                    pose.translation().z() = 0.0;
+            }
+            const bool collides = obstacles.collides(body, pose);
+            ObstaclePart hit = NO_PART;
+            const Touching touching = obstacles.touches(body, pose, &hit);
+            ASSERT_NE(touching, collides ? Touching::NO : Touching::YES);
+            if (touching == Touching::YES)
+            {
+                ASSERT_NE(hit, NO_PART);
+                ASSERT_TRUE(obstacles.certainlyHits(body, pose, hit));
+            }
+            // Where a shape just touches, what FCL says depends on how the cells are joined.
+            const FclObstacles &fcl = touching == Touching::UNKNOWN ? joined : reference;
+            ASSERT_EQ(collides, fcl.collides(body, pose)) << pose.matrix();
+            ++poses;
+            hits += collides ? 1 : 0;
+            unknown += touching == Touching::UNKNOWN ? 1 : 0;
+        }
+    }
+    EXPECT_GT(hits, poses / 5);
+    EXPECT_LT(hits, 4 * poses / 5);
+    EXPECT_LT(unknown, poses / 10);
+}
+
+TEST_P(CellObstaclesTest, FulfilsTheContract)
+{
+    for (unsigned int seed = 0; seed < scaled(30); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double size = random.logUniform(0.01, 1.0);
+        const CellObstacles obstacles(size, randomCells(random, GetParam(), HALF), GetParam());
+        std::vector<Body> bodies;
+        for (int i = 0; i < 4; ++i)
+            bodies.push_back(bodyAmongCells(random, GetParam(), size));
+        EXPECT_NO_THROW(checkObstacles(obstacles, bodies, boundsFor(GetParam(), 1.5 * size * HALF), 50));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, CellObstaclesTest, testing::Values(2U, 3U));
+
+TEST(CellObstacles, FillTheWholeRangeOfIndices)
+{
+    const std::int32_t most = CellBox::FARTHEST;
+    const CellObstacles obstacles(0.5, {{{-most, -most, -most}, {1 - most, 1 - most, 1 - most}},
+                                        {{most - 1, most - 1, most - 1}, {most, most, most}}});
+    EXPECT_EQ(obstacles.getBoxes().size(), 2U);
+    for (const double sign : {-1.0, 1.0})
+    {
+        const Eigen::Vector3d corner = sign * 0.5 * most * Eigen::Vector3d::Ones();
+        EXPECT_DOUBLE_EQ(obstacles.clearance(corner + sign * Eigen::Vector3d(2.0, 0.0, 0.0)), 2.0);
+        EXPECT_TRUE(obstacles.collides(Body::sphere(1.0), poseAt(corner + sign * Eigen::Vector3d(0.9, 0.0, 0.0))));
+        EXPECT_FALSE(obstacles.collides(Body::sphere(1.0), poseAt(corner + sign * Eigen::Vector3d(1.1, 0.0, 0.0))));
+    }
+    EXPECT_NEAR(obstacles.clearance({0.5 * most - 0.25, 0.5 * most - 0.2, 0.5 * most - 0.25}), -0.2, 1e-11);
+}
+
+TEST(CellObstacles, AreKnownByTheirCells)
+{
+    const std::vector<CellBox> one{{{0, 0, 0}, {2, 1, 1}}}, two{{{1, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}},
+        other{{{0, 0, 0}, {1, 1, 1}}};
+    EXPECT_EQ(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, two).getFingerprint());
+    EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, other).getFingerprint());
+    EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.2, one).getFingerprint());
+    EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, one, 2).getFingerprint());
+    EXPECT_NE(CellObstacles(0.1, {}).getFingerprint(), 0U);
+}
+
+TEST(CellObstacles, RefuseWhatMakesNoSense)
+{
+    const std::int32_t most = CellBox::FARTHEST;
+    EXPECT_NE(messageOf([] { CellObstacles(0.0, {}); }), "");
+    EXPECT_NE(messageOf([] { CellObstacles(std::numeric_limits<double>::quiet_NaN(), {}); }), "");
+    EXPECT_NE(messageOf([] { CellObstacles(1.0, {}, 4); }), "");
+    EXPECT_NE(messageOf([] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, 0}}}); }), "");
+    EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, most + 1}}}); }), "");
+    EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{-most - 1, 0, 0}, {1, 1, 1}}}); }), "");
+}

@@ -1,0 +1,104 @@
+#include "RandomMaps.h"
+#include "ompl_certificates/octomap/OctomapObstacles.h"
+#include "support/Folder.h"
+#include "support/Message.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+
+namespace
+{
+    std::string contentOf(octomap::OcTree &map, bool binary)
+    {
+        std::ostringstream stream;
+        if (binary)
+            map.writeBinary(stream);
+        else
+            map.write(stream);
+        return stream.str();
+    }
+}
+
+class OctomapFile : public testing::TestWithParam<bool>
+{
+protected:
+    std::string write(const std::string &content) const
+    {
+        return folder_.write(GetParam() ? "map.bt" : "map.ot", content);
+    }
+
+    /** Requires that reading \e content fails with a message that names the file and has \e words */
+    void expectRefusal(const std::string &content, const std::string &words) const
+    {
+        const std::string file = write(content), message = messageOf([&] { OctomapObstacles{file}; });
+        EXPECT_NE(message.find(file), std::string::npos) << message;
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    }
+
+    Folder folder_;
+};
+
+TEST_P(OctomapFile, HoldsTheSameCells)
+{
+    for (unsigned int seed = 0; seed < scaled(20); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto map = randomMap(random, 0.1);
+        OctomapOptions options;
+        options.unknownIsOccupied = random.chance(0.5);
+        // Writing a .bt file prunes the map.
+        const std::string content = contentOf(*map, GetParam());
+        const OctomapObstacles expected(*map, options);
+        EXPECT_EQ(OctomapObstacles(write(content), options).getFingerprint(), expected.getFingerprint());
+        EXPECT_EQ(OctomapObstacles(write(content), options).getBoxes(), expected.getBoxes());
+    }
+    octomap::OcTree nothing(0.1);
+    EXPECT_TRUE(OctomapObstacles(write(contentOf(nothing, GetParam()))).getBoxes().empty());
+}
+
+TEST_P(OctomapFile, IsRefusedWhenDamaged)
+{
+    Random random(1);
+    const auto map = randomMap(random, 0.1);
+    const std::string content = contentOf(*map, GetParam());
+    const std::size_t data = content.find("data\n") + 5;
+    for (std::size_t length = 0; length < content.size(); length += length < data + 50 ? 1 : content.size() / 50)
+        expectRefusal(content.substr(0, length), "");
+    expectRefusal(content + "more", "goes on");
+    expectRefusal("o mesh\n" + content, "is no octomap");
+    const auto changed = [&](const std::string &from, const std::string &to)
+    {
+        std::string text = content;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    expectRefusal(changed("id OcTree", "id ColorOcTree"), "ColorOcTree");
+    expectRefusal(changed("res 0.1", "res 0"), "res");
+    expectRefusal(changed("res 0.1", "res nan"), "res");
+    expectRefusal(changed("res 0.1", "res -1"), "res");
+    expectRefusal(changed("size ", "size 1"), "size");
+    expectRefusal(changed("size ", "length "), "size");
+    // All nodes are inner ones, deeper and deeper.
+    expectRefusal(content.substr(0, data) + std::string(100000, '\xFF'), "deeper");
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        // Whatever it makes of it, it neither hangs nor crashes.
+        Random noise(seed);
+        std::string text = content;
+        text[data + noise.below(text.size() - data)] = static_cast<char>(noise.below(256));
+        const std::string file = write(text);
+        messageOf([&] { OctomapObstacles{file}; });
+    }
+}
+
+TEST_P(OctomapFile, MustBeThere)
+{
+    const std::string file = folder_ / "none.bt";
+    EXPECT_NE(messageOf([&] { OctomapObstacles{file}; }).find(file), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kind, OctomapFile, testing::Bool(),
+                         [](const auto &tested) { return tested.param ? "bt" : "ot"; });
