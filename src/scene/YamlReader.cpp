@@ -44,8 +44,9 @@ namespace ompl_certificates
         if (environment.has("obstacles"))
             for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
                 scene.addObstacle(readObstacle(obstacle, dimension, meshes));
-        YamlArms arms(source);
-        for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
+        const std::vector<YamlNode> robots = root.at("robots").items(1, MAX_ROBOTS);
+        YamlArms arms(source, robots);
+        for (const YamlNode &robot : robots)
             readRobot(robot, scene, meshes, arms);
         return scene;
     }
