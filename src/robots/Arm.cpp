@@ -94,6 +94,19 @@ namespace ompl_certificates
             pairBounds[i] = {bound(model_->pairChains[2 * i]), bound(model_->pairChains[2 * i + 1])};
     }
 
+    bool Arm::mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const
+    {
+        const auto *arm = dynamic_cast<const Arm *>(&other);
+        if (!arm || !model_->isPartWith(*arm->model_))
+            return true;
+        return model_->linkPairs.count(std::minmax(model_->links[body], arm->model_->links[otherBody])) > 0;
+    }
+
+    bool Arm::moves(const std::string &link) const
+    {
+        return model_->frames.getLink(model_->tree.getLinkIndex(link)).frame != 0;
+    }
+
     bool Arm::isLike(const Robot &other) const
     {
         if (this == &other)
@@ -103,7 +116,8 @@ namespace ompl_certificates
             return false;
         // Names may differ: what moves whether, and where what does not move is, must be equal.
         const ArmModel &a = *model_, &b = *arm->model_;
-        if (a.group.size() != b.group.size() || a.options.base.matrix() != b.options.base.matrix())
+        if (a.links != b.links || a.group.size() != b.group.size() ||
+            a.options.base.matrix() != b.options.base.matrix())
             return false;
         for (std::size_t i = 0; i < a.group.size(); ++i)
             if (a.tree.getChildOf(a.group[i]) != b.tree.getChildOf(b.group[i]))

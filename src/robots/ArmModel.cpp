@@ -2,6 +2,7 @@
 
 #include "Interpolation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
@@ -111,10 +112,14 @@ namespace ompl_certificates
 
     void ArmModel::makeBodies()
     {
+        std::vector<bool> owned(tree.getLinks().size(), !options.links);
+        if (options.links)
+            for (const std::string &link : *options.links)
+                owned[tree.getLinkIndex(link)] = true;
         for (std::size_t link = 0; link < tree.getLinks().size(); ++link)
         {
             const std::optional<PlacedBody> &centered = tree.getLinks()[link].centered;
-            if (!centered)
+            if (!centered || !owned[link])
                 continue;
             links.push_back(link);
             bodies.push_back(centered->body);
@@ -122,7 +127,7 @@ namespace ompl_certificates
             chains.emplace_back(frames, 0, places.back());
         }
         if (bodies.empty())
-            throw ompl::Exception("no link has a body");
+            throw ompl::Exception(options.links ? "none of its links has a body" : "no link has a body");
         if (bodies.front().getDimension() == 2)
             requirePlane();
     }
@@ -156,20 +161,31 @@ namespace ompl_certificates
             bodyOf.emplace(links[i], i);
         const auto find = [&](const std::string &link)
         {
-            const auto found = bodyOf.find(tree.getLinkIndex(link));
-            if (found == bodyOf.end())
+            const std::size_t index = tree.getLinkIndex(link);
+            if (!tree.getLinks()[index].body)
                 throw ompl::Exception("link '" + link + "'", "cannot collide: it has no body");
-            return found->second;
+            return index;
         };
         for (const auto &[first, second] : options.linkPairs)
         {
-            const BodyPair pair{find(first), find(second)};
-            if (pair.first == pair.second)
+            const std::size_t one = find(first), other = find(second);
+            if (one == other)
                 throw ompl::Exception("link '" + first + "'", "cannot collide with itself");
+            linkPairs.insert(std::minmax(one, other));
+            const auto a = bodyOf.find(one), b = bodyOf.find(other);
+            if (a == bodyOf.end() || b == bodyOf.end())
+                continue;
+            const BodyPair pair{a->second, b->second};
             pairs.push_back(pair);
             pairChains.emplace_back(frames, places[pair.second].frame, places[pair.first]);
             pairChains.emplace_back(frames, places[pair.first].frame, places[pair.second]);
         }
+    }
+
+    bool ArmModel::isPartWith(const ArmModel &other) const
+    {
+        return options.links && other.options.links && options.base.matrix() == other.options.base.matrix() &&
+               tree == other.tree;
     }
 
     const double *ArmModel::coordinatesOf(const ob::State *state) const

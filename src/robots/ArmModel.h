@@ -4,6 +4,7 @@
 #include "JointChain.h"
 
 #include <ompl/base/StateSpace.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -25,10 +26,16 @@ namespace ompl_certificates
         std::vector<std::size_t> links;
         std::vector<JointFrames::Place> places;
         std::vector<BodyPair> pairs;
+        /** \brief The pairs of links that may collide, also those of other parts of the mechanism; by index, the smaller
+            one first */
+        std::set<std::pair<std::size_t, std::size_t>> linkPairs;
         /** \brief For each body, seen from the workspace */
         std::vector<JointChain> chains;
         /** \brief For each pair the first body seen from the second, then the other way round */
         std::vector<JointChain> pairChains;
+
+        /** \brief Whether both are parts of one mechanism; see ArmOptions::links */
+        bool isPartWith(const ArmModel &other) const;
 
         /** \brief The coordinates of a state of \e space, in memory of this thread unless the state has them itself.
             Valid until the next call in this thread. */

@@ -134,58 +134,122 @@ namespace ompl_certificates
         return tree;
     }
 
+    ArmOptions ArmFile::optionsFor(const std::string &names, const KinematicTree &tree,
+                                   const std::vector<std::string> &joints, const ArmSettings &settings,
+                                   std::vector<std::string> &notes) const
+    {
+        ArmOptions options;
+        options.base = settings.base;
+        options.jointValues = settings.jointValues;
+        options.bounds = settings.bounds;
+        const bool sampled = srdf_.empty() && !settings.mayTouch;
+        if (sampled)
+            options.linkPairs = pairsNotAdjacent(tree);
+        else
+            for (const LinkPair &pair : pairsOf(tree))
+                if (!(settings.mayTouch ? settings.mayTouch(pair.first, pair.second)
+                                        : semantics_->isDisabled(pair.first, pair.second)))
+                    options.linkPairs.push_back(pair);
+        auto &pairs = options.linkPairs;
+        pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                                   [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
+                    pairs.end());
+        const Arm all(names, tree, joints, options);
+        for (const auto &[pair, collides] : pairsThatStay(all))
+            if (!collides)
+                remove(pairs, pair);
+            else if (!sampled)
+                notes.push_back(names + ": links " + nameOf(pair) + " collide in all states, and " +
+                                (settings.mayTouch ? "may not" : "the SRDF file does not allow it"));
+        if (sampled)
+        {
+            std::string colliding;
+            for (const LinkPair &pair : pairsThatAlwaysCollide(all))
+            {
+                remove(pairs, pair);
+                colliding += (colliding.empty() ? "" : ", ") + nameOf(pair);
+            }
+            notes.push_back(names + ": without an SRDF file, " + std::to_string(pairs.size()) +
+                            " pairs of links are checked against each other" +
+                            (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
+                            colliding);
+        }
+        return options;
+    }
+
     std::shared_ptr<const Arm> ArmFile::makeArm(const std::string &name, const std::string &group,
                                                 const ArmSettings &settings, std::vector<std::string> *notes) const
     {
-        const std::vector<std::string> &joints = getJoints(group);
-        std::vector<std::string> ignored;
+        return makeArms({{name, group}}, settings, notes).front();
+    }
+
+    std::vector<std::shared_ptr<const Arm>> ArmFile::makeArms(const std::vector<Part> &parts,
+                                                              const ArmSettings &settings,
+                                                              std::vector<std::string> *notes) const
+    {
+        if (parts.empty())
+            throw ompl::Exception(urdf_, "a mechanism needs at least one part");
+        std::vector<std::string> joints, names, ignored;
+        for (const Part &part : parts)
+        {
+            for (const std::string &joint : getJoints(part.group))
+            {
+                if (std::find(joints.begin(), joints.end(), joint) != joints.end())
+                    throw ompl::Exception(urdf_, "joint '" + joint + "' is in the groups of two robots: '" + part.name +
+                                                     "' and one of " + listOf(names));
+                joints.push_back(joint);
+            }
+            names.push_back(part.name);
+        }
         std::vector<std::string> &told = notes ? *notes : ignored;
         told.insert(told.end(), semantics_->notes.begin(), semantics_->notes.end());
         try
         {
             const KinematicTree tree = treeFor(joints, settings.attached);
-            ArmOptions options;
-            options.base = settings.base;
-            options.jointValues = settings.jointValues;
-            options.bounds = settings.bounds;
-            const bool sampled = srdf_.empty() && !settings.mayTouch;
-            if (sampled)
-                options.linkPairs = pairsNotAdjacent(tree);
-            else
-                for (const LinkPair &pair : pairsOf(tree))
-                    if (!(settings.mayTouch ? settings.mayTouch(pair.first, pair.second)
-                                            : semantics_->isDisabled(pair.first, pair.second)))
-                        options.linkPairs.push_back(pair);
-            auto &pairs = options.linkPairs;
-            pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                                       [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
-                        pairs.end());
-            const Arm all(name, tree, joints, options);
-            for (const auto &[pair, collides] : pairsThatStay(all))
-                if (!collides)
-                    remove(pairs, pair);
-                else if (!sampled)
-                    told.push_back("robot '" + name + "': links " + nameOf(pair) + " collide in all states, and " +
-                                   (settings.mayTouch ? "may not" : "the SRDF file does not allow it"));
-            if (sampled)
+            const ArmOptions options =
+                optionsFor((names.size() > 1 ? "robots " : "robot ") + listOf(names), tree, joints, settings, told);
+            if (parts.size() == 1)
+                return {std::make_shared<const Arm>(names.front(), tree, joints, options)};
+            std::vector<std::shared_ptr<const Arm>> arms;
+            std::vector<std::vector<std::string>> links = divideLinks(tree, parts, options);
+            for (std::size_t i = 0; i < parts.size(); ++i)
             {
-                std::string colliding;
-                for (const LinkPair &pair : pairsThatAlwaysCollide(all))
-                {
-                    remove(pairs, pair);
-                    colliding += (colliding.empty() ? "" : ", ") + nameOf(pair);
-                }
-                told.push_back("robot '" + name + "': without an SRDF file, " + std::to_string(pairs.size()) +
-                               " pairs of links are checked against each other" +
-                               (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
-                               colliding);
+                ArmOptions own = options;
+                own.links = links[i];
+                arms.push_back(std::make_shared<const Arm>(names[i], tree, getJoints(parts[i].group), own));
             }
-            return std::make_shared<const Arm>(name, tree, joints, options);
+            return arms;
         }
         catch (const ompl::Exception &exception)
         {
-            throw ompl::Exception(urdf_, (group.empty() ? "" : "group '" + group + "': ") + exception.what());
+            const std::string &group = parts.front().group;
+            throw ompl::Exception(urdf_, (group.empty() || parts.size() > 1 ? "" : "group '" + group + "': ") +
+                                             exception.what());
         }
+    }
+
+    std::vector<std::vector<std::string>> ArmFile::divideLinks(const KinematicTree &tree,
+                                                               const std::vector<Part> &parts,
+                                                               const ArmOptions &options) const
+    {
+        std::vector<std::unique_ptr<const Arm>> arms;
+        arms.reserve(parts.size());
+        for (const Part &part : parts)
+            arms.push_back(std::make_unique<const Arm>(part.name, tree, getJoints(part.group), options));
+        std::vector<std::vector<std::string>> links(parts.size());
+        for (const KinematicTree::Link &link : tree.getLinks())
+        {
+            const auto moves = [&](const auto &arm) { return arm->moves(link.name); };
+            const auto first = std::find_if(arms.begin(), arms.end(), moves);
+            const auto owner = first == arms.end() ? arms.begin() : first;
+            if (first != arms.end())
+                if (const auto second = std::find_if(first + 1, arms.end(), moves); second != arms.end())
+                    throw ompl::Exception("link '" + link.name + "'", "robots '" + (*first)->getName() + "' and '" +
+                                                                          (*second)->getName() +
+                                                                          "' move it; plan for a group of both");
+            links[static_cast<std::size_t>(owner - arms.begin())].push_back(link.name);
+        }
+        return links;
     }
 
     std::shared_ptr<const Arm> loadArm(const std::string &urdf, const std::string &srdf, const std::string &group,

@@ -46,6 +46,19 @@ namespace ompl_certificates
             return pose;
         }
 
+        /** A cone about z, with its tip up and the origin half way: a pyramid around it, whose base's sides touch the
+            cone's. It reaches out of the cone by at most 3.1e-4 of the radius. */
+        Body cone(double radius, double height)
+        {
+            constexpr int sides = 128;
+            const double corner = radius / std::cos(M_PI / sides);
+            std::vector<Eigen::Vector3d> points{{0.0, 0.0, 0.5 * height}};
+            for (int i = 0; i < sides; ++i)
+                points.emplace_back(corner * std::cos(2.0 * M_PI * i / sides),
+                                    corner * std::sin(2.0 * M_PI * i / sides), -0.5 * height);
+            return Body::convexHull(points);
+        }
+
         Body readPrimitive(const YamlNode &node)
         {
             node.allow({"type", "dimensions"});
@@ -63,7 +76,19 @@ namespace ompl_certificates
                 const auto size = sizes.positives(2);
                 return Body::cylinder(size[1], size[0]);
             }
-            node.at("type").fail("must be one of box, sphere, cylinder, not '" + type + "'");
+            if (type == "cone" || type == "4")
+            {
+                const auto size = sizes.positives(2);
+                try
+                {
+                    return cone(size[1], size[0]);
+                }
+                catch (const ompl::Exception &exception)
+                {
+                    sizes.fail(exception.what());
+                }
+            }
+            node.at("type").fail("must be one of box, sphere, cylinder, cone, not '" + type + "'");
         }
 
         std::size_t readIndex(const YamlNode &node, std::size_t count)

@@ -24,7 +24,7 @@ namespace ompl_certificates
             return text.str();
         }
 
-        /** What helps if two arms have a link at the same place: they are parts of one robot. */
+        /** What helps if two arms have a link at the same place: they are parts of one mechanism. */
         std::string hintOn(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
                            const std::vector<Pose> &others)
         {
@@ -33,7 +33,7 @@ namespace ompl_certificates
                 for (std::size_t k = 0; k < others.size(); ++k)
                     if (arm->getLinkOfBody(i) == other->getLinkOfBody(k) && poses[i].matrix() == others[k].matrix())
                         return ": both have link '" + arm->getLinkOfBody(i) +
-                               "' there; arms of one robot are planned for by one group that has the joints of both";
+                               "' there; to be parts of one mechanism they need the same file, srdf and base";
             return "";
         }
     }

@@ -1,10 +1,12 @@
 #include "YamlArms.h"
 
+#include "YamlRobots.h"
 #include "YamlShapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
+#include <sstream>
 
 namespace ompl_certificates
 {
@@ -134,6 +136,27 @@ namespace ompl_certificates
             return state;
         }
 
+        Pose baseOf(const YamlNode &robot)
+        {
+            if (!robot.has("base"))
+                return Pose::Identity();
+            robot.at("base").allow({"position", "rotation", "quaternion"});
+            return readPose(robot.at("base"));
+        }
+
+        std::string groupOf(const YamlNode &robot)
+        {
+            return robot.has("group") ? robot.at("group").text() : "";
+        }
+
+        /** Require that the bounds of a part are \e bounds, those of the first part. */
+        void requireBounds(const YamlNode &node, const ompl::base::RealVectorBounds &bounds, const std::string &first)
+        {
+            const ompl::base::RealVectorBounds own = readBounds(node, static_cast<unsigned int>(bounds.low.size()));
+            if (own.low != bounds.low || own.high != bounds.high)
+                node.fail("must be those of '" + first + "', which has the same file and base");
+        }
+
         AttachedBody readAttached(const YamlNode &node, YamlMeshes &meshes)
         {
             node.allow({"name", "link", "shape", "shapes", "position", "rotation", "quaternion", "touch_links"});
@@ -146,7 +169,8 @@ namespace ompl_certificates
         }
     }
 
-    YamlArms::YamlArms(const std::string &source) : folder_(std::filesystem::path(source).parent_path())
+    YamlArms::YamlArms(const std::string &source, std::vector<YamlNode> robots)
+      : folder_(std::filesystem::path(source).parent_path()), robots_(std::move(robots))
     {
     }
 
@@ -155,23 +179,30 @@ namespace ompl_certificates
         return (folder_ / node.text()).lexically_normal().string();
     }
 
-    const ArmFile &YamlArms::fileOf(const YamlNode &node)
+    std::string YamlArms::keyOf(const YamlNode &node, ArmFile::Options &options) const
     {
-        const std::string urdf = pathOf(node.at("file")), srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
-        ArmFile::Options options;
         options.useVisuals = node.has("visuals") && node.at("visuals").boolean();
-        std::string key = urdf + '\n' + srdf + (options.useVisuals ? "\nvisuals" : "");
+        std::string key = pathOf(node.at("file")) + '\n' + (node.has("srdf") ? pathOf(node.at("srdf")) : "") +
+                          (options.useVisuals ? "\nvisuals" : "");
         if (node.has("packages"))
             for (const std::string &name : node.at("packages").keys())
             {
                 options.packages[name] = pathOf(node.at("packages").at(name));
                 key += '\n' + name + '\n' + options.packages[name];
             }
+        return key;
+    }
+
+    const ArmFile &YamlArms::fileOf(const YamlNode &node)
+    {
+        ArmFile::Options options;
+        const std::string key = keyOf(node, options);
         if (const auto known = files_.find(key); known != files_.end())
             return known->second;
         try
         {
-            return files_.emplace(key, ArmFile(urdf, srdf, options)).first->second;
+            const std::string srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
+            return files_.emplace(key, ArmFile(pathOf(node.at("file")), srdf, options)).first->second;
         }
         catch (const ompl::Exception &exception)
         {
@@ -179,27 +210,59 @@ namespace ompl_certificates
         }
     }
 
-    void YamlArms::read(const YamlNode &node, const std::string &name, const ompl::base::RealVectorBounds &bounds,
-                        Scene &scene, YamlMeshes &meshes, Scene::Member &member)
+    bool YamlArms::standsStill(const YamlNode &node)
     {
         const ArmFile &file = fileOf(node);
-        const std::string group = node.has("group") ? node.at("group").text() : "";
-        ArmFile::ArmSettings settings;
-        settings.bounds = bounds;
-        if (node.has("base"))
+        try
         {
-            node.at("base").allow({"position", "rotation", "quaternion"});
-            settings.base = readPose(node.at("base"));
+            // A joint of the group that the tree does not have is the virtual one, which moves the root.
+            const auto &joints = file.getJoints(groupOf(node));
+            return std::all_of(joints.begin(), joints.end(),
+                               [&](const std::string &joint) { return file.getTree().hasJoint(joint); });
         }
+        catch (const ompl::Exception &exception)
+        {
+            node.fail(exception.what());
+        }
+    }
+
+    std::vector<std::size_t> YamlArms::partsWith(std::size_t robot)
+    {
+        const auto keyOfMechanism = [this](const YamlNode &node)
+        {
+            ArmFile::Options options;
+            std::ostringstream key;
+            key << keyOf(node, options) << std::hexfloat << '\n' << baseOf(node).matrix();
+            return key.str();
+        };
+        if (mechanisms_.empty())
+            for (std::size_t i = 0; i < robots_.size(); ++i)
+                if (robots_[i].at("type").text() == "urdf")
+                    mechanisms_[keyOfMechanism(robots_[i])].push_back(i);
+        if (!standsStill(robots_[robot]))
+            return {robot};
+        std::vector<std::size_t> parts = mechanisms_.at(keyOfMechanism(robots_[robot]));
+        parts.erase(std::remove_if(parts.begin(), parts.end(),
+                                   [this](std::size_t part) { return !standsStill(robots_[part]); }),
+                    parts.end());
+        return parts;
+    }
+
+    void YamlArms::readJointValues(const YamlNode &node, const std::map<std::string, std::string> &movers,
+                                   Values &values)
+    {
+        const ArmFile &file = fileOf(node);
+        Values own;
         if (node.has("states"))
-            for (const std::string &other : node.at("states").keys())
+            for (const std::string &group : node.at("states").keys())
             {
-                const YamlNode state = node.at("states").at(other);
+                const YamlNode state = node.at("states").at(group);
                 try
                 {
-                    for (const auto &[joint, value] : file.getState(other, state.text()))
-                        if (file.getTree().hasJoint(joint) && hasOneValue(jointOf(state, file.getTree(), joint)))
-                            settings.jointValues[joint] = value;
+                    for (const auto &[joint, value] : file.getState(group, state.text()))
+                        if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
+                            hasOneValue(jointOf(state, file.getTree(), joint)))
+                            own[joint] = value;
                 }
                 catch (const ompl::Exception &exception)
                 {
@@ -208,27 +271,71 @@ namespace ompl_certificates
             }
         if (node.has("joints"))
             for (const auto &[joint, value] : readValues(node.at("joints"), file.getTree()))
-                settings.jointValues[joint] = value;
-        if (node.has("attached"))
-            for (const YamlNode &item : node.at("attached").items(0, MAX_ATTACHED))
-                settings.attached.push_back(readAttached(item, meshes));
-        std::shared_ptr<const Arm> arm;
+            {
+                if (const auto mover = movers.find(joint); mover != movers.end())
+                    node.at("joints").at(joint).fail("joint '" + joint + "' is in the group of '" + mover->second +
+                                                     "', so start and goal tell it");
+                own[joint] = value;
+            }
+        for (const auto &[joint, value] : own)
+            if (const auto known = values.emplace(joint, value).first; known->second != value)
+                node.fail("joint '" + joint + "' is at " + std::to_string(value) + " here, but at " +
+                          std::to_string(known->second) + " for another robot of the same file and base");
+    }
+
+    void YamlArms::makeArms(const std::vector<std::size_t> &parts, const ompl::base::RealVectorBounds &bounds,
+                            Scene &scene, YamlMeshes &meshes)
+    {
+        const YamlNode &first = robots_[parts.front()];
+        const ArmFile &file = fileOf(first);
+        std::vector<ArmFile::Part> names;
+        std::map<std::string, std::string> movers;  // The robot that moves a joint
+        for (const std::size_t part : parts)
+        {
+            const YamlNode &node = robots_[part];
+            names.push_back(
+                {node.has("name") ? node.at("name").text() : "robot_" + std::to_string(part), groupOf(node)});
+            for (const std::string &joint : file.getJoints(groupOf(node)))
+                movers.emplace(joint, names.back().name);
+        }
+        ArmFile::ArmSettings settings;
+        settings.base = baseOf(first);
+        settings.bounds = bounds;
+        for (const std::size_t part : parts)
+        {
+            const YamlNode &node = robots_[part];
+            if (node.has("bounds") && part != parts.front())
+                requireBounds(node.at("bounds"), bounds, names.front().name);
+            readJointValues(node, movers, settings.jointValues);
+            if (node.has("attached"))
+                for (const YamlNode &item : node.at("attached").items(0, MAX_ATTACHED))
+                    settings.attached.push_back(readAttached(item, meshes));
+        }
         try
         {
             std::vector<std::string> notes;
-            arm = file.makeArm(name, group, settings, &notes);
+            const auto arms = file.makeArms(names, settings, &notes);
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                arms_.emplace(parts[i], arms[i]);
             for (const std::string &note : notes)
                 scene.addNote(note);
         }
         catch (const ompl::Exception &exception)
         {
-            node.fail(exception.what());
+            first.fail(exception.what());
         }
-        for (const std::string &joint : arm->getGroup())
-            if (node.has("joints") && node.at("joints").has(joint))
-                node.at("joints").at(joint).fail("joint '" + joint + "' is in the group, so start and goal tell it");
-        member.start = readState(node.at("start"), file, group, *arm);
-        member.goal = readState(node.at("goal"), file, group, *arm);
+    }
+
+    void YamlArms::read(const ompl::base::RealVectorBounds &bounds, Scene &scene, YamlMeshes &meshes,
+                        Scene::Member &member)
+    {
+        const std::size_t robot = scene.getMembers().size();
+        if (arms_.count(robot) == 0)
+            makeArms(partsWith(robot), bounds, scene, meshes);
+        const YamlNode &node = robots_[robot];
+        const std::shared_ptr<const Arm> &arm = arms_.at(robot);
+        member.start = readState(node.at("start"), fileOf(node), groupOf(node), *arm);
+        member.goal = readState(node.at("goal"), fileOf(node), groupOf(node), *arm);
         member.robot = arm;
     }
 }

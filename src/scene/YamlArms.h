@@ -12,24 +12,46 @@
 namespace ompl_certificates
 {
     /** \brief Reads the robots of a scene that come from URDF files. Every file is read once: equal arms share their
-        meshes, and whatever is made of them. */
+        meshes, and whatever is made of them. Robots of one file on one base are parts of a mechanism. */
     class YamlArms
     {
     public:
-        /** \brief Arms for the scene in the file \e source, whose folder their paths are relative to */
-        explicit YamlArms(const std::string &source);
+        /** \brief Arms for the scene in the file \e source, whose folder their paths are relative to
+            \param robots all robots of the scene, of any type */
+        YamlArms(const std::string &source, std::vector<YamlNode> robots);
 
-        /** \brief Read robot, start and goal of \e member from \e node; notes go to \e scene
+        /** \brief Read robot, start and goal of \e member, the next one of \e scene, which gets the notes
             \param bounds of planar and floating joints */
-        void read(const YamlNode &node, const std::string &name, const ompl::base::RealVectorBounds &bounds,
-                  Scene &scene, YamlMeshes &meshes, Scene::Member &member);
+        void read(const ompl::base::RealVectorBounds &bounds, Scene &scene, YamlMeshes &meshes, Scene::Member &member);
 
     private:
         const ArmFile &fileOf(const YamlNode &node);
         std::string pathOf(const YamlNode &node) const;
 
+        /** \brief Where a robot's file is, and all that it is read with, as one text */
+        std::string keyOf(const YamlNode &node, ArmFile::Options &options) const;
+
+        /** \brief The robots that are parts of one mechanism with \e robot, itself included */
+        std::vector<std::size_t> partsWith(std::size_t robot);
+
+        /** \brief Whether no joint of a robot's group moves the whole tree */
+        bool standsStill(const YamlNode &node);
+
+        /** \brief Make the arms of a mechanism */
+        void makeArms(const std::vector<std::size_t> &parts, const ompl::base::RealVectorBounds &bounds, Scene &scene,
+                      YamlMeshes &meshes);
+
+        /** \brief Add the values of joints that a robot fixes
+            \param movers the robots of its mechanism, by the joints that they move */
+        void readJointValues(const YamlNode &node, const std::map<std::string, std::string> &movers,
+                             std::map<std::string, double> &values);
+
         std::filesystem::path folder_;
+        std::vector<YamlNode> robots_;
         std::map<std::string, ArmFile> files_;
+        /** \brief The robots of equal files and bases */
+        std::map<std::string, std::vector<std::size_t>> mechanisms_;
+        std::map<std::size_t, std::shared_ptr<const Arm>> arms_;
     };
 }
 

@@ -54,8 +54,9 @@ namespace ompl_certificates
                 else
                     scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
             }
-        YamlArms arms(source);
-        for (const YamlNode &robot : root.at("robots").items(1, MAX_ROBOTS))
+        const std::vector<YamlNode> robots = root.at("robots").items(1, MAX_ROBOTS);
+        YamlArms arms(source, robots);
+        for (const YamlNode &robot : robots)
             readRobot(robot, scene, meshes, arms);
         return scene;
     }

@@ -199,7 +199,7 @@ namespace ompl_certificates
             member.weight = node.at("weight").positive();
         if (type == "urdf")
         {
-            arms.read(node, name, bounds, scene, meshes, member);
+            arms.read(bounds, scene, meshes, member);
             return scene.addMember(member);
         }
         Layout layout = Layout::TRAILER;

@@ -96,7 +96,9 @@ namespace ompl_certificates
                 pairs_.push_back({i, j, {}});
                 for (std::size_t a = 0; a < team.getRobot(i).getBodies().size(); ++a)
                     for (std::size_t b = 0; b < team.getRobot(j).getBodies().size(); ++b)
-                        pairs_.back().bodies.push_back(makeTwoBodies(team, i, a, j, b));
+                        if (team.getRobot(i).mayCollide(a, team.getRobot(j), b) &&
+                            team.getRobot(j).mayCollide(b, team.getRobot(i), a))
+                            pairs_.back().bodies.push_back(makeTwoBodies(team, i, a, j, b));
             }
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
         {

@@ -1,5 +1,6 @@
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
+#include "support/Random.h"
 
 #include "ompl_certificates/scene/MoveItFiles.h"
 
@@ -312,6 +313,47 @@ namespace ompl_certificates
             std::string text, message;
         };
 
+        TEST_F(MoveItScene, ConesAreConesToAFractionOfTheirRadius)
+        {
+            constexpr double height = 0.8, radius = 0.3, ball = 1e-4;
+            const auto obstacles =
+                read(OBJECTS +
+                     "    - {id: a, primitives: [{type: cone, dimensions: [0.8, 0.3]}], primitive_poses: "
+                     "[{position: [2, 0, 0]}]}\n")
+                    .scene.makeObstacles();
+            // The distance to the solid cone, in the half plane of the distance from the axis and the height
+            const auto distance = [&](const Eigen::Vector2d &point)
+            {
+                const Eigen::Vector2d tip(0.0, 0.5 * height), rim(radius, -0.5 * height), middle(0.0, -0.5 * height);
+                const Eigen::Vector2d out = Eigen::Vector2d(height, radius).normalized();
+                if (point.y() > middle.y() && out.dot(point - tip) < 0.0)
+                    return -1.0;
+                const auto toSegment = [&](const Eigen::Vector2d &from, const Eigen::Vector2d &to)
+                {
+                    const double t = (point - from).dot(to - from) / (to - from).squaredNorm();
+                    return (from + std::clamp(t, 0.0, 1.0) * (to - from) - point).norm();
+                };
+                return std::min(toSegment(tip, rim), toSegment(middle, rim));
+            };
+            test::Random random(1);
+            int touching = 0, apart = 0;
+            for (int i = 0; i < 20000; ++i)
+            {
+                // Most points are near the side or the rim.
+                const double z = random.uniform(-0.41, 0.41), turn = random.uniform(-M_PI, M_PI);
+                const double r =
+                    std::max(0.0, radius * (0.5 - z / height) + random.sign() * random.logUniform(1e-6, 0.02));
+                const double gap = distance({r, z});
+                const bool collides =
+                    obstacles->collides(Body::sphere(ball), poseAt({2.0 + r * std::cos(turn), r * std::sin(turn), z}));
+                ASSERT_TRUE(collides || gap > ball - 1e-7) << i << " " << gap;
+                ASSERT_FALSE(collides && gap > ball + 3.1e-4 * radius) << i << " " << gap;
+                ++(collides ? touching : apart);
+            }
+            EXPECT_GT(touching, 5000);
+            EXPECT_GT(apart, 5000);
+        }
+
         TEST_F(MoveItScene, BrokenScenesAreRefused)
         {
             const std::string pose = "primitive_poses: [{}]";
@@ -332,8 +374,10 @@ namespace ompl_certificates
                 {object("planes: [{coef: [0, 0, 1, 0]}]"), place + ".planes: not supported"},
                 {object("header: {frame_id: moon}, primitives: [{type: box, dimensions: [1, 1, 1]}]"),
                  place + ".header: there is no fixed frame 'moon'"},
-                {primitive("type: cone, dimensions: [1, 1]"),
-                 place + ".primitives[0].type: must be one of box, sphere, cylinder, not 'cone'"},
+                {primitive("type: torus, dimensions: [1, 1]"),
+                 place + ".primitives[0].type: must be one of box, sphere, cylinder, cone, not 'torus'"},
+                {primitive("type: cone, dimensions: [1]"),
+                 place + ".primitives[0].dimensions: must be a list of 2 numbers, not of 1"},
                 {primitive("type: box, dimensions: [1, 1]"),
                  place + ".primitives[0].dimensions: must be a list of 3 numbers, not of 2"},
                 {primitive("type: sphere, dimensions: [0]"),

@@ -112,4 +112,32 @@ namespace ompl_certificates
             pairs.push_back(arm->getLinkOfBody(pair.first) + " " + arm->getLinkOfBody(pair.second));
         EXPECT_EQ(pairs, (std::vector<std::string>{"base arm", "base hand"}));
     }
+
+    TEST(SrdfFile, PairsHaveNoOrderAndDisabledOnesStayDisabled)
+    {
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        const auto pairsWith = [&](const std::string &entries)
+        {
+            const ArmFile file(urdf, folder.write("a.srdf", robot("<group name='all'><chain base_link='base' "
+                                                                  "tip_link='hand'/></group>" +
+                                                                  entries)));
+            std::string pairs;
+            const auto arm = file.makeArm("arm", "all", {});
+            for (const BodyPair &pair : arm->getBodyPairs())
+                pairs += arm->getLinkOfBody(pair.first) + "-" + arm->getLinkOfBody(pair.second) + " ";
+            return pairs;
+        };
+        const std::string one = "<disable_collisions link1='arm' link2='hand'/>",
+                          turned = "<disable_collisions link1='hand' link2='arm'/>",
+                          enabled = "<enable_collisions link1='arm' link2='hand'/>",
+                          byDefault = "<disable_default_collisions link='hand'/>";
+        EXPECT_EQ(pairsWith(""), "base-arm base-hand arm-hand ");
+        for (const std::string &entries : {one, turned, one + turned, turned + one + one, enabled + one, one + enabled,
+                                           "<disable_collisions link1='arm' link2='arm'/>" + one})
+            EXPECT_EQ(pairsWith(entries), "base-arm base-hand ") << entries;
+        for (const std::string &entries : {byDefault + enabled, enabled + enabled + byDefault,
+                                           byDefault + "<enable_collisions link1='hand' link2='arm'/>"})
+            EXPECT_EQ(pairsWith(entries), "base-arm arm-hand ") << entries;
+    }
 }

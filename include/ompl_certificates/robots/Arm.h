@@ -26,8 +26,17 @@ namespace ompl_certificates
             joints that mimic others are ignored: they follow. */
         std::map<std::string, double> jointValues{};
 
-        /** \brief The links that may collide with each other: those that are checked for self-collision */
+        /** \brief The links that may collide with each other: those that are checked for self-collision. Pairs with a
+            link of another part of a mechanism are checked between the two parts; see \e links. */
         std::vector<std::pair<std::string, std::string>> linkPairs{};
+
+        /** \brief The links whose bodies belong to this arm; all links if there is no value.
+
+            With it, arms on one base are parts of a mechanism: arms of equal trees, such as the left and the right one
+            of a torso. Each part moves its own joints and has its own links. Links of two parts are checked against
+            each other only if they are one of \e linkPairs for both. Give each link to exactly one part, and all parts
+            the same pairs and values of joints. ArmFile::makeArms() does so. */
+        std::optional<std::vector<std::string>> links{};
 
         /** \brief The bounds of x, y (and z) of PLANAR and FLOATING joints that the arm moves, in the joint's frame. A
             PLANAR joint ignores those of z. */
@@ -37,7 +46,8 @@ namespace ompl_certificates
     /** \brief A robot of links and joints: a manipulator, a gripper, a mobile manipulator, a whole humanoid.
 
         It moves some joints of its tree, the group. All others keep their values. Each link with shapes is one body,
-        also those that the group does not move: other links may collide with them.
+        also those that the group does not move: other links may collide with them. Several arms can share one tree as
+        parts of a mechanism; see ArmOptions::links.
 
         The state space is an ompl::base::RealVectorStateSpace of the joints' values, within their limits, if all
         joints of the group are REVOLUTE or PRISMATIC. Otherwise it is an ompl::base::CompoundStateSpace, in the order
@@ -98,8 +108,16 @@ namespace ompl_certificates
         void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                      const MotionBound *bodyBounds, PairMotionBound *pairBounds) const override;
 
+        /** \brief False if \e other is a part of the same mechanism and the two links are none of the pairs that may
+            collide; see ArmOptions::links. Costs a comparison of the trees. */
+        bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;
+
+        /** \brief Whether the group moves \e link
+            \throws ompl::Exception if there is no such link */
+        bool moves(const std::string &link) const;
+
         /** \brief Whether \e other is an arm of an equal tree and group on an equal base, with equal limits, values of
-            joints and pairs of links */
+            joints, links and pairs of links */
         bool isLike(const Robot &other) const override;
 
     private:

@@ -56,6 +56,16 @@ namespace ompl_certificates
             return bodyPairs_;
         }
 
+        /** \brief Whether body \e body of this robot may collide with body \e otherBody of \e other, another robot of
+            the team. Two bodies are checked against each other only if both robots say so.
+
+            True by default. An Arm that is a part of a mechanism leaves out what the mechanism does, such as its
+            shoulder and the torso of another part. Called when a checker is made, and never later. */
+        virtual bool mayCollide(std::size_t /*body*/, const Robot & /*other*/, std::size_t /*otherBody*/) const
+        {
+            return true;
+        }
+
         /** \brief The index of the body that stands for the robot where one point must do: in pictures of paths, and in
             the projections of planners such as KPIECE. The first one by default; an arm has its hand. */
         virtual std::size_t getTracedBody() const

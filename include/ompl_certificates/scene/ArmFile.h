@@ -83,6 +83,16 @@ namespace ompl_certificates
             std::function<bool(const std::string &first, const std::string &second)> mayTouch{};
         };
 
+        /** \brief An arm of several on one mechanism, such as the left one on a torso */
+        struct Part
+        {
+            /** \brief The robot's name */
+            std::string name;
+
+            /** \brief The group of joints that it moves */
+            std::string group;
+        };
+
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
             \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. It is
             thrown for a file or a mesh that cannot be read, for links and joints that make no tree or are more than
@@ -135,8 +145,31 @@ namespace ompl_certificates
                                            const ArmSettings &settings,
                                            std::vector<std::string> *notes = nullptr) const;
 
+        /** \brief One mechanism as several robots: an arm for each part, which moves the joints of its group.
+
+            A link belongs to the part that moves it, and a link that none moves to the first part. Pairs of links are
+            checked as makeArm() checks them for a group of all these joints, also those of two parts. So a team of
+            these arms is free where that one arm is.
+            \param parts names and groups
+            \param settings base, values of joints, bounds and attached bodies, for all parts
+            \param notes what a user should know is added here, if given
+            \throws ompl::Exception as makeArm() does. Also if there is no part, if two parts move the same joint or
+            link, or if no link of a part has a body. */
+        std::vector<std::shared_ptr<const Arm>> makeArms(const std::vector<Part> &parts, const ArmSettings &settings,
+                                                         std::vector<std::string> *notes = nullptr) const;
+
     private:
         ArmFile(const std::string &urdf, const std::string &srdf, const UrdfModel &model);
+
+        /** \brief The options of an arm of all \e joints, with the pairs of links that are checked
+            \param names the robots, for notes */
+        ArmOptions optionsFor(const std::string &names, const KinematicTree &tree,
+                              const std::vector<std::string> &joints, const ArmSettings &settings,
+                              std::vector<std::string> &notes) const;
+
+        /** \brief The links of each part: those that it moves; the first one has those that stand */
+        std::vector<std::vector<std::string>> divideLinks(const KinematicTree &tree, const std::vector<Part> &parts,
+                                                          const ArmOptions &options) const;
 
         KinematicTree treeFor(const std::vector<std::string> &group, const std::vector<AttachedBody> &attached) const;
 
