@@ -235,6 +235,6 @@ namespace ompl_certificates
                 EXPECT_NO_THROW(loadScene(entry.path().string()).validate());
                 ++count;
             }
-        EXPECT_EQ(count, 10u);
+        EXPECT_EQ(count, 12u);
     }
 }
