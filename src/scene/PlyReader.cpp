@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -32,6 +33,9 @@ namespace ompl_certificates
                         return static_cast<double>(number);
                     }};
         }
+
+        /** No file holds a longer list. */
+        constexpr double LONGEST_LIST = std::numeric_limits<std::uint32_t>::max();
 
         const std::map<std::string, Type> TYPES{
             {"char", typeOf<std::int8_t>()},     {"int8", typeOf<std::int8_t>()},
@@ -194,10 +198,11 @@ namespace ompl_certificates
                 std::vector<std::uint32_t> corners;
                 for (const Property &property : element.properties)
                 {
-                    double count = property.lengthType.size > 0 ? value(property.lengthType) : 1.0;
-                    if (!(count >= 0.0 && count == std::floor(count)))
-                        fail("there is a list of length " + shown(count));
-                    for (; count > 0.0; --count)
+                    const double length = property.lengthType.size > 0 ? value(property.lengthType) : 1.0;
+                    if (!(length >= 0.0 && length <= LONGEST_LIST && length == std::floor(length)))
+                        fail("there is a list of length " + shown(length));
+                    const auto count = static_cast<std::uint32_t>(length);
+                    for (std::uint32_t i = 0; i < count; ++i)
                     {
                         const double index = values[property.use] = value(property.type);
                         if (property.use != INDICES || !needsFaces_)
