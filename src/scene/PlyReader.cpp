@@ -34,7 +34,7 @@ namespace ompl_certificates
                     }};
         }
 
-        /** No file holds a longer list. */
+        /** A longer list ends too early, in any file. */
         constexpr double LONGEST_LIST = std::numeric_limits<std::uint32_t>::max();
 
         const std::map<std::string, Type> TYPES{
@@ -199,9 +199,9 @@ namespace ompl_certificates
                 for (const Property &property : element.properties)
                 {
                     const double length = property.lengthType.size > 0 ? value(property.lengthType) : 1.0;
-                    if (!(length >= 0.0 && length <= LONGEST_LIST && length == std::floor(length)))
+                    if (!(length >= 0.0 && length == std::floor(length)))
                         fail("there is a list of length " + shown(length));
-                    const auto count = static_cast<std::uint32_t>(length);
+                    const auto count = static_cast<std::uint32_t>(std::min(length, LONGEST_LIST));
                     for (std::uint32_t i = 0; i < count; ++i)
                     {
                         const double index = values[property.use] = value(property.type);
