@@ -70,6 +70,7 @@ namespace
         task.range = options.step;
         task.resolution = options.resolution;
         task.seed = options.seed;
+        task.adaptive = false;
         const benchmarks::PlanResult standard = benchmarks::run(task);
         unsigned int different = 0;
         for (const std::string &method : options.methods)

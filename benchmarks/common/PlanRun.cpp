@@ -125,6 +125,7 @@ namespace benchmarks
         if (task.resolution > 0.0)
             setup->getStateSpace()->setLongestValidSegmentFraction(task.resolution);
         TeamValidityChecker &checker = *setup->getTeamChecker();
+        checker.setAdaptive(task.adaptive);
         const auto newPlanner = [&](std::uint_fast32_t seed)
         {
             setSeed(seed);

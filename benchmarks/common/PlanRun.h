@@ -37,6 +37,10 @@ namespace benchmarks
             any. */
         bool warm{false};
 
+        /** \brief Whether the checker steps aside where certificates do not pay. If not, counts do not depend on the
+            clock. */
+        bool adaptive{true};
+
         /** \brief Whether to plan as OMPL alone does, in place of \e method: a CompoundStateSpace with the team's
             distance, FCL's check, and the nearest-neighbor structure that OMPL gives the planner. */
         bool stock{false};

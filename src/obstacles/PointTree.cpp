@@ -15,9 +15,6 @@ namespace ompl_certificates
         /** Pays for the rounding of squared distances in single precision */
         constexpr float SHRINK = 1.0F - 2e-6F;
 
-        /** More than the rounding of coordinates in single precision, relative to the largest */
-        constexpr double ROUNDING = 1e-6;
-
         /** The squares of larger coordinates do not fit into single precision. */
         constexpr double FARTHEST = 1e18;
 
@@ -295,42 +292,5 @@ namespace ompl_certificates
                 current = static_cast<std::uint32_t>(key);
             } while (!(bound < reach * reach));
         }
-    }
-
-    PointTree::Oriented PointTree::orient(const Eigen::AlignedBox3d &box, const Pose &pose) const
-    {
-        const Eigen::Vector3d center = pose * box.center() - origin_, half = 0.5 * box.sizes();
-        Oriented oriented;
-        oriented.toBox = pose.linear().transpose().cast<float>();
-        oriented.absolute = oriented.toBox.cwiseAbs();
-        oriented.center = center.cast<float>();
-        oriented.half = half.cast<float>();
-        oriented.halfHere = oriented.absolute.transpose() * oriented.half;
-        oriented.slack = static_cast<float>(ROUNDING * (2.0 * extent_ + center.norm() + half.norm()));
-        return oriented;
-    }
-
-    void PointTree::overlaps(const Node &node, const Oriented &box, bool *overlap)
-    {
-        // How far apart the boxes are along the axis that separates them best
-        const Eigen::Array4f reach = node.radius + box.slack;
-        Eigen::Array4f gap = Eigen::Array4f::Constant(-INF), middles[3], halves[3];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-            const auto i = static_cast<Eigen::Index>(axis);
-            const float low = box.center[i] - box.halfHere[i], high = box.center[i] + box.halfHere[i];
-            gap = gap.max(node.low[axis] - high).max(low - node.high[axis]);
-            middles[axis] = 0.5F * (node.low[axis] + node.high[axis]) - box.center[i];
-            halves[axis] = 0.5F * (node.high[axis] - node.low[axis]);
-        }
-        for (Eigen::Index i = 0; i < 3; ++i)
-        {
-            const float x = box.toBox(i, 0), y = box.toBox(i, 1), z = box.toBox(i, 2);
-            const Eigen::Array4f apart = (x * middles[0] + y * middles[1] + z * middles[2]).abs();
-            gap = gap.max(apart - box.half[i] - std::abs(x) * halves[0] - std::abs(y) * halves[1] -
-                          std::abs(z) * halves[2]);
-        }
-        for (Eigen::Index k = 0; k < 4; ++k)
-            overlap[k] = gap[k] <= reach[k];
     }
 }

@@ -3,6 +3,8 @@
 
 #include "ompl_certificates/geometry/Pose.h"
 
+#include "geometry/BoxOverlap.h"
+
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -51,6 +53,9 @@ namespace ompl_certificates
     private:
         static constexpr std::uint32_t LEAF_SIZE = 16;
 
+        /** \brief More than the rounding of coordinates in single precision, relative to the largest */
+        static constexpr double ROUNDING = 1e-6;
+
         /** \brief Four boxes around points, relative to origin_, and their largest radii. An absent box is inside out and
             infinite. */
         struct alignas(64) Node
@@ -66,14 +71,6 @@ namespace ompl_certificates
 
         /** \brief The stack that a depth-first walk needs: three open children per level */
         static constexpr std::size_t STACK_SIZE = 64;
-
-        /** \brief A box in another frame, in single precision */
-        struct Oriented
-        {
-            Eigen::Matrix3f toBox, absolute;
-            Eigen::Vector3f center, half, halfHere;
-            float slack;
-        };
 
         struct Bounds
         {
@@ -92,8 +89,6 @@ namespace ompl_certificates
         }
 
         void prefetch(std::uint32_t child) const;
-        Oriented orient(const Eigen::AlignedBox3d &box, const Pose &pose) const;
-        static void overlaps(const Node &node, const Oriented &box, bool *overlap);
 
         /** \brief The least distance of \e point to a ball of a leaf */
         double leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point) const;
@@ -117,7 +112,11 @@ namespace ompl_certificates
     {
         if (nodes_.empty())
             return NONE;
-        const Oriented oriented = orient(box, pose);
+        const FloatBox floatBox{box.center().cast<float>(), (0.5 * box.sizes()).cast<float>()};
+        const Eigen::Vector3d shift = pose.translation() - origin_;
+        const BoxTurn turn(pose.linear(), shift);
+        const auto slack = static_cast<float>(
+            largestRadius_ + ROUNDING * (extent_ + shift.norm() + box.center().norm() + box.sizes().norm()));
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;
@@ -134,7 +133,7 @@ namespace ompl_certificates
             }
             const Node &node = nodes_[current];
             bool overlap[4];
-            overlaps(node, oriented, overlap);
+            overlaps(node, floatBox, turn, slack, overlap);
             for (int k = 0; k < 4; ++k)
                 if (overlap[k])
                     stack[open++] = node.child[k];

@@ -1,4 +1,4 @@
-#include "YamlClouds.h"
+#include "YamlSensed.h"
 
 #include "YamlShapes.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"

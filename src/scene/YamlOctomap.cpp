@@ -1,4 +1,4 @@
-#include "YamlOctomap.h"
+#include "YamlSensed.h"
 
 #ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
 #include "ompl_certificates/octomap/OctomapObstacles.h"

@@ -1,5 +1,4 @@
-#include "YamlClouds.h"
-#include "YamlOctomap.h"
+#include "YamlSensed.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 #include "YamlText.h"

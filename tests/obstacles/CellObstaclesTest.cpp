@@ -4,6 +4,7 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "support/Message.h"
 #include "support/RandomCells.h"
+#include "support/RandomStates.h"
 
 #include <gtest/gtest.h>
 
@@ -47,14 +48,6 @@ namespace
                     for (std::int32_t z = low[2]; z < std::max(high[2], low[2] + 1); ++z)
                         EXPECT_TRUE(cells.insert({x, y, z}).second);
         return cells;
-    }
-
-    ompl::base::RealVectorBounds boundsFor(unsigned int dimension, double half)
-    {
-        ompl::base::RealVectorBounds bounds(dimension);
-        bounds.setLow(-half);
-        bounds.setHigh(half);
-        return bounds;
     }
 }
 
@@ -175,7 +168,7 @@ TEST_P(CellObstaclesTest, FulfilsTheContract)
         std::vector<Body> bodies;
         for (int i = 0; i < 4; ++i)
             bodies.push_back(bodyAmongCells(random, GetParam(), size));
-        EXPECT_NO_THROW(checkObstacles(obstacles, bodies, boundsFor(GetParam(), 1.5 * size * HALF), 50));
+        EXPECT_NO_THROW(checkObstacles(obstacles, bodies, cubeBounds(GetParam(), 1.5 * size * HALF), 50));
     }
 }
 

@@ -1,8 +1,6 @@
-#include "support/Folder.h"
 #include "support/MeshTexts.h"
+#include "support/MoveItScene.h"
 #include "support/Random.h"
-
-#include "ompl_certificates/scene/MoveItFiles.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
@@ -11,81 +9,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        const char *const URDF = R"(<robot name="two_links">
-  <link name="base"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
-  <link name="upper"><collision><origin xyz="0.25 0 0"/><geometry><box size="0.5 0.1 0.1"/></geometry></collision></link>
-  <link name="lower"><collision><origin xyz="0.2 0 0"/><geometry><box size="0.3 0.1 0.1"/></geometry></collision></link>
-  <link name="tip"><collision><geometry><sphere radius="0.03"/></geometry></collision></link>
-  <link name="camera"/>
-  <joint name="turn" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 0.2"/>
-    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
-  <joint name="bend" type="continuous"><parent link="upper"/><child link="lower"/><origin xyz="0.5 0 0.12"/>
-    <axis xyz="0 0 1"/></joint>
-  <joint name="slide" type="prismatic"><parent link="lower"/><child link="tip"/><origin xyz="0.4 0 0"/>
-    <axis xyz="1 0 0"/><limit lower="0" upper="0.2" effort="1" velocity="1"/></joint>
-  <joint name="mount" type="fixed"><parent link="tip"/><child link="camera"/></joint>
-</robot>)";
-
-        const char *const SRDF = R"(<robot name="two_links">
-  <virtual_joint name="world_joint" type="floating" parent_frame="world" child_link="base"/>
-  <group name="arm"><joint name="turn"/><joint name="bend"/></group>
-  <disable_collisions link1="base" link2="upper" reason="Adjacent"/>
-  <disable_collisions link1="upper" link2="lower" reason="Adjacent"/>
-</robot>)";
-
-        const std::string OBJECTS = "world:\n  collision_objects:\n";
-        const std::string BALL = OBJECTS +
-                                 "    - {id: ball, primitives: [{type: sphere, dimensions: [0.1]}], primitive_poses: "
-                                 "[{position: [0, 2, 0]}]}\n";
-        const std::string START = "start_state: {joint_state: {name: [turn, bend, slide], position: [1, 0.5, 0.1]}}\n";
-        const std::string GOAL =
-            "goal_constraints:\n  - joint_constraints:\n      - {joint_name: turn, position: -1}\n"
-            "      - {joint_name: bend, position: 4}\n";
-        const std::string REQUEST = "group_name: arm\n" + START + GOAL;
-
-        /** Scenes and requests of a small arm */
-        class MoveItScene : public ::testing::Test
-        {
-        protected:
-            SceneFile read(const std::string &scene, const std::string &request = REQUEST)
-            {
-                return readMoveItFiles(folder_.write("scene.yaml", scene), folder_.write("request.yaml", request),
-                                       *robot_);
-            }
-
-            /** The message of the exception, without the folder */
-            std::string messageOf(const std::string &scene, const std::string &request = REQUEST)
-            {
-                try
-                {
-                    read(scene, request);
-                }
-                catch (const ompl::Exception &exception)
-                {
-                    const std::string message = exception.what();
-                    return message.substr(message.rfind(folder_.path(), 0) == 0 ? folder_.path().size() + 1 : 0);
-                }
-                return "";
-            }
-
-            static const Arm &armOf(const SceneFile &file)
-            {
-                return dynamic_cast<const Arm &>(*file.scene.getMembers().front().robot);
-            }
-
-            /** The links of each pair that is checked */
-            static std::vector<std::string> pairsOf(const Arm &arm)
-            {
-                std::vector<std::string> pairs;
-                for (const BodyPair &pair : arm.getBodyPairs())
-                    pairs.push_back(arm.getLinkOfBody(pair.first) + " " + arm.getLinkOfBody(pair.second));
-                return pairs;
-            }
-
-            test::Folder folder_;
-            std::unique_ptr<const ArmFile> robot_ =
-                std::make_unique<const ArmFile>(folder_.write("arm.urdf", URDF), folder_.write("arm.srdf", SRDF));
-        };
+        using namespace test;
 
         TEST_F(MoveItScene, PosesAreComposed)
         {
@@ -308,11 +232,6 @@ namespace ompl_certificates
             EXPECT_THROW(isMoveItScene(folder_ / "absent.yaml"), ompl::Exception);
         }
 
-        struct Broken
-        {
-            std::string text, message;
-        };
-
         TEST_F(MoveItScene, ConesAreConesToAFractionOfTheirRadius)
         {
             constexpr double height = 0.8, radius = 0.3, ball = 1e-4;
@@ -352,119 +271,6 @@ namespace ompl_certificates
             }
             EXPECT_GT(touching, 5000);
             EXPECT_GT(apart, 5000);
-        }
-
-        TEST_F(MoveItScene, BrokenScenesAreRefused)
-        {
-            const std::string pose = "primitive_poses: [{}]";
-            const auto object = [](const std::string &keys) { return OBJECTS + "    - {id: a, " + keys + "}\n"; };
-            const auto primitive = [&](const std::string &keys)
-            { return object("primitives: [{" + keys + "}], primitive_poses: [{}]"); };
-            const std::string place = "scene.yaml:3: world.collision_objects[0]";
-            const Broken all[]{
-                {"world: [", "scene.yaml:1: not valid YAML"},
-                {"name: none\n", "scene.yaml:1: world: missing"},
-                {BALL + "wrold: 1\n", "scene.yaml:4: wrold: unknown key"},
-                {BALL + "    - {id: ball, primitives: [{type: sphere, dimensions: [1]}]}\n",
-                 "scene.yaml:4: world.collision_objects[1].id: there is an object 'ball' already"},
-                {object("primitives: []"), place + ": object 'a' has no shape"},
-                {OBJECTS + "    - {primitives: []}\n", place + ".id: missing"},
-                {object("colour: red"), place + ".colour: unknown key"},
-                {object("operation: remove"), place + ".operation: must be add or 0, not 'remove'"},
-                {object("planes: [{coef: [0, 0, 1, 0]}]"), place + ".planes: not supported"},
-                {object("header: {frame_id: moon}, primitives: [{type: box, dimensions: [1, 1, 1]}]"),
-                 place + ".header: there is no fixed frame 'moon'"},
-                {primitive("type: torus, dimensions: [1, 1]"),
-                 place + ".primitives[0].type: must be one of box, sphere, cylinder, cone, not 'torus'"},
-                {primitive("type: cone, dimensions: [1]"),
-                 place + ".primitives[0].dimensions: must be a list of 2 numbers, not of 1"},
-                {primitive("type: box, dimensions: [1, 1]"),
-                 place + ".primitives[0].dimensions: must be a list of 3 numbers, not of 2"},
-                {primitive("type: sphere, dimensions: [0]"),
-                 place + ".primitives[0].dimensions[0]: must be positive, not 0"},
-                {primitive("type: sphere, dimensions: [.nan]"),
-                 place + ".primitives[0].dimensions[0]: must be a finite number of at most 1000000000, not .nan"},
-                {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{}, {}]"),
-                 place + ".primitive_poses: must have as many items as primitives, 1, not 2"},
-                {object(
-                     "primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{orientation: [0, 0, 0, 0]}]"),
-                 place + ".primitive_poses[0].orientation: must not be zero"},
-                {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{position: [0, x, 0]}]"),
-                 place + ".primitive_poses[0].position[1]: must be a number, not x"},
-                {object("meshes: [{resource: absent.stl}]"), place + ".meshes[0].resource: "},
-                {object("meshes: [{resource: package://a/b.stl}]"),
-                 place + ".meshes[0].resource: package:// is not supported in scenes; give a path"},
-                {object("meshes: [{vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [[0, 1, 3]]}]"),
-                 place + ".meshes[0].triangles[0][2]: must be the number of a vertex, below 3, not 3"},
-                {object("meshes: [{vertices: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], triangles: [[0, 1, 2]]}]"),
-                 place + ".meshes[0]: "},
-                {"world: {octomap: {octomap: {data: [1]}}}\n",
-                 "scene.yaml:1: world.octomap.octomap.data: not supported"},
-                {BALL + "link_padding: [{link_name: tip, padding: 0.01}]\n",
-                 "scene.yaml:4: link_padding[0].padding: is not supported but as 0"},
-                {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",
-                 "scene.yaml:4: link_scale[1].scale: is not supported but as 1"},
-                {BALL + "robot_state: {joint_state: {name: [turn, knee], position: [0, 0]}}\n",
-                 "scene.yaml:4: robot_state.joint_state.name[1]: there is no joint 'knee'"},
-                {BALL + "robot_state: {joint_state: {name: [turn, turn], position: [0, 0]}}\n",
-                 "scene.yaml:4: robot_state.joint_state.name[1]: 'turn' is given twice"},
-                {BALL + "robot_state: {joint_state: {name: [turn], position: [0, 0]}}\n",
-                 "scene.yaml:4: robot_state.joint_state.position: must be a list of 1 number, not of 2"},
-                {BALL + "robot_state: {joint_state: {name: [turn]}}\n",
-                 "scene.yaml:4: robot_state.joint_state.position: missing"},
-                {BALL + "robot_state: {attached_collision_objects: [{link_name: hand, object: {}}]}\n",
-                 "scene.yaml:4: robot_state.attached_collision_objects[0].link_name: there is no link 'hand'"},
-                {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: a, "
-                        "primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
-                 "scene.yaml:4: robot_state.attached_collision_objects[0].object: must be in the frame of its link"},
-                {BALL + "allowed_collision_matrix: {entry_names: [base, tip], entry_values: [[true]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values: must have 2 items, not 1"},
-                {BALL + "allowed_collision_matrix: {entry_names: [base], entry_values: [[1]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][0]: must be true or false, not 1"},
-                {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, true], [true, "
-                        "false]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that link 'tip' may touch"},
-            };
-            for (const Broken &broken : all)
-            {
-                SCOPED_TRACE(broken.text);
-                EXPECT_EQ(messageOf(broken.text).substr(0, broken.message.size()), broken.message);
-            }
-        }
-
-        TEST_F(MoveItScene, BrokenRequestsAreRefused)
-        {
-            const std::string group = "group_name: arm\n";
-            const Broken all[]{
-                {START + GOAL, "request.yaml:1: group_name: missing"},
-                {"group_name: leg\n" + START + GOAL, "request.yaml:1: group_name: "},
-                {group + START, "request.yaml:1: goal_constraints: missing"},
-                {REQUEST + "group: arm\n", "request.yaml:7: group: unknown key"},
-                {REQUEST + "path_constraints: {name: upright}\n", "request.yaml:7: path_constraints: not supported"},
-                {REQUEST + "allowed_planning_time: -1\n",
-                 "request.yaml:7: allowed_planning_time: must be positive, not -1"},
-                {REQUEST + "workspace_parameters: {min_corner: [0, 0, 0], max_corner: [1, -1, 1]}\n",
-                 "request.yaml:7: workspace_parameters.max_corner: must be above min_corner"},
-                {group + START + "goal_constraints: []\n", "request.yaml:3: goal_constraints: must have from 1"},
-                {REQUEST + "  - joint_constraints: []\n",
-                 "request.yaml:7: goal_constraints[1]: several goals are not supported"},
-                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}]}]\n",
-                 "request.yaml:3: goal_constraints: has no position of joint 'bend'"},
-                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
-                 "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
-                {group + START +
-                     "goal_constraints: [{joint_constraints: [], position_constraints: [{link_name: tip}]}]\n",
-                 "request.yaml:3: goal_constraints[0].position_constraints: not supported"},
-                {REQUEST + "      - {joint_name: bend, position: 4}\n",
-                 "request.yaml:7: goal_constraints[0].joint_constraints[2].joint_name: 'bend' is given twice"},
-                {group + "start_state: {joint_state: {name: [turn], position: [0]}}\n" + GOAL,
-                 "request.yaml:2: start_state: has no position of joint 'bend'"},
-            };
-            for (const Broken &broken : all)
-            {
-                SCOPED_TRACE(broken.text);
-                EXPECT_EQ(messageOf(BALL, broken.text).substr(0, broken.message.size()), broken.message);
-            }
         }
     }
 }

@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_OBSTACLES_POINT_CLOUD_OBSTACLES_
 
 #include "ompl_certificates/obstacles/Obstacles.h"
-#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/geometry/PointCloud.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_CLOUD_FILE_
 #define OMPL_CERTIFICATES_SCENE_CLOUD_FILE_
 
-#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/geometry/PointCloud.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_TEAM_ROBOT_FILTER_
 #define OMPL_CERTIFICATES_TEAM_ROBOT_FILTER_
 
-#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/geometry/PointCloud.h"
 #include "ompl_certificates/team/Team.h"
 
 namespace ompl_certificates

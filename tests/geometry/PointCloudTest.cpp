@@ -1,6 +1,6 @@
 #include "support/RandomClouds.h"
 
-#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/geometry/PointCloud.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <gtest/gtest.h>

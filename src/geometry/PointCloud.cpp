@@ -1,4 +1,4 @@
-#include "ompl_certificates/obstacles/PointCloud.h"
+#include "ompl_certificates/geometry/PointCloud.h"
 
 #include <algorithm>
 #include <array>

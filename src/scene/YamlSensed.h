@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_SCENE_YAML_CLOUDS_
-#define OMPL_CERTIFICATES_SCENE_YAML_CLOUDS_
+#ifndef OMPL_CERTIFICATES_SCENE_YAML_SENSED_
+#define OMPL_CERTIFICATES_SCENE_YAML_SENSED_
 
 #include "YamlNode.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
@@ -9,6 +9,11 @@ namespace ompl_certificates
     /** \brief The point cloud that \e node describes, in a workspace of \e dimension
         \param source the scene's file, whose folder the cloud's path is relative to */
     ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source);
+
+    /** \brief The octomap that \e node describes: file, depth, unknown and, in the plane, heights. Fails if the program was
+        built without octomap.
+        \param source as above */
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);
 }
 
 #endif

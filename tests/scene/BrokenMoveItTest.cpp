@@ -1,0 +1,130 @@
+#include "support/MoveItScene.h"
+
+#include <gtest/gtest.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        using namespace test;
+
+        struct Broken
+        {
+            std::string text, message;
+        };
+
+        TEST_F(MoveItScene, BrokenScenesAreRefused)
+        {
+            const std::string pose = "primitive_poses: [{}]";
+            const auto object = [](const std::string &keys) { return OBJECTS + "    - {id: a, " + keys + "}\n"; };
+            const auto primitive = [&](const std::string &keys)
+            { return object("primitives: [{" + keys + "}], primitive_poses: [{}]"); };
+            const std::string place = "scene.yaml:3: world.collision_objects[0]";
+            const Broken all[]{
+                {"world: [", "scene.yaml:1: not valid YAML"},
+                {"name: none\n", "scene.yaml:1: world: missing"},
+                {BALL + "wrold: 1\n", "scene.yaml:4: wrold: unknown key"},
+                {BALL + "    - {id: ball, primitives: [{type: sphere, dimensions: [1]}]}\n",
+                 "scene.yaml:4: world.collision_objects[1].id: there is an object 'ball' already"},
+                {object("primitives: []"), place + ": object 'a' has no shape"},
+                {OBJECTS + "    - {primitives: []}\n", place + ".id: missing"},
+                {object("colour: red"), place + ".colour: unknown key"},
+                {object("operation: remove"), place + ".operation: must be add or 0, not 'remove'"},
+                {object("planes: [{coef: [0, 0, 1, 0]}]"), place + ".planes: not supported"},
+                {object("header: {frame_id: moon}, primitives: [{type: box, dimensions: [1, 1, 1]}]"),
+                 place + ".header: there is no fixed frame 'moon'"},
+                {primitive("type: torus, dimensions: [1, 1]"),
+                 place + ".primitives[0].type: must be one of box, sphere, cylinder, cone, not 'torus'"},
+                {primitive("type: cone, dimensions: [1]"),
+                 place + ".primitives[0].dimensions: must be a list of 2 numbers, not of 1"},
+                {primitive("type: box, dimensions: [1, 1]"),
+                 place + ".primitives[0].dimensions: must be a list of 3 numbers, not of 2"},
+                {primitive("type: sphere, dimensions: [0]"),
+                 place + ".primitives[0].dimensions[0]: must be positive, not 0"},
+                {primitive("type: sphere, dimensions: [.nan]"),
+                 place + ".primitives[0].dimensions[0]: must be a finite number of at most 1000000000, not .nan"},
+                {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{}, {}]"),
+                 place + ".primitive_poses: must have as many items as primitives, 1, not 2"},
+                {object(
+                     "primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{orientation: [0, 0, 0, 0]}]"),
+                 place + ".primitive_poses[0].orientation: must not be zero"},
+                {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{position: [0, x, 0]}]"),
+                 place + ".primitive_poses[0].position[1]: must be a number, not x"},
+                {object("meshes: [{resource: absent.stl}]"), place + ".meshes[0].resource: "},
+                {object("meshes: [{resource: package://a/b.stl}]"),
+                 place + ".meshes[0].resource: package:// is not supported in scenes; give a path"},
+                {object("meshes: [{vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [[0, 1, 3]]}]"),
+                 place + ".meshes[0].triangles[0][2]: must be the number of a vertex, below 3, not 3"},
+                {object("meshes: [{vertices: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], triangles: [[0, 1, 2]]}]"),
+                 place + ".meshes[0]: "},
+                {"world: {octomap: {octomap: {data: [1]}}}\n",
+                 "scene.yaml:1: world.octomap.octomap.data: not supported"},
+                {BALL + "link_padding: [{link_name: tip, padding: 0.01}]\n",
+                 "scene.yaml:4: link_padding[0].padding: is not supported but as 0"},
+                {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",
+                 "scene.yaml:4: link_scale[1].scale: is not supported but as 1"},
+                {BALL + "robot_state: {joint_state: {name: [turn, knee], position: [0, 0]}}\n",
+                 "scene.yaml:4: robot_state.joint_state.name[1]: there is no joint 'knee'"},
+                {BALL + "robot_state: {joint_state: {name: [turn, turn], position: [0, 0]}}\n",
+                 "scene.yaml:4: robot_state.joint_state.name[1]: 'turn' is given twice"},
+                {BALL + "robot_state: {joint_state: {name: [turn], position: [0, 0]}}\n",
+                 "scene.yaml:4: robot_state.joint_state.position: must be a list of 1 number, not of 2"},
+                {BALL + "robot_state: {joint_state: {name: [turn]}}\n",
+                 "scene.yaml:4: robot_state.joint_state.position: missing"},
+                {BALL + "robot_state: {attached_collision_objects: [{link_name: hand, object: {}}]}\n",
+                 "scene.yaml:4: robot_state.attached_collision_objects[0].link_name: there is no link 'hand'"},
+                {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: a, "
+                        "primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
+                 "scene.yaml:4: robot_state.attached_collision_objects[0].object: must be in the frame of its link"},
+                {BALL + "allowed_collision_matrix: {entry_names: [base, tip], entry_values: [[true]]}\n",
+                 "scene.yaml:4: allowed_collision_matrix.entry_values: must have 2 items, not 1"},
+                {BALL + "allowed_collision_matrix: {entry_names: [base], entry_values: [[1]]}\n",
+                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][0]: must be true or false, not 1"},
+                {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, true], [true, "
+                        "false]]}\n",
+                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that link 'tip' may touch"},
+            };
+            for (const Broken &broken : all)
+            {
+                SCOPED_TRACE(broken.text);
+                EXPECT_EQ(messageOf(broken.text).substr(0, broken.message.size()), broken.message);
+            }
+        }
+
+        TEST_F(MoveItScene, BrokenRequestsAreRefused)
+        {
+            const std::string group = "group_name: arm\n";
+            const Broken all[]{
+                {START + GOAL, "request.yaml:1: group_name: missing"},
+                {"group_name: leg\n" + START + GOAL, "request.yaml:1: group_name: "},
+                {group + START, "request.yaml:1: goal_constraints: missing"},
+                {REQUEST + "group: arm\n", "request.yaml:7: group: unknown key"},
+                {REQUEST + "path_constraints: {name: upright}\n", "request.yaml:7: path_constraints: not supported"},
+                {REQUEST + "allowed_planning_time: -1\n",
+                 "request.yaml:7: allowed_planning_time: must be positive, not -1"},
+                {REQUEST + "workspace_parameters: {min_corner: [0, 0, 0], max_corner: [1, -1, 1]}\n",
+                 "request.yaml:7: workspace_parameters.max_corner: must be above min_corner"},
+                {group + START + "goal_constraints: []\n", "request.yaml:3: goal_constraints: must have from 1"},
+                {REQUEST + "  - joint_constraints: []\n",
+                 "request.yaml:7: goal_constraints[1]: several goals are not supported"},
+                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}]}]\n",
+                 "request.yaml:3: goal_constraints: has no position of joint 'bend'"},
+                {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
+                 "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
+                {group + START +
+                     "goal_constraints: [{joint_constraints: [], position_constraints: [{link_name: tip}]}]\n",
+                 "request.yaml:3: goal_constraints[0].position_constraints: not supported"},
+                {REQUEST + "      - {joint_name: bend, position: 4}\n",
+                 "request.yaml:7: goal_constraints[0].joint_constraints[2].joint_name: 'bend' is given twice"},
+                {group + "start_state: {joint_state: {name: [turn], position: [0]}}\n" + GOAL,
+                 "request.yaml:2: start_state: has no position of joint 'bend'"},
+            };
+            for (const Broken &broken : all)
+            {
+                SCOPED_TRACE(broken.text);
+                EXPECT_EQ(messageOf(BALL, broken.text).substr(0, broken.message.size()), broken.message);
+            }
+        }
+    }
+}
