@@ -17,20 +17,22 @@ namespace ompl_certificates
         /** A time counts as at most this multiple of the mean: more is mostly another program's time slice. */
         constexpr double LARGEST_SURPRISE = 16.0;
 
-        /** When certificates have been in use for so many checks, they are judged for the first time, and are mature. */
-        constexpr double FIRST_JUDGED = 32.0, MATURE = 512.0;
+        /** When certificates have been in use for so many samples and trials, they are judged for the first time; after
+            so many, they are mature. */
+        constexpr double FIRST_JUDGED = 512.0, MATURE = 8192.0;
+        constexpr std::uint32_t ENOUGH_TRIALS = 16;
 
         /** How much faster they must make a check by then. Below 1, since later checks profit from those made now. */
         constexpr double FIRST_FACTOR = 0.5, MATURE_FACTOR = 0.95;
 
-        /** After how many times as many checks they are tried again */
-        constexpr std::uint64_t PATIENCE = 4;
+        /** After how many times as many samples they are tried again */
+        constexpr std::uint64_t PATIENCE = 2;
 
-        double requiredFactor(double checks)
+        double requiredFactor(double samples)
         {
-            if (checks < FIRST_JUDGED)
+            if (samples < FIRST_JUDGED)
                 return 0.0;
-            const double maturity = std::min(std::log(checks / FIRST_JUDGED) / std::log(MATURE / FIRST_JUDGED), 1.0);
+            const double maturity = std::min(std::log(samples / FIRST_JUDGED) / std::log(MATURE / FIRST_JUDGED), 1.0);
             return FIRST_FACTOR + maturity * (MATURE_FACTOR - FIRST_FACTOR);
         }
     }
@@ -38,7 +40,8 @@ namespace ompl_certificates
     void CertificatePolicy::begin()
     {
         usesCertificates_ = true;
-        begin_ = checks_;
+        firstSample_ = samples_;
+        firstCheck_ = checks_;
         trials_ = 0;
     }
 
@@ -59,14 +62,15 @@ namespace ompl_certificates
         ++trials_;
         remember(certified_, certified);
         remember(exact_, exact);
-        const auto inUse = static_cast<double>(checks_ - begin_);
-        if (exact_ < requiredFactor(inUse) * certified_)
+        if (trials_ >= ENOUGH_TRIALS &&
+            exact_ < requiredFactor(static_cast<double>(samples_ - firstSample_)) * certified_)
         {
             usesCertificates_ = false;
-            nextTrial_ = PATIENCE * checks_;
+            nextUse_ = PATIENCE * samples_;
             return;
         }
         const double cost = std::max(exact_ / std::max(certified_, 1.0), 1.0);
+        const auto inUse = static_cast<double>(checks_ - firstCheck_);
         const double interval = cost * std::clamp(FRACTION * inUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
         nextTrial_ = checks_ + static_cast<std::uint64_t>(interval);
     }

@@ -11,15 +11,22 @@ namespace ompl_certificates
         Certificates cost time first and save it later. So it begins with the standard check: short plans are not worth
         an investment. Then it uses certificates, and at some checks compares the times of both ways: of the same motion,
         so that few trials suffice. The longer they have been in use, the more they must have saved; else it returns to
-        the standard check, and tries them again when four times as many checks have been made. No verdict depends on
-        it. Each thread has its own. */
+        the standard check, and tries them again later. How long that is, is counted in samples, not in checks:
+        certificates save most of a long motion's. No verdict depends on it. Each thread has its own. */
     class CertificatePolicy
     {
     public:
-        /** \brief Whether to make the next check both ways, and to note() the times. Call it once for each check. */
-        bool isTrial()
+        /** \brief Whether to make the next check both ways, and to note() the times */
+        bool isTrial() const
         {
-            return ++checks_ >= nextTrial_;
+            return usesCertificates_ ? checks_ >= nextTrial_ : samples_ >= nextUse_;
+        }
+
+        /** \brief Counts a check and its samples */
+        void count(std::uint64_t samples)
+        {
+            ++checks_;
+            samples_ += samples;
         }
 
         /** \brief Whether to use certificates for a check that is no trial */
@@ -37,16 +44,16 @@ namespace ompl_certificates
         /** \brief Notes how long the same check took in either way */
         void note(std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
 
-        /** \brief Whether it has decided about no check yet */
+        /** \brief Whether it has counted no check yet */
         bool isNew() const
         {
             return checks_ == 0;
         }
 
-        /** \brief Sets after how many checks certificates are first used. For a new policy. */
-        void setFirstUse(std::uint64_t checks)
+        /** \brief Sets after how many samples certificates are first used. For a new policy. */
+        void setFirstUse(std::uint64_t samples)
         {
-            nextTrial_ = checks;
+            nextUse_ = samples;
         }
 
     private:
@@ -56,10 +63,13 @@ namespace ompl_certificates
         /** \brief Takes a time into a mean */
         void remember(double &mean, std::chrono::nanoseconds time) const;
 
-        std::uint64_t checks_{0}, nextTrial_{0};
+        std::uint64_t checks_{0}, samples_{0};
 
-        /** \brief The number of checks when certificates were last taken into use */
-        std::uint64_t begin_{0};
+        /** \brief The number of samples when certificates are next taken into use, and of checks when the next trial is */
+        std::uint64_t nextUse_{0}, nextTrial_{0};
+
+        /** \brief The numbers of samples and of checks when certificates were last taken into use */
+        std::uint64_t firstSample_{0}, firstCheck_{0};
 
         /** \brief The number of trials since then, and the mean times (nanoseconds) */
         std::uint32_t trials_{0};

@@ -99,9 +99,9 @@ namespace ompl_certificates
         }
 
         /** \brief See TeamValidityChecker::setCertificatesAfter() */
-        void setCertificatesAfter(std::size_t checks)
+        void setCertificatesAfter(std::size_t samples)
         {
-            certificatesAfter_ = checks;
+            certificatesAfter_ = samples;
         }
 
         std::size_t getCertificatesAfter() const
@@ -235,6 +235,12 @@ namespace ompl_certificates
         };
 
     private:
+        /** \brief All samples of robots and pairs, whether checked or skipped */
+        static std::uint64_t samplesOf(const CheckCounts &counts)
+        {
+            return counts.robotPoses + counts.motionSamplesSkipped + counts.pairPoses;
+        }
+
         /** \brief Whether all subjects are free, once their robots are placed; asks for each until one is not */
         template <typename IsFree>
         bool areAllFree(const ompl::base::State *state, CheckContext &context, const IsFree &isFree) const;
@@ -270,7 +276,7 @@ namespace ompl_certificates
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
         bool adaptive_{true};
-        std::size_t certificatesAfter_{128};
+        std::size_t certificatesAfter_{8192};
         std::vector<Subject> subjects_;
         std::vector<std::vector<Subject>> robotSubjects_;
         mutable WorldLock lock_;
@@ -286,21 +292,26 @@ namespace ompl_certificates
             return certified();
         if (policy.isNew())
             policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter_);
-        if (!policy.isTrial())
-            return policy.usesCertificates() ? certified() : exact();
         const CheckCounts counts = context.counts;
-        const bool exactFirst = policy.beginsExactly();
-        using Clock = std::chrono::steady_clock;
-        const Clock::time_point begin = Clock::now();
-        if (exactFirst)
-            exact();
+        bool free = false;
+        if (!policy.isTrial())
+            free = policy.usesCertificates() ? certified() : exact();
         else
-            certified();
-        const Clock::time_point middle = Clock::now();
-        context.counts = counts;
-        const bool free = exactFirst ? certified() : exact();
-        const Clock::duration first = middle - begin, second = Clock::now() - middle;
-        policy.note(exactFirst ? second : first, exactFirst ? first : second);
+        {
+            const bool exactFirst = policy.beginsExactly();
+            using Clock = std::chrono::steady_clock;
+            const Clock::time_point begin = Clock::now();
+            if (exactFirst)
+                exact();
+            else
+                certified();
+            const Clock::time_point middle = Clock::now();
+            context.counts = counts;
+            free = exactFirst ? certified() : exact();
+            const Clock::duration first = middle - begin, second = Clock::now() - middle;
+            policy.note(exactFirst ? second : first, exactFirst ? first : second);
+        }
+        policy.count(samplesOf(context.counts) - samplesOf(counts));
         return free;
     }
 }

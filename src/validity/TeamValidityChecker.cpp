@@ -54,7 +54,7 @@ namespace ompl_certificates
         params_.declareParam<bool>(
             "adaptive", [this](bool adaptive) { setAdaptive(adaptive); }, [this] { return isAdaptive(); });
         params_.declareParam<std::size_t>(
-            "certificates_after", [this](std::size_t checks) { setCertificatesAfter(checks); },
+            "certificates_after", [this](std::size_t samples) { setCertificatesAfter(samples); },
             [this] { return getCertificatesAfter(); });
     }
 
@@ -173,9 +173,9 @@ namespace ompl_certificates
         return check_->isAdaptive();
     }
 
-    void TeamValidityChecker::setCertificatesAfter(std::size_t checks)
+    void TeamValidityChecker::setCertificatesAfter(std::size_t samples)
     {
-        check_->setCertificatesAfter(checks);
+        check_->setCertificatesAfter(samples);
     }
 
     std::size_t TeamValidityChecker::getCertificatesAfter() const

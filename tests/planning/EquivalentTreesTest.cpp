@@ -65,7 +65,7 @@ namespace
         reseed(seed);
         TeamSetup setup(problem.team, problem.obstacles, method);
         // Some plans begin without certificates, as they do by default.
-        setup.getTeamChecker()->setCertificatesAfter(seed % 2 == 0 ? 128 : 0);
+        setup.getTeamChecker()->setCertificatesAfter(seed % 2 == 0 ? 8192 : 0);
         ob::ScopedState<> start(problem.team), goal(problem.team);
         start = problem.start;
         goal = problem.goal;

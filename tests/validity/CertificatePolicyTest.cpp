@@ -11,8 +11,11 @@ using std::chrono::nanoseconds;
 
 namespace
 {
-    /** What a policy decides about so many checks, whose times with certificates \e certified says by the number of checks
-        that have used these */
+    /** How many samples each check has */
+    constexpr std::uint64_t SAMPLES = 16;
+
+    /** What a policy decides about so many checks, whose times with certificates \e certifiedTime says by the number of
+        checks that have used these */
     struct Course
     {
         unsigned int certified{0}, trials{0};
@@ -29,6 +32,7 @@ namespace
                 }
                 else if (policy.usesCertificates())
                     ++certified;
+                policy.count(SAMPLES);
             }
         }
     };
@@ -42,8 +46,8 @@ namespace
 TEST(CertificatePolicy, AsksForNoCertificatesBeforeTheirFirstUse)
 {
     CertificatePolicy policy;
-    policy.setFirstUse(128);
-    const Course course(policy, 127, nanoseconds(1000), always2000);
+    policy.setFirstUse(128 * SAMPLES);
+    const Course course(policy, 128, nanoseconds(1000), always2000);
     EXPECT_EQ(course.certified + course.trials, 0U);
     EXPECT_TRUE(policy.isTrial());
 }
@@ -51,13 +55,13 @@ TEST(CertificatePolicy, AsksForNoCertificatesBeforeTheirFirstUse)
 TEST(CertificatePolicy, LeavesCertificatesThatDoNotPay)
 {
     CertificatePolicy policy;
-    policy.setFirstUse(128);
+    policy.setFirstUse(128 * SAMPLES);
     const Course course(policy, 10000, nanoseconds(1000), always2000);
     EXPECT_FALSE(policy.usesCertificates());
-    // A twentieth of the time at most: a certified check costs as much more as a check, a trial twice that.
-    EXPECT_LT(course.certified + 2 * course.trials, 500U);
-    // They are tried again: after 160 checks, 640, 2560.
-    EXPECT_GT(course.certified, 3U * 20U);
+    // A tenth of the time at most: a certified check costs as much more as a check, a trial twice that.
+    EXPECT_LT(course.certified + 2 * course.trials, 1000U);
+    // They are tried again: after some 400 checks, 1000, 2000, 4000, 8000.
+    EXPECT_GT(course.trials, 4U * 16U);
 }
 
 TEST(CertificatePolicy, KeepsCertificatesThatPay)
@@ -108,15 +112,15 @@ TEST(CertificatesAfter, AreMadeThenAndChangeNoVerdict)
         for (const auto &setup : checkers.certified())
         {
             const auto checker = setup->getTeamChecker();
-            checker->params().setParam("certificates_after", "50");
-            EXPECT_EQ(checker->getCertificatesAfter(), 50U);
+            checker->params().setParam("certificates_after", "500");
+            EXPECT_EQ(checker->getCertificatesAfter(), 500U);
             for (unsigned int i = 0; i < 400; ++i)
             {
                 const auto from = randomState(random, team), to = randomState(random, team);
                 EXPECT_EQ(checker->isValid(from.get()), checkers.isValid(from.get()));
                 EXPECT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()),
                           checkers.reference().getSpaceInformation()->checkMotion(from.get(), to.get()));
-                if (i == 48)
+                if (i == 0)
                 {
                     EXPECT_EQ(checker->getCertificateCount(), 0U);
                 }

@@ -133,11 +133,12 @@ namespace ompl_certificates
         /** \brief See setAdaptive() */
         bool isAdaptive() const;
 
-        /** \brief After how many checks an adaptive checker first makes certificates; 128 by default. Until then it is as
-            quick as Method::STANDARD: a plan of few motions ends before certificates have saved what they cost. States,
-            motions of the team, those of each robot and those of pairs are counted each by themselves, in each thread.
-            Certificates that are there already are used at once. Before the first check. */
-        void setCertificatesAfter(std::size_t checks);
+        /** \brief After how many samples an adaptive checker first makes certificates; 8192 by default. A sample is a robot
+            or a pair of robots at a state. Until then it is as quick as Method::STANDARD: a short plan ends before
+            certificates have saved what they cost. States, motions of the team, those of each robot and those of pairs
+            are counted each by themselves, in each thread. Certificates that are there already are used at once. Before
+            the first check. */
+        void setCertificatesAfter(std::size_t samples);
 
         /** \brief See setCertificatesAfter() */
         std::size_t getCertificatesAfter() const;
