@@ -7,18 +7,14 @@
 // FOLDER has for each robot a folder: panda/panda.urdf, panda/panda.srdf, panda/problems/box/scene0001.yaml and
 // request0001.yaml, and so on.
 
+#include "common/ArmProblems.h"
 #include "common/Options.h"
-
-#include "ompl_certificates/scene/MoveItFiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
-#include <iostream>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -66,49 +62,6 @@ namespace
             "Returns 1 if a tree or a verdict differs from that of FCL alone, 2 for bad input.");
     }
 
-    /** The names of what is in \e folder and is wanted, sorted; all of it if \e wanted is empty */
-    std::vector<std::string> namesIn(const fs::path &folder, const std::vector<std::string> &wanted)
-    {
-        std::vector<std::string> names;
-        for (const auto &entry : fs::directory_iterator(folder))
-            if (entry.is_directory())
-                names.push_back(entry.path().filename().string());
-        std::sort(names.begin(), names.end());
-        if (wanted.empty())
-            return names;
-        for (const std::string &name : wanted)
-            if (!std::binary_search(names.begin(), names.end(), name))
-                throw ompl::Exception(folder.string(), "has no folder '" + name + "'");
-        return wanted;
-    }
-
-    /** The problems of a family whose start and goal are valid */
-    std::vector<Scene> problemsIn(const fs::path &folder, const ArmFile &robot, std::size_t most)
-    {
-        std::vector<std::string> files;
-        for (const auto &entry : fs::directory_iterator(folder))
-            if (entry.path().filename().string().rfind("scene", 0) == 0)
-                files.push_back(entry.path().filename().string());
-        std::sort(files.begin(), files.end());
-        files.resize(std::min(files.size(), most));
-        std::vector<Scene> scenes;
-        for (const std::string &file : files)
-        {
-            const std::string request = "request" + file.substr(5);
-            Scene scene = readMoveItFiles((folder / file).string(), (folder / request).string(), robot).scene;
-            try
-            {
-                scene.validate();
-                scenes.push_back(scene);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                std::cerr << "left out: " << exception.what() << std::endl;
-            }
-        }
-        return scenes;
-    }
-
     double cpuSeconds()
     {
         return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -152,10 +105,7 @@ namespace
             std::vector<ob::ScopedState<>> states(options.states * 3 / 2, ob::ScopedState<>(space));
             for (auto &state : states)
             {
-                std::vector<double> reals;
-                for (const Scene::Member &member : scene.getMembers())
-                    addRandom(*member.robot->getStateSpace(), rng, reals);
-                space->copyFromReals(state.get(), reals);
+                space->copyFromReals(state.get(), benchmarks::randomReals(scene, rng));
             }
             std::vector<std::size_t> valid;
             double start = 0.0;
@@ -181,25 +131,6 @@ namespace
                 verdicts.push_back(si->checkMotion(from, target.get()));
             }
             motionSeconds += cpuSeconds() - start;
-        }
-
-        /** Uniform within the limits. From a generator of its own: equal for all methods */
-        static void addRandom(const ob::StateSpace &space, ompl::RNG &rng, std::vector<double> &reals)
-        {
-            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
-            {
-                for (const auto &part : compound->getSubspaces())
-                    addRandom(*part, rng, reals);
-                return;
-            }
-            if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(&space))
-            {
-                const ob::RealVectorBounds &bounds = vector->getBounds();
-                for (std::size_t i = 0; i < bounds.low.size(); ++i)
-                    reals.push_back(rng.uniformReal(bounds.low[i], bounds.high[i]));
-                return;
-            }
-            reals.push_back(rng.uniformReal(-M_PI, M_PI));
         }
 
         std::size_t solvedCount() const
@@ -329,13 +260,14 @@ namespace
         std::signal(SIGTERM, interrupt);
         Table table;
         const fs::path folder = options.folder;
-        for (const std::string &robot : namesIn(folder, options.robots))
+        for (const std::string &robot : benchmarks::namesIn(folder, options.robots))
         {
             const fs::path description = folder / robot / robot;
             const ArmFile file(description.string() + ".urdf", description.string() + ".srdf");
-            for (const std::string &family : namesIn(folder / robot / "problems", options.families))
+            for (const std::string &family : benchmarks::namesIn(folder / robot / "problems", options.families))
             {
-                const auto scenes = problemsIn(folder / robot / "problems" / family, file, options.problems);
+                const auto scenes =
+                    benchmarks::problemsIn(folder / robot / "problems" / family, file, options.problems);
                 for (const std::string &planner : options.planners)
                     if (!interrupted && !scenes.empty())
                         compare(robot, family, scenes, planner, options, table);

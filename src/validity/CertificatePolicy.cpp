@@ -11,12 +11,6 @@ namespace ompl_certificates
             so many. More where the standard check, which is only tried, takes longer. */
         constexpr double FRACTION = 1.0 / 16.0, SHORTEST_INTERVAL = 4.0, LONGEST_INTERVAL = 128.0;
 
-        /** How many trials the mean times remember */
-        constexpr double MEMORY = 48.0;
-
-        /** A time counts as at most this multiple of the mean: more is mostly another program's time slice. */
-        constexpr double LARGEST_SURPRISE = 16.0;
-
         /** When certificates have been in use for so many samples and trials, they are judged for the first time; after
             so many, they are mature. */
         constexpr double FIRST_JUDGED = 512.0, MATURE = 8192.0;
@@ -42,36 +36,27 @@ namespace ompl_certificates
         usesCertificates_ = true;
         firstSample_ = samples_;
         firstCheck_ = checks_;
-        trials_ = 0;
+        nextTrial_ = checks_ + 1;
+        trials_.clear();
     }
 
-    void CertificatePolicy::remember(double &mean, std::chrono::nanoseconds time) const
+    void CertificatePolicy::note(std::uint64_t samples, std::chrono::nanoseconds certified,
+                                 std::chrono::nanoseconds exact)
     {
-        const auto nanoseconds = static_cast<double>(time.count());
-        if (trials_ == 1)
-            mean = nanoseconds;
-        else
-            mean += (std::min(nanoseconds, LARGEST_SURPRISE * mean) - mean) /
-                    std::min(static_cast<double>(trials_), MEMORY);
-    }
-
-    void CertificatePolicy::note(std::chrono::nanoseconds certified, std::chrono::nanoseconds exact)
-    {
-        if (!usesCertificates_)
-            begin();
-        ++trials_;
-        remember(certified_, certified);
-        remember(exact_, exact);
-        if (trials_ >= ENOUGH_TRIALS &&
-            exact_ < requiredFactor(static_cast<double>(samples_ - firstSample_)) * certified_)
+        trials_.add(static_cast<double>(samples),
+                    {static_cast<double>(certified.count()), static_cast<double>(exact.count())});
+        // This check is not counted yet.
+        const auto checksInUse = static_cast<double>(checks_ - firstCheck_ + 1);
+        const auto samplesInUse = static_cast<double>(samples_ - firstSample_ + samples);
+        const TrialTimes::Times mean = trials_.estimate(samplesInUse / checksInUse);
+        if (trials_.count() >= ENOUGH_TRIALS && mean.exact < requiredFactor(samplesInUse) * mean.certified)
         {
             usesCertificates_ = false;
             nextUse_ = PATIENCE * samples_;
             return;
         }
-        const double cost = std::max(exact_ / std::max(certified_, 1.0), 1.0);
-        const auto inUse = static_cast<double>(checks_ - firstCheck_);
-        const double interval = cost * std::clamp(FRACTION * inUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
+        const double cost = std::max(mean.exact / std::max(mean.certified, 1.0), 1.0);
+        const double interval = cost * std::clamp(FRACTION * checksInUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
         nextTrial_ = checks_ + static_cast<std::uint64_t>(interval);
     }
 }

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_POLICY_
 #define OMPL_CERTIFICATES_VALIDITY_CERTIFICATE_POLICY_
 
+#include "TrialTimes.h"
+
 #include <chrono>
 #include <cstdint>
 
@@ -19,7 +21,7 @@ namespace ompl_certificates
         /** \brief Whether to make the next check both ways, and to note() the times */
         bool isTrial() const
         {
-            return usesCertificates_ ? checks_ >= nextTrial_ : samples_ >= nextUse_;
+            return usesCertificates_ && checks_ >= nextTrial_;
         }
 
         /** \brief Counts a check and its samples */
@@ -27,6 +29,8 @@ namespace ompl_certificates
         {
             ++checks_;
             samples_ += samples;
+            if (!usesCertificates_ && samples_ >= nextUse_)
+                begin();
         }
 
         /** \brief Whether to use certificates for a check that is no trial */
@@ -38,11 +42,11 @@ namespace ompl_certificates
         /** \brief Whether the trial begins with the standard check. In turn, since the second has the warmer cache. */
         bool beginsExactly() const
         {
-            return trials_ % 2 == 1;
+            return trials_.count() % 2 == 1;
         }
 
-        /** \brief Notes how long the same check took in either way */
-        void note(std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
+        /** \brief Notes how long the same check of \e samples samples took in either way */
+        void note(std::uint64_t samples, std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
 
         /** \brief Whether it has counted no check yet */
         bool isNew() const
@@ -54,14 +58,13 @@ namespace ompl_certificates
         void setFirstUse(std::uint64_t samples)
         {
             nextUse_ = samples;
+            if (samples == 0)
+                begin();
         }
 
     private:
-        /** \brief Begins to use certificates */
+        /** \brief Begins to use certificates. The first check is no trial: it prepares shapes and memory. */
         void begin();
-
-        /** \brief Takes a time into a mean */
-        void remember(double &mean, std::chrono::nanoseconds time) const;
 
         std::uint64_t checks_{0}, samples_{0};
 
@@ -71,9 +74,8 @@ namespace ompl_certificates
         /** \brief The numbers of samples and of checks when certificates were last taken into use */
         std::uint64_t firstSample_{0}, firstCheck_{0};
 
-        /** \brief The number of trials since then, and the mean times (nanoseconds) */
-        std::uint32_t trials_{0};
-        double certified_{0.0}, exact_{0.0};
+        /** \brief The times of the trials since then */
+        TrialTimes trials_;
 
         bool usesCertificates_{false};
     };

@@ -31,7 +31,7 @@ namespace ompl_certificates
 
     void CheckContext::resetPolicies()
     {
-        statePolicy = motionPolicy = pairPolicy = {};
+        statePolicy = motionPolicy = longMotionPolicy = pairPolicy = {};
         robotPolicies.assign(robotPolicies.size(), {});
     }
 

@@ -96,16 +96,22 @@ namespace ompl_certificates
         /** \brief The intervals that are still to be checked */
         std::vector<OpenInterval> open;
 
+        /** \brief The same for samples of all subjects at once */
+        std::vector<OpenInterval> openSamples;
+
         /** \brief Two serialized states */
         std::vector<unsigned char> serialized;
 
         /** \brief The fraction of recent motions between free ends that were free */
         double freeMotions{1.0};
 
-        /** \brief Whether certificates pay: for states and motions of the team, of each robot alone, and of single
-            pairs */
-        CertificatePolicy statePolicy, motionPolicy, pairPolicy;
+        /** \brief Whether certificates pay: for states and motions of the team, for the rest of its long motions, for
+            motions of each robot alone, and of single pairs */
+        CertificatePolicy statePolicy, motionPolicy, longMotionPolicy, pairPolicy;
         std::vector<CertificatePolicy> robotPolicies;
+
+        /** \brief Whether a check is being made both ways */
+        bool isTrial{false};
 
         /** \brief Forgets whether certificates pay */
         void resetPolicies();

@@ -152,8 +152,8 @@ namespace ompl_certificates
         if (!isFreeAt(1.0))
             return false;
         const auto segments = static_cast<int>(countSegments());
-        return areFreeBreadthFirst(context_.open, segments,
-                                   [&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
+        return BreadthFirstSamples(context_.open, segments)
+            .areFree([&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
     }
 
     bool DiscreteMotionCheck::isFree(double &free)

@@ -3,31 +3,59 @@
 
 #include "CheckContext.h"
 
+#include <limits>
+
 namespace ompl_certificates
 {
-    /** \brief Whether the samples between the ends of a motion are free, breadth first as in
-        ompl::base::DiscreteMotionValidator
-        \param queue working memory
-        \param isFree says whether the sample of a number is free; the end of the motion has number \e segments */
-    template <typename IsFree>
-    bool areFreeBreadthFirst(std::vector<OpenInterval> &queue, int segments, const IsFree &isFree)
+    /** \brief The samples between the ends of a motion, breadth first as in ompl::base::DiscreteMotionValidator */
+    class BreadthFirstSamples
     {
-        queue.clear();
-        if (segments > 1)
-            queue.push_back({0, 1, segments - 1});
-        for (std::size_t next = 0; next < queue.size(); ++next)
+    public:
+        /** \param queue working memory
+            \param segments the end of the motion is the sample of this number */
+        BreadthFirstSamples(std::vector<OpenInterval> &queue, int segments) : queue_(queue)
         {
-            const auto [subject, first, last] = queue[next];
-            const int middle = (first + last) / 2;
-            if (!isFree(middle))
-                return false;
-            if (first < middle)
-                queue.push_back({0, first, middle - 1});
-            if (last > middle)
-                queue.push_back({0, middle + 1, last});
+            queue_.clear();
+            if (segments > 1)
+                queue_.push_back({0, 1, segments - 1});
         }
-        return true;
-    }
+
+        /** \brief Whether the next samples, at most \e most, are free
+            \param isFree says whether the sample of a number is free */
+        template <typename IsFree>
+        bool areFree(std::size_t most, const IsFree &isFree)
+        {
+            for (; most > 0 && !isAtEnd(); --most)
+            {
+                const auto [subject, first, last] = queue_[next_++];
+                const int middle = (first + last) / 2;
+                if (!isFree(middle))
+                    return false;
+                if (first < middle)
+                    queue_.push_back({0, first, middle - 1});
+                if (last > middle)
+                    queue_.push_back({0, middle + 1, last});
+            }
+            return true;
+        }
+
+        /** \brief Whether all other samples are free */
+        template <typename IsFree>
+        bool areFree(const IsFree &isFree)
+        {
+            return areFree(std::numeric_limits<std::size_t>::max(), isFree);
+        }
+
+        /** \brief Whether all samples were asked for */
+        bool isAtEnd() const
+        {
+            return next_ == queue_.size();
+        }
+
+    private:
+        std::vector<OpenInterval> &queue_;
+        std::size_t next_{0};
+    };
 }
 
 #endif

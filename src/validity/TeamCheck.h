@@ -135,7 +135,15 @@ namespace ompl_certificates
             whichever takes less time. Makes both checks at some calls, and counts one of them. */
         template <typename Certified, typename Exact>
         bool decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
-                    const Exact &exact) const;
+                    const Exact &exact) const
+        {
+            return decide(policy, context, certificatesAfter_, certified, exact);
+        }
+
+        /** \brief The same, with \e certificatesAfter in place of getCertificatesAfter() */
+        template <typename Certified, typename Exact>
+        bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
+                    const Certified &certified, const Exact &exact) const;
 
         /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free after the start of a
             motion, where its robots are; 0 if they do not. Notes what is found of each body. */
@@ -285,20 +293,22 @@ namespace ompl_certificates
     };
 
     template <typename Certified, typename Exact>
-    bool TeamCheck::decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
-                           const Exact &exact) const
+    bool TeamCheck::decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
+                           const Certified &certified, const Exact &exact) const
     {
         if (!makesCertificates(method_) || !adaptive_)
             return certified();
         if (policy.isNew())
-            policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter_);
+            policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter);
         const CheckCounts counts = context.counts;
         bool free = false;
-        if (!policy.isTrial())
+        // A trial within a trial would spoil the times of the outer one.
+        if (context.isTrial || !policy.isTrial())
             free = policy.usesCertificates() ? certified() : exact();
         else
         {
             const bool exactFirst = policy.beginsExactly();
+            context.isTrial = true;
             using Clock = std::chrono::steady_clock;
             const Clock::time_point begin = Clock::now();
             if (exactFirst)
@@ -309,7 +319,9 @@ namespace ompl_certificates
             context.counts = counts;
             free = exactFirst ? certified() : exact();
             const Clock::duration first = middle - begin, second = Clock::now() - middle;
-            policy.note(exactFirst ? second : first, exactFirst ? first : second);
+            context.isTrial = false;
+            policy.note(samplesOf(context.counts) - samplesOf(counts), exactFirst ? second : first,
+                        exactFirst ? first : second);
         }
         policy.count(samplesOf(context.counts) - samplesOf(counts));
         return free;

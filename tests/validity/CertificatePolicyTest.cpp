@@ -28,7 +28,7 @@ namespace
                 if (policy.isTrial())
                 {
                     ++trials;
-                    policy.note(certifiedTime(certified + trials), exact);
+                    policy.note(SAMPLES, certifiedTime(certified + trials), exact);
                 }
                 else if (policy.usesCertificates())
                     ++certified;
@@ -49,7 +49,7 @@ TEST(CertificatePolicy, AsksForNoCertificatesBeforeTheirFirstUse)
     policy.setFirstUse(128 * SAMPLES);
     const Course course(policy, 128, nanoseconds(1000), always2000);
     EXPECT_EQ(course.certified + course.trials, 0U);
-    EXPECT_TRUE(policy.isTrial());
+    EXPECT_TRUE(policy.usesCertificates());
 }
 
 TEST(CertificatePolicy, LeavesCertificatesThatDoNotPay)
@@ -67,6 +67,7 @@ TEST(CertificatePolicy, LeavesCertificatesThatDoNotPay)
 TEST(CertificatePolicy, KeepsCertificatesThatPay)
 {
     CertificatePolicy policy;
+    policy.setFirstUse(0);
     const Course course(policy, 10000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
     EXPECT_TRUE(policy.usesCertificates());
     EXPECT_EQ(course.certified + course.trials, 10000U);
@@ -76,6 +77,7 @@ TEST(CertificatePolicy, KeepsCertificatesThatPay)
 TEST(CertificatePolicy, IsPatientWithCertificatesThatPayLater)
 {
     CertificatePolicy policy;
+    policy.setFirstUse(0);
     // At first they make each check longer, after 150 checks half as long.
     const Course course(policy, 10000, nanoseconds(1000),
                         [](unsigned int uses) { return nanoseconds(uses < 150 ? 1200 : 500); });
@@ -85,18 +87,40 @@ TEST(CertificatePolicy, IsPatientWithCertificatesThatPayLater)
 TEST(CertificatePolicy, LeavesCertificatesThatPayNoLonger)
 {
     CertificatePolicy policy;
+    policy.setFirstUse(0);
     const Course before(policy, 5000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
     ASSERT_TRUE(policy.usesCertificates());
     const Course after(policy, 20000, nanoseconds(1000), always2000);
     EXPECT_FALSE(policy.usesCertificates());
 }
 
+TEST(CertificatePolicy, JudgesLongMotionsThatTrialsDoNotMeet)
+{
+    // One motion in 32 is long and takes most of the time, unless by certificates. Trials meet none but the first.
+    CertificatePolicy policy;
+    policy.setFirstUse(0);
+    unsigned int certified = 0;
+    for (unsigned int i = 0; i < 2000; ++i)
+    {
+        const bool isTrial = policy.isTrial();
+        const std::uint64_t samples = i == 0 || (i % 32 == 0 && !isTrial) ? 4000 : 8 + i % 8;
+        if (isTrial)
+            policy.note(samples, nanoseconds(10000), nanoseconds(3000 + 250 * samples));
+        else
+            certified += policy.usesCertificates() ? 1 : 0;
+        policy.count(samples);
+    }
+    EXPECT_TRUE(policy.usesCertificates());
+    EXPECT_GT(certified, 1500U);
+}
+
 TEST(CertificatePolicy, IsNotMisledByASingleInterruption)
 {
     CertificatePolicy policy;
+    policy.setFirstUse(0);
     Course(policy, 2000, nanoseconds(1000), [](unsigned int) { return nanoseconds(500); });
     ASSERT_TRUE(policy.usesCertificates());
-    policy.note(nanoseconds(4000000), nanoseconds(1000));
+    policy.note(SAMPLES, nanoseconds(4000000), nanoseconds(1000));
     EXPECT_TRUE(policy.usesCertificates());
 }
 
@@ -131,6 +155,42 @@ TEST(CertificatesAfter, AreMadeThenAndChangeNoVerdict)
             EXPECT_EQ(checker->getCertificateCount(), 0U);
             checker->isValid(randomState(random, team).get());
             EXPECT_EQ(checker->getCertificateCount(), 0U);
+        }
+    }
+}
+
+TEST(CertificatesAfter, LongMotionsDoNotWait)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    for (unsigned int seed = 1; seed <= scaled(4); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const TeamStateSpacePtr team = anyTeam(seed);
+        const Checkers checkers(team, scatteredObstacles(random, team->getWorkspaceDimension(), 4));
+        // The space is that of all checkers.
+        team->setLongestValidSegmentFraction(1e-3);
+        team->setup();
+        for (const auto &setup : checkers.certified())
+        {
+            const auto checker = setup->getTeamChecker();
+            checker->setCertificatesAfter(1000000000);
+            std::uint64_t samples = 0, skipped = 0;
+            for (unsigned int i = 0; i < 200; ++i)
+            {
+                const auto from = randomState(random, team), to = randomStateNear(random, from, 0.4);
+                const auto before = checker->getStatistics().getCounts();
+                const bool isFree = setup->getSpaceInformation()->checkMotion(from.get(), to.get());
+                ASSERT_EQ(isFree, checkers.reference().getSpaceInformation()->checkMotion(from.get(), to.get()));
+                const auto after = checker->getStatistics().getCounts();
+                EXPECT_EQ(after.motions, before.motions + 1);
+                if (!isFree)
+                    continue;
+                // Free motions are checked to their end, by whatever way.
+                samples += after.motionSamples - before.motionSamples;
+                skipped += after.motionSamplesSkipped - before.motionSamplesSkipped;
+            }
+            EXPECT_GT(2 * skipped, samples);
         }
     }
 }

@@ -136,8 +136,9 @@ namespace ompl_certificates
         /** \brief After how many samples an adaptive checker first makes certificates; 8192 by default. A sample is a robot
             or a pair of robots at a state. Until then it is as quick as Method::STANDARD: a short plan ends before
             certificates have saved what they cost. States, motions of the team, those of each robot and those of pairs
-            are counted each by themselves, in each thread. Certificates that are there already are used at once. Before
-            the first check. */
+            are counted each by themselves, in each thread. Certificates that are there already are used at once. So are
+            new ones for the rest of a motion of 128 segments or more whose first samples are free: they repay themselves
+            within it. Before the first check. */
         void setCertificatesAfter(std::size_t samples);
 
         /** \brief See setCertificatesAfter() */
