@@ -11,7 +11,7 @@ DEPTHS = [
     ["neighbors", "robots", "obstacles"],
     ["certificates", "team"],
     ["validity"],
-    ["planning", "octomap"],
+    ["control", "planning", "octomap"],
     ["scene"],
     ["pictures"],
 ]

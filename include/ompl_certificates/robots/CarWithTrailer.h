@@ -23,6 +23,12 @@ namespace ompl_certificates
         CarWithTrailer(const std::string &name, const Body &car, const Body &trailer, double hitchLength,
                        const ompl::base::RealVectorBounds &bounds, bool selfCollision = false);
 
+        /** \brief How far the trailer's origin lies behind the hinge */
+        double getHitchLength() const
+        {
+            return hitchLength_;
+        }
+
         void computePoses(const ompl::base::State *state, Pose *poses) const override;
 
         void computeMotionBounds(const ompl::base::State *from, const ompl::base::State *to,

@@ -1,0 +1,45 @@
+#ifndef OMPL_CERTIFICATES_CONTROL_TEAM_CONTROL_SETUP_
+#define OMPL_CERTIFICATES_CONTROL_TEAM_CONTROL_SETUP_
+
+#include "ompl_certificates/control/TeamPropagator.h"
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
+
+#include <memory>
+#include <ompl/control/SimpleSetup.h>
+
+namespace ompl_certificates
+{
+    /** \brief ompl::control::SimpleSetup for a team of DynamicRobots. Propagator, validity checker and limits are in
+        place. Steps take 0.1 s and a control is held for 1 to 10 of them, unless the space information is told
+        otherwise. */
+    class TeamControlSetup : public ompl::control::SimpleSetup
+    {
+    public:
+        /** \brief A setup for \e team among \e obstacles
+            \param mode CONTINUOUS to prove each step free between its ends; see TeamPropagator
+            \throws ompl::Exception as TeamPropagator and TeamValidityChecker do */
+        TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
+                         Method method = Method::SHARED_PROJECTION,
+                         CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+
+        /** \brief The validity checker of the team, which ignores limits */
+        const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
+        {
+            return checker_;
+        }
+
+        /** \brief How many checks there were, and how they were settled */
+        Statistics &getStatistics() const
+        {
+            return checker_->getStatistics();
+        }
+
+    private:
+        std::shared_ptr<TeamValidityChecker> checker_;
+    };
+
+    /** \brief A shared pointer to a setup */
+    using TeamControlSetupPtr = std::shared_ptr<TeamControlSetup>;
+}
+
+#endif

@@ -1,0 +1,103 @@
+#include "ompl_certificates/control/Car.h"
+
+#include "Planar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        ob::SO2StateSpace::StateType &trailerOf(const ob::State *state)
+        {
+            return *state->as<ob::CompoundState>()->components[1]->as<ob::SO2StateSpace::StateType>();
+        }
+
+        /** The heading of a trailer behind a car that drives along an arc, by Runge and Kutta's method */
+        double trailerAfter(double trailer, double yaw, double speed, double turnRate, double hitch, double duration)
+        {
+            const double turn = (std::abs(turnRate) + std::abs(speed) / hitch) * std::abs(duration);
+            const int pieces = 1 + static_cast<int>(std::min(turn / 0.1, 1e4));
+            const double h = duration / pieces;
+            const auto rate = [&](double t, double heading)
+            { return speed / hitch * std::sin(yaw + turnRate * t - heading); };
+            for (int piece = 0; piece < pieces; ++piece)
+            {
+                const double t = piece * h;
+                const double k1 = rate(t, trailer), k2 = rate(t + 0.5 * h, trailer + 0.5 * h * k1),
+                             k3 = rate(t + 0.5 * h, trailer + 0.5 * h * k2), k4 = rate(t + h, trailer + h * k3);
+                trailer += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+            }
+            return trailer;
+        }
+    }
+
+    std::shared_ptr<Car> Car::alone(const RobotPtr &shape, const ob::RealVectorBounds &controlBounds, double wheelbase)
+    {
+        return std::shared_ptr<Car>(new Car(requirePlanar(shape), controlBounds, wheelbase, 0.0, 0.0));
+    }
+
+    std::shared_ptr<Car> Car::withTrailer(const std::shared_ptr<const CarWithTrailer> &shape,
+                                          const ob::RealVectorBounds &controlBounds, double wheelbase,
+                                          double maxHingeAngle)
+    {
+        if (shape && (!(shape->getHitchLength() > 0.0) || !(maxHingeAngle > 0.0)))
+            throw ompl::Exception(shape->getName(), "its hitch length and largest hinge angle must be positive, not " +
+                                                        std::to_string(shape->getHitchLength()) + " and " +
+                                                        std::to_string(maxHingeAngle));
+        return std::shared_ptr<Car>(
+            new Car(shape, controlBounds, wheelbase, shape ? shape->getHitchLength() : 0.0, maxHingeAngle));
+    }
+
+    Car::Car(const RobotPtr &shape, const ob::RealVectorBounds &controlBounds, double wheelbase, double hitchLength,
+             double maxHingeAngle)
+      : DynamicRobot(shape, {}, ob::RealVectorBounds(0), {"speed", "steering"}, controlBounds)
+      , wheelbase_(wheelbase)
+      , hitchLength_(hitchLength)
+      , maxHingeAngle_(maxHingeAngle)
+    {
+        constexpr double straightAngle = 1.5707;
+        if (!(wheelbase > 0.0) || !std::isfinite(wheelbase))
+            throw ompl::Exception(getName(), "its wheelbase must be positive, not " + std::to_string(wheelbase));
+        if (controlBounds.low[1] < -straightAngle || controlBounds.high[1] > straightAngle)
+            throw ompl::Exception(getName(), "its steering angle must stay below a right angle");
+    }
+
+    void Car::propagate(const ob::State *from, const double *control, double duration, ob::State *to) const
+    {
+        const double turnRate = control[0] / wheelbase_ * std::tan(control[1]);
+        const bool pulls = hitchLength_ > 0.0;
+        const ob::State *carFrom = pulls ? from->as<ob::CompoundState>()->components[0] : from;
+        ob::State *carTo = pulls ? to->as<ob::CompoundState>()->components[0] : to;
+        Planar car = Planar::of(carFrom);
+        if (pulls)
+            Planar::setAngle(trailerOf(to), trailerAfter(trailerOf(from).value, car.yaw, control[0], turnRate,
+                                                         hitchLength_, duration));
+        car.drive(duration * control[0], duration * turnRate);
+        car.writeTo(carTo);
+    }
+
+    void Car::computeStepBounds(const ob::State * /*from*/, const double *control, double duration,
+                                MotionBound *bounds) const
+    {
+        const double way = std::abs(control[0]) * duration;
+        bounds[0] = {way, way / wheelbase_ * std::abs(std::tan(control[1]))};
+        // The trailer's origin follows the hinge along the trailer's heading, so it is never faster.
+        if (hitchLength_ > 0.0)
+            bounds[1] = {way, way / hitchLength_};
+    }
+
+    bool Car::isWithinLimits(const ob::State *state) const
+    {
+        if (!DynamicRobot::isWithinLimits(state))
+            return false;
+        if (hitchLength_ == 0.0)
+            return true;
+        const double yaw = Planar::of(state->as<ob::CompoundState>()->components[0]).yaw;
+        constexpr double fullTurn = 6.283185307179586;
+        return std::abs(std::remainder(yaw - trailerOf(state).value, fullTurn)) <= maxHingeAngle_;
+    }
+}

@@ -1,0 +1,74 @@
+#include "StepProof.h"
+
+#include <algorithm>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** How often a piece of the step is halved */
+        constexpr int MOST_HALVINGS = 4;
+    }
+
+    StepProof::StepProof(const TeamCheck &check, CheckContext &context, const ompl::base::State *from,
+                         const double *controls, const std::vector<std::size_t> &firstControl, double duration)
+      : check_(check)
+      , context_(context)
+      , from_(from)
+      , controls_(controls)
+      , firstControl_(firstControl)
+      , duration_(duration)
+    {
+    }
+
+    bool StepProof::succeeds()
+    {
+        const Team &team = check_.getTeam();
+        ++context_.counts.motions;
+        ++context_.motion;
+        std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
+        check_.takeReferences(from_, from_, context_);
+        for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+        {
+            MotionBound *bounds = context_.motionBounds.data() + team.getFirstBody(robot);
+            robotAt(robot).computeStepBounds(team.getRobotState(from_, robot), controls_ + firstControl_[robot],
+                                             duration_, bounds);
+            // Pays for the errors of numeric integration. A body that stands still is checked once, so its bound stays 0.
+            constexpr double factor = 1.0 + 1e-6;
+            for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
+                bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};
+            // The bounds of a shape's own pairs are for interpolations; those of Robot add up, which always holds.
+            robotAt(robot).Robot::computePairMotionBounds(from_, from_, bounds,
+                                                          context_.pairMotionBounds[robot].data());
+        }
+        bool free = true;
+        for (const Subject &subject : check_.getSubjects())
+            free = free && isFree(subject, 0.0, 1.0, 0);
+        context_.counts.motionSamples += context_.counts.robotPoses;
+        return free;
+    }
+
+    void StepProof::place(unsigned int robot, double time)
+    {
+        if (context_.sampledAt[robot] == time)
+            return;
+        context_.sampledAt[robot] = time;
+        robotAt(robot).propagate(check_.getTeam().getRobotState(from_, robot), controls_ + firstControl_[robot],
+                                 time * duration_, context_.samples[robot]);
+        check_.place(robot, context_.samples[robot], context_);
+    }
+
+    bool StepProof::isFree(const Subject &subject, double first, double last, int depth)
+    {
+        const double middle = 0.5 * (first + last), half = 0.5 * (last - first);
+        for (unsigned int robot = subject.first; robot <= subject.last; ++robot)
+            if (subject.kind != Subject::PAIR || robot == subject.first || robot == subject.last)
+                place(robot, middle);
+        const MotionSample sample{true, half * (1.0 + CheckContext::OVERLAP), 1.0, middle};
+        if (check_.settle(subject, context_, sample).free)
+            return true;
+        // The second half first: it has the end, which no check has seen yet and which is the likeliest to collide.
+        return depth < MOST_HALVINGS && isFree(subject, middle, last, depth + 1) &&
+               isFree(subject, first, middle, depth + 1);
+    }
+}

@@ -1,0 +1,21 @@
+#include "ompl_certificates/control/TeamControlSetup.h"
+
+#include "ompl_certificates/control/LimitedValidityChecker.h"
+
+namespace ompl_certificates
+{
+    TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
+                                       CertificateMotionValidator::Mode mode)
+      : SimpleSetup(TeamPropagator::makeControlSpace(team))
+    {
+        const auto propagator = std::make_shared<TeamPropagator>(getSpaceInformation());
+        checker_ = std::make_shared<TeamValidityChecker>(getSpaceInformation(), obstacles, method);
+        if (mode == CertificateMotionValidator::CONTINUOUS)
+            propagator->requireProof(checker_);
+        setStatePropagator(propagator);
+        setStateValidityChecker(std::make_shared<LimitedValidityChecker>(checker_));
+        constexpr double step = 0.1;
+        getSpaceInformation()->setPropagationStepSize(step);
+        getSpaceInformation()->setMinMaxControlDuration(1, 10);
+    }
+}

@@ -1,0 +1,99 @@
+#include "ompl_certificates/control/TeamPropagator.h"
+
+#include "StepProof.h"
+
+#include <limits>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    namespace oc = ompl::control;
+
+    namespace
+    {
+        std::vector<std::shared_ptr<const DynamicRobot>> robotsOf(const ob::StateSpacePtr &space)
+        {
+            const auto *team = dynamic_cast<const TeamStateSpace *>(space.get());
+            if (!team)
+                throw ompl::Exception("A TeamPropagator needs a TeamStateSpace");
+            if (team->getRobots().empty())
+                throw ompl::Exception(team->getName(), "a team that moves by controls needs at least one robot");
+            std::vector<std::shared_ptr<const DynamicRobot>> robots;
+            for (const RobotPtr &robot : team->getRobots())
+            {
+                robots.push_back(std::dynamic_pointer_cast<const DynamicRobot>(robot));
+                if (!robots.back())
+                    throw ompl::Exception(robot->getName(), "is no DynamicRobot, so it has no controls");
+            }
+            return robots;
+        }
+    }
+
+    std::shared_ptr<oc::RealVectorControlSpace> TeamPropagator::makeControlSpace(const TeamStateSpacePtr &team)
+    {
+        ob::RealVectorBounds bounds(0);
+        for (const auto &robot : robotsOf(team))
+        {
+            const ob::RealVectorBounds &own = robot->getControlBounds();
+            bounds.low.insert(bounds.low.end(), own.low.begin(), own.low.end());
+            bounds.high.insert(bounds.high.end(), own.high.begin(), own.high.end());
+        }
+        auto space = std::make_shared<oc::RealVectorControlSpace>(team, static_cast<unsigned int>(bounds.low.size()));
+        space->setBounds(bounds);
+        return space;
+    }
+
+    TeamPropagator::TeamPropagator(const oc::SpaceInformationPtr &si)
+      : StatePropagator(si), robots_(robotsOf(si->getStateSpace())), space_(si->getStateSpace())
+    {
+        std::size_t controls = 0;
+        for (const auto &robot : robots_)
+        {
+            firstControl_.push_back(controls);
+            controls += robot->getControlBounds().low.size();
+        }
+        if (!dynamic_cast<const oc::RealVectorControlSpace *>(si->getControlSpace().get()) ||
+            si->getControlSpace()->getDimension() != controls)
+            throw ompl::Exception("A TeamPropagator needs the control space of TeamPropagator::makeControlSpace()");
+    }
+
+    void TeamPropagator::requireProof(const std::shared_ptr<const TeamValidityChecker> &checker)
+    {
+        if (checker && !makesCertificates(checker->getMethod()))
+            throw ompl::Exception("Steps are proved free by certificates, which the method " +
+                                  nameOf(checker->getMethod()) + " does not have");
+        if (checker && checker->getTeam().getStateSpace() != space_)
+            throw ompl::Exception("Steps are proved free by a checker of the same space");
+        proof_ = checker;
+    }
+
+    bool TeamPropagator::isStepFree(const TeamValidityChecker &checker, const ob::State *state,
+                                    const oc::Control *control, double duration, const ob::State *result) const
+    {
+        const TeamCheck &check = checker.getTeamCheck();
+        const TeamCheck::Scope context(check);
+        StepProof proof(check, *context, state, controlOf(control, 0), firstControl_, duration);
+        if (!proof.succeeds())
+            return false;
+        check.giveReferences(result, *context);
+        return true;
+    }
+
+    void TeamPropagator::propagate(const ob::State *state, const oc::Control *control, double duration,
+                                   ob::State *result) const
+    {
+        const auto *from = state->as<TeamStateSpace::StateType>();
+        auto *to = result->as<TeamStateSpace::StateType>();
+        // Before the step: both states may be one.
+        const bool proved = !proof_ || isStepFree(*proof_, state, control, duration, state);
+        for (std::size_t robot = 0; robot < robots_.size(); ++robot)
+            robots_[robot]->propagate(from->components[robot], controlOf(control, robot), duration,
+                                      to->components[robot]);
+        const std::size_t bodies = static_cast<const TeamStateSpace &>(*space_).getBodyCount();
+        for (std::size_t body = 0; body < bodies; ++body)
+            to->setReference(body, from->getReference(body));
+        if (!proved)
+            *space_->getValueAddressAtIndex(result, 0) = std::numeric_limits<double>::quiet_NaN();
+    }
+}

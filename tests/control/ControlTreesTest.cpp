@@ -1,0 +1,222 @@
+#include "DynamicProblems.h"
+
+#include "support/Message.h"
+#include "support/Quiet.h"
+#include "support/Random.h"
+
+#include <gtest/gtest.h>
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/control/planners/est/EST.h>
+#include <ompl/control/planners/kpiece/KPIECE1.h>
+#include <ompl/control/planners/pdst/PDST.h>
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/planners/sst/SST.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace oc = ompl::control;
+
+namespace
+{
+    using Mode = CertificateMotionValidator::Mode;
+
+    /** Two second-order unicycles and a car with trailer that pass a wall with gaps */
+    TeamControlSetupPtr makeSetup(Method method, Mode mode = CertificateMotionValidator::DISCRETE)
+    {
+        const auto robots = allKinds();
+        const ObstaclesPtr obstacles = boxes({{{0.0, 1.6, 0.2, 2.0}, {0.0, -1.6, 0.2, 2.0}, {-1.5, 1.5, 0.4, 0.4}}});
+        auto setup =
+            std::make_shared<TeamControlSetup>(teamOf({robots[1], robots[3], robots[5]}), obstacles, method, mode);
+        setup->getTeamChecker()->setCertificatesAfter(0);
+        ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+        start = std::vector<double>{-1.5, 0.0, 0.0, 0.0, -1.0, -2.0, 0.0, 0.0, 0.0, 1.5, 0.0, 3.0, 3.0};
+        goal = std::vector<double>{1.5, 1.0, 0.0, 0.0, -1.0, 0.7, 0.0, 0.0, 0.0, 1.5, -1.5, 3.0, 3.0};
+        setup->setStartAndGoalStates(start, goal, 0.5);
+        return setup;
+    }
+
+    ob::PlannerPtr makePlanner(const std::string &name, const oc::SpaceInformationPtr &si)
+    {
+        if (name == "SST")
+            return std::make_shared<oc::SST>(si);
+        if (name == "EST")
+            return std::make_shared<oc::EST>(si);
+        if (name == "KPIECE1")
+            return std::make_shared<oc::KPIECE1>(si);
+        if (name == "PDST")
+            return std::make_shared<oc::PDST>(si);
+        return std::make_shared<oc::RRT>(si);
+    }
+
+    /** The states and edges of the tree that a planner grows */
+    std::vector<std::vector<double>> treeOf(TeamControlSetup &setup, const std::string &planner, unsigned int seed,
+                                            unsigned int iterations)
+    {
+        const Quiet quiet;
+        ompl::RNG::setSeed(seed);
+        setup.setPlanner(makePlanner(planner, setup.getSpaceInformation()));
+        setup.setup();
+        ob::IterationTerminationCondition limit(iterations);
+        setup.solve(limit);
+        ob::PlannerData data(setup.getSpaceInformation());
+        setup.getPlanner()->getPlannerData(data);
+        std::vector<std::vector<double>> tree;
+        for (unsigned int i = 0; i < data.numVertices(); ++i)
+        {
+            tree.emplace_back();
+            setup.getStateSpace()->copyToReals(tree.back(), data.getVertex(i).getState());
+            std::vector<unsigned int> edges;
+            data.getEdges(i, edges);
+            tree.back().insert(tree.back().end(), edges.begin(), edges.end());
+        }
+        return tree;
+    }
+}
+
+TEST(ControlTreesTest, EqualUnderAllMethods)
+{
+    for (const char *planner : {"RRT", "SST", "KPIECE1", "EST", "PDST"})
+        for (unsigned int seed = 1; seed <= scaled(2); ++seed)
+        {
+            const auto expected = treeOf(*makeSetup(Method::FCL), planner, seed, 1500);
+            EXPECT_GT(expected.size(), 50u) << planner;
+            for (const Method method : allMethods())
+            {
+                const auto setup = makeSetup(method);
+                setup->getTeamChecker()->setAdaptive(seed % 2 == 0);
+                EXPECT_EQ(treeOf(*setup, planner, seed, 1500), expected)
+                    << planner << ", " << nameOf(method) << ", seed " << seed;
+            }
+        }
+}
+
+TEST(ControlTreesTest, ProvenTreesAreEqualUnderAllMethodsWithCertificates)
+{
+    const auto mode = CertificateMotionValidator::CONTINUOUS;
+    for (const char *planner : {"RRT", "SST"})
+    {
+        const auto expected = treeOf(*makeSetup(Method::SHARED_PROJECTION, mode), planner, 1, 500);
+        EXPECT_GT(expected.size(), 50u);
+        for (const Method method : {Method::BASIC, Method::PARTIAL})
+            EXPECT_EQ(treeOf(*makeSetup(method, mode), planner, 1, 500), expected) << planner << nameOf(method);
+    }
+}
+
+TEST(TeamPropagatorTest, HandsHintsOn)
+{
+    const auto setup = makeSetup(Method::SHARED_PROJECTION);
+    const auto &si = setup->getSpaceInformation();
+    setup->setup();
+    ob::ScopedState<TeamStateSpace> from(setup->getStateSpace()), to(setup->getStateSpace());
+    si->copyState(from.get(), setup->getProblemDefinition()->getStartState(0));
+    oc::Control *control = si->allocControl();
+    auto *values = control->as<oc::RealVectorControlSpace::ControlType>()->values;
+    std::fill_n(values, 6, 0.1);
+    for (std::size_t body = 0; body < 4; ++body)
+        from.get()->setReference(body, static_cast<TeamStateSpace::Reference>(7 + body));
+    setup->getStatePropagator()->propagate(from.get(), control, 0.1, to.get());
+    for (std::size_t body = 0; body < 4; ++body)
+        EXPECT_EQ(to.get()->getReference(body), 7 + body);
+
+    // One certificate of each body serves several steps: few are made for many.
+    Statistics &statistics = setup->getStatistics();
+    setup->getTeamChecker()->setAdaptive(false);
+    si->copyState(from.get(), setup->getProblemDefinition()->getStartState(0));
+    ASSERT_TRUE(si->isValid(from.get()));
+    statistics.reset();
+    EXPECT_EQ(si->propagateWhileValid(from.get(), control, 10, to.get()), 10u);
+    EXPECT_EQ(statistics.getCounts().robotPoses, 30u);
+    const auto c = statistics.getCounts(); printf("%lu cl %lu ex %lu con %lu colliding %lu, certs %zu asked %lu\n", c.certifiedFree, c.byClearances, c.exact, c.byContact, c.certifiedColliding, setup->getTeamChecker()->getCertificateCount(), c.asked);
+    EXPECT_GE(statistics.getCounts().certifiedFree, 24u);
+    si->freeControl(control);
+}
+
+TEST(TeamPropagatorTest, AStepThatIsNotProvedEndsNowhere)
+{
+    // A wall of 2 mm, and a disc that jumps 1 m in a step
+    const auto space = within({3.0, 3.0});
+    for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+    {
+        TeamControlSetup setup(
+            teamOf({Integrator::firstOrder(RigidRobot::disc("disc", 0.1, space), within({10.0, 10.0}))}),
+            boxes({{{0.0, 0.0, 0.002, 6.0}}}), Method::SHARED_PROJECTION, mode);
+        const auto &si = setup.getSpaceInformation();
+        ob::ScopedState<> from(setup.getStateSpace()), to(setup.getStateSpace());
+        si->setup();
+        from = std::vector<double>{-0.5, 0.0};
+        oc::Control *control = si->allocControl();
+        auto *values = control->as<oc::RealVectorControlSpace::ControlType>()->values;
+        const auto isAccepted = [&](double x, double y)
+        {
+            values[0] = x;
+            values[1] = y;
+            return si->propagateWhileValid(from.get(), control, 1, to.get()) == 1;
+        };
+        EXPECT_EQ(isAccepted(10.0, 0.0), mode == CertificateMotionValidator::DISCRETE);
+        EXPECT_TRUE(isAccepted(0.0, 10.0)) << "along the wall";
+        EXPECT_TRUE(isAccepted(3.0, 0.0)) << "up to 0.1 m from it";
+        EXPECT_TRUE(isAccepted(0.0, 0.0)) << "standing";
+        EXPECT_FALSE(isAccepted(4.0, 0.0)) << "into it";
+        si->freeControl(control);
+    }
+}
+
+TEST(TeamPropagatorTest, ProvenPathsNeverCrossThinWalls)
+{
+    // Steps of 0.1 s at 10 m/s; the walls are thinner than any step, and have one gap each.
+    const auto space = within({3.0, 3.0});
+    unsigned int solved = 0;
+    for (unsigned int seed = 1; seed <= scaled(4); ++seed)
+    {
+        TeamControlSetup setup(
+            teamOf({Integrator::firstOrder(RigidRobot::disc("disc", 0.1, space), within({10.0, 10.0})),
+                    Unicycle::firstOrder(RigidRobot::inSE2("box", Body::box(0.5, 0.25), space), within({10.0, 5.0}))}),
+            boxes({{{-0.8, -1.0, 0.002, 4.0}, {0.8, 1.0, 0.002, 4.0}}}), Method::SHARED_PROJECTION,
+            CertificateMotionValidator::CONTINUOUS);
+        const Quiet quiet;
+        ompl::RNG::setSeed(seed);
+        const auto &si = setup.getSpaceInformation();
+        si->setMinMaxControlDuration(1, 3);
+        ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
+        start = std::vector<double>{-2.0, -2.0, -2.0, 1.0, 0.0};
+        goal = std::vector<double>{2.0, 2.0, 2.0, -1.0, 0.0};
+        setup.setStartAndGoalStates(start, goal, 1.5);
+        setup.setPlanner(std::make_shared<oc::RRT>(si));
+        setup.setup();
+        ob::IterationTerminationCondition limit(20000);
+        if (setup.solve(limit) != ob::PlannerStatus::EXACT_SOLUTION)
+            continue;
+        ++solved;
+        // Any state of the path at any time, by FCL alone
+        const TeamValidityChecker fcl(si, boxes({{{-0.8, -1.0, 0.002, 4.0}, {0.8, 1.0, 0.002, 4.0}}}), Method::FCL);
+        oc::PathControl path = setup.getSolutionPath();
+        path.interpolate();
+        const TeamPropagator propagator(si);
+        ob::ScopedState<> between(setup.getStateSpace());
+        for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i)
+            for (int k = 0; k <= 1000; ++k)
+            {
+                propagator.propagate(path.getState(i), path.getControl(i), path.getControlDuration(i) * k / 1000.0,
+                                     between.get());
+                ASSERT_TRUE(fcl.isValid(between.get())) << "seed " << seed << " motion " << i << " at " << k;
+            }
+    }
+    EXPECT_GT(solved, 0u);
+}
+
+TEST(TeamPropagatorTest, RefusesBadParts)
+{
+    const auto space = within({3.0, 3.0});
+    auto team = std::make_shared<TeamStateSpace>();
+    const ObstaclesPtr obstacles = boxes({});
+    EXPECT_NE(messageOf([&] { TeamControlSetup(team, obstacles); }).find("at least one robot"), std::string::npos);
+    team->addRobot(RigidRobot::disc("disc", 0.1, space));
+    EXPECT_EQ(messageOf([&] { TeamControlSetup(team, obstacles); }), "disc: is no DynamicRobot, so it has no controls");
+    const auto controlled = teamOf({allKinds()[0]});
+    EXPECT_EQ(
+        messageOf(
+            [&] { TeamControlSetup(controlled, obstacles, Method::STANDARD, CertificateMotionValidator::CONTINUOUS); }),
+        "Steps are proved free by certificates, which the method standard does not have");
+}

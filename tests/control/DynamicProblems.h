@@ -1,0 +1,68 @@
+#ifndef OMPL_CERTIFICATES_TESTS_CONTROL_DYNAMIC_PROBLEMS_
+#define OMPL_CERTIFICATES_TESTS_CONTROL_DYNAMIC_PROBLEMS_
+
+#include "ompl_certificates/control/Car.h"
+#include "ompl_certificates/control/Integrator.h"
+#include "ompl_certificates/control/TeamControlSetup.h"
+#include "ompl_certificates/control/Unicycle.h"
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    namespace test
+    {
+        /** \brief Bounds from -limits to limits */
+        inline ompl::base::RealVectorBounds within(const std::vector<double> &limits)
+        {
+            ompl::base::RealVectorBounds bounds(0);
+            for (const double limit : limits)
+            {
+                bounds.low.push_back(-limit);
+                bounds.high.push_back(limit);
+            }
+            return bounds;
+        }
+
+        /** \brief One robot of each kind, in a square of half width \e half */
+        inline std::vector<std::shared_ptr<const DynamicRobot>> allKinds(double half = 3.0)
+        {
+            const auto space = within({half, half});
+            const Body box = Body::box(0.5, 0.25);
+            return {
+                Integrator::firstOrder(RigidRobot::disc("single", 0.1, space), within({0.5, 0.5})),
+                Integrator::secondOrder(RigidRobot::disc("double", 0.15, space), within({0.5, 0.5}),
+                                        within({2.0, 2.0})),
+                Unicycle::firstOrder(RigidRobot::inSE2("unicycle", box, space), within({0.5, 0.5})),
+                Unicycle::secondOrder(RigidRobot::inSE2("unicycle2", box, space), within({0.5, 0.5}),
+                                      within({0.25, 0.25})),
+                Car::alone(RigidRobot::inSE2("car", box, space), within({0.5, 1.0}), 0.25),
+                Car::withTrailer(std::make_shared<CarWithTrailer>("train", box, Body::box(0.3, 0.25), 0.5, space),
+                                 within({0.5, 1.0}), 0.25, 0.8),
+            };
+        }
+
+        /** \brief A team of some robots */
+        inline TeamStateSpacePtr teamOf(const std::vector<std::shared_ptr<const DynamicRobot>> &robots)
+        {
+            auto team = std::make_shared<TeamStateSpace>();
+            for (const auto &robot : robots)
+                team->addRobot(robot);
+            return team;
+        }
+
+        /** \brief Boxes in the plane: center and size of each */
+        inline ObstaclesPtr boxes(const std::vector<std::array<double, 4>> &list)
+        {
+            std::vector<PlacedBody> placed;
+            for (const auto &[x, y, width, height] : list)
+                placed.push_back({Body::box(width, height), planarPose(x, y)});
+            return std::make_shared<FclObstacles>(placed, 2);
+        }
+    }
+}
+
+#endif
