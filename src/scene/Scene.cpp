@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/Scene.h"
 
+#include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -195,6 +196,9 @@ namespace ompl_certificates
             const Robot &robot = team->getRobot(i);
             if (!robot.getStateSpace()->satisfiesBounds(teamState->components[i]))
                 throw ompl::Exception(source_, describe(i) + " is outside the bounds");
+            const auto *dynamic = dynamic_cast<const DynamicRobot *>(&robot);
+            if (dynamic && !dynamic->isWithinLimits(teamState->components[i]))
+                throw ompl::Exception(source_, describe(i) + " turns the hinge too far");
             poses.emplace_back(robot.getBodies().size());
             robot.computePoses(teamState->components[i], poses.back().data());
             for (std::size_t k = 0; k < robot.getBodies().size(); ++k)

@@ -13,7 +13,7 @@ namespace ompl_certificates
         constexpr std::size_t MAX_OBSTACLES = 100000, MAX_ROBOTS = 1000;
     }
 
-    Scene sceneFromYaml(const std::string &text, const std::string &source)
+    Scene sceneFromYaml(const std::string &text, const std::string &source, bool dynamics)
     {
         const YamlNode root = parseYaml(text, source);
         root.allow({"name", "resolution", "environment", "robots"});
@@ -56,7 +56,7 @@ namespace ompl_certificates
         const std::vector<YamlNode> robots = root.at("robots").items(1, MAX_ROBOTS);
         YamlArms arms(source, robots);
         for (const YamlNode &robot : robots)
-            readRobot(robot, scene, meshes, arms);
+            readRobot(robot, dynamics, scene, meshes, arms);
         return scene;
     }
 }

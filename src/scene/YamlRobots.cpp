@@ -1,5 +1,6 @@
 #include "YamlRobots.h"
 
+#include "YamlDynamics.h"
 #include "YamlShapes.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
@@ -68,12 +69,14 @@ namespace ompl_certificates
             return angle < pi ? angle : -pi;
         }
 
-        /** The pose that \e node lists, with what follows it left out */
-        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, Scene &scene)
+        /** The pose that \e node lists; the velocities that follow it are left out unless they are to be kept */
+        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, bool keepVelocities,
+                                      Scene &scene)
         {
             const std::size_t count = COORDINATES[static_cast<std::size_t>(layout)];
             std::vector<double> state = node.numbers(count + velocities);
-            state.resize(count);
+            if (!keepVelocities)
+                state.resize(count);
             if (layout == Layout::SE2 || layout == Layout::TRAILER)
                 for (std::size_t i = 2; i < count; ++i)
                     state[i] = wrapped(state[i]);
@@ -137,6 +140,14 @@ namespace ompl_certificates
             return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, bounds, selfCollision);
         }
 
+        [[noreturn]] void failOnDynamics(const YamlNode &node)
+        {
+            std::string known;
+            for (const KnownType &type : KNOWN_TYPES)
+                known += std::string(known.empty() ? "" : ", ") + type.name;
+            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + known);
+        }
+
         [[noreturn]] void failOnType(const YamlNode &node)
         {
             std::string known = "rigid, car_with_trailer, urdf";
@@ -158,7 +169,7 @@ namespace ompl_certificates
         return bounds;
     }
 
-    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes, YamlArms &arms)
+    void readRobot(const YamlNode &node, bool dynamics, Scene &scene, YamlMeshes &meshes, YamlArms &arms)
     {
         const unsigned int dimension = scene.getDimension();
         const YamlNode typeNode = node.at("type");
@@ -176,6 +187,8 @@ namespace ompl_certificates
                         "attached", "start", "goal", "weight", "bounds"});
         else
             failOnType(typeNode);
+        if (dynamics && !known)
+            failOnDynamics(typeNode);
         if (dimension != 3 && type == "urdf")
             typeNode.fail("'urdf' moves in space; the scene has 2 dimensions");
         if (dimension != 2 && type != "rigid" && type != "urdf")
@@ -207,6 +220,8 @@ namespace ompl_certificates
         {
             layout = known->layout;
             member.robot = makeKnown(name, *known, bounds);
+            if (dynamics)
+                member.robot = withDynamics(known->name, member.robot);
         }
         else if (type == "rigid")
         {
@@ -216,9 +231,9 @@ namespace ompl_certificates
         else
             member.robot = makeCarWithTrailer(name, node, meshes, bounds);
         const std::size_t velocities = known ? known->velocities : 0;
-        member.start = readState(node.at("start"), layout, velocities, scene);
-        member.goal = readState(node.at("goal"), layout, velocities, scene);
-        if (velocities > 0)
+        member.start = readState(node.at("start"), layout, velocities, dynamics, scene);
+        member.goal = readState(node.at("goal"), layout, velocities, dynamics, scene);
+        if (velocities > 0 && !dynamics)
             scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
         scene.addMember(member);
     }

@@ -11,8 +11,9 @@ namespace ompl_certificates
     /** \brief Bounds of a workspace of \e dimension: what \e node has under min and max */
     ompl::base::RealVectorBounds readBounds(const YamlNode &node, unsigned int dimension);
 
-    /** \brief Add the robot that \e node describes to \e scene */
-    void readRobot(const YamlNode &node, Scene &scene, YamlMeshes &meshes, YamlArms &arms);
+    /** \brief Add the robot that \e node describes to \e scene
+        \param dynamics whether it moves by controls; see readSceneFile() */
+    void readRobot(const YamlNode &node, bool dynamics, Scene &scene, YamlMeshes &meshes, YamlArms &arms);
 }
 
 #endif

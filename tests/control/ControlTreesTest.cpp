@@ -26,7 +26,11 @@ namespace
     TeamControlSetupPtr makeSetup(Method method, Mode mode = CertificateMotionValidator::DISCRETE)
     {
         const auto robots = allKinds();
-        const ObstaclesPtr obstacles = boxes({{{0.0, 1.6, 0.2, 2.0}, {0.0, -1.6, 0.2, 2.0}, {-1.5, 1.5, 0.4, 0.4}}});
+        std::vector<std::array<double, 4>> list{{0.0, 1.6, 0.2, 2.0}, {0.0, -1.6, 0.2, 2.0}, {-1.5, 1.5, 0.4, 0.4}};
+        // So many that certificates are kept
+        for (int i = 0; i < 60; ++i)
+            list.push_back({-2.9 + 0.1 * i, 2.8, 0.05, 0.05});
+        const ObstaclesPtr obstacles = boxes(list);
         auto setup =
             std::make_shared<TeamControlSetup>(teamOf({robots[1], robots[3], robots[5]}), obstacles, method, mode);
         setup->getTeamChecker()->setCertificatesAfter(0);
@@ -128,7 +132,6 @@ TEST(TeamPropagatorTest, HandsHintsOn)
     statistics.reset();
     EXPECT_EQ(si->propagateWhileValid(from.get(), control, 10, to.get()), 10u);
     EXPECT_EQ(statistics.getCounts().robotPoses, 30u);
-    const auto c = statistics.getCounts(); printf("%lu cl %lu ex %lu con %lu colliding %lu, certs %zu asked %lu\n", c.certifiedFree, c.byClearances, c.exact, c.byContact, c.certifiedColliding, setup->getTeamChecker()->getCertificateCount(), c.asked);
     EXPECT_GE(statistics.getCounts().certifiedFree, 24u);
     si->freeControl(control);
 }

@@ -53,22 +53,24 @@ namespace ompl_certificates
         position of the mean of the robot's vertices; see MeshFile::makeRobot(). Without a volume, the bounds are the
         environment's box. Bounds that leave out the start or the goal are widened to hold both. What is known to
         OMPL.app but makes no difference here, such as an objective, is told in the scene's notes.
+        \param dynamics whether robots move by controls: they are DynamicRobots, with the limits of db-CBS, and their
+        starts and goals have velocities. Only for YAML whose robots are of db-CBS's types.
         \throws ompl::Exception with a message of one line if a file cannot be read or anything in it is wrong. Such are
         "room.yaml:7: robots[1].shape.radius: must be positive, not -1" and
         "maze.cfg: [problem] start.x: must be a number, not 'here'".
 
         @par External documentation
         ompl_benchmark(1), and benchmark/example_complex.cfg in https://github.com/ompl/omplapp */
-    SceneFile readSceneFile(const std::string &file);
+    SceneFile readSceneFile(const std::string &file, bool dynamics = false);
 
     /** \brief The scene in \e file
         \throws ompl::Exception as readSceneFile() does */
-    Scene loadScene(const std::string &file);
+    Scene loadScene(const std::string &file, bool dynamics = false);
 
     /** \brief The scene in \e text, which is YAML. Messages name \e source in place of a file, and meshes are looked
         for in its folder.
         \throws ompl::Exception as readSceneFile() does */
-    Scene sceneFromYaml(const std::string &text, const std::string &source);
+    Scene sceneFromYaml(const std::string &text, const std::string &source, bool dynamics = false);
 }
 
 #endif
