@@ -2,9 +2,11 @@
 // report.
 //
 //     plan_team scene.yaml --time 2 --seed 1 --picture plan.svg --report plan.json
+//     plan_team team_with_controls.yaml --dynamics --time 10 --path plan.csv
 //     plan_team scene0001.yaml --request request0001.yaml --urdf panda.urdf --srdf panda.srdf
 
 #include "common/CommandLine.h"
+#include "common/DynamicPlan.h"
 #include "common/Interrupt.h"
 #include "common/Limit.h"
 #include "common/Outputs.h"
@@ -48,7 +50,8 @@ namespace
         std::string range;
         std::vector<std::string> parameters;
         std::string picture, animation, path, report, loadedCertificates, savedCertificates;
-        bool simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
+        double goalTolerance{0.5};
+        bool dynamics{false}, simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
 
     void declare(CLI::App &app, Options &options)
@@ -109,6 +112,19 @@ namespace
                        "Begin with the certificates of a file, which --save-certificates wrote");
         app.add_option("--save-certificates", options.savedCertificates,
                        "Write what is known of the obstacles in the end, for a later run");
+        auto *dynamics =
+            app.add_flag("--dynamics", options.dynamics,
+                         "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
+                         "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
+                         "--motion continuous proves each step free between its ends");
+        for (const char *option : {"--request", "--urdf", "--srdf", "--simplify", "--nearest", "--objective",
+                                   "--animation", "--load-certificates", "--save-certificates"})
+            dynamics->excludes(app.get_option(option));
+        app.add_option("--goal-tolerance", options.goalTolerance,
+                       "With --dynamics: how far from the goal the team may end, in its space's distance")
+            ->check(demos::positiveNumber())
+            ->capture_default_str()
+            ->needs(dynamics);
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.footer(
             "Of picture, animation, path and report one may be -, for standard output; all else is then printed to "
@@ -117,15 +133,13 @@ namespace
             "could not be written.");
     }
 
-    ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,
-                               const ob::SpaceInformationPtr &si)
+    void setParameters(const Options &options, ob::Planner &planner)
     {
-        const ob::PlannerPtr planner = demos::makePlanner(choice, si);
         const auto set = [&planner](const std::string &option, const std::string &key, const std::string &value)
         {
             try
             {
-                setParameter(*planner, key, value);
+                setParameter(planner, key, value);
             }
             catch (const std::exception &e)
             {
@@ -141,6 +155,13 @@ namespace
                 throw ompl::Exception("--planner-param", "'" + parameter + "' is not of the form NAME=VALUE");
             set("--planner-param", parameter.substr(0, sign), parameter.substr(sign + 1));
         }
+    }
+
+    ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,
+                               const ob::SpaceInformationPtr &si)
+    {
+        const ob::PlannerPtr planner = demos::makePlanner(choice, si);
+        setParameters(options, *planner);
         return planner;
     }
 
@@ -337,8 +358,31 @@ namespace
         return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf));
     }
 
+    int runDynamics(const Options &options)
+    {
+        demos::DynamicPlan plan;
+        plan.scene = options.scene;
+        plan.planner = options.planner.empty() ? "RRT" : options.planner;
+        plan.method = options.method;
+        plan.proven = options.motion == "continuous";
+        plan.seconds = options.seconds == 0.0 ? 10.0 : options.seconds;
+        plan.iterations = options.iterations;
+        plan.seed = options.seed;
+        plan.goalTolerance = options.goalTolerance;
+        plan.setParameters = [&options](ob::Planner &planner) { setParameters(options, planner); };
+        plan.picture = options.picture;
+        plan.pictureTree = options.pictureTree;
+        plan.pictureCertificates = options.pictureCertificates;
+        plan.path = options.path;
+        plan.report = options.report;
+        plan.quiet = options.quiet;
+        return demos::run(plan);
+    }
+
     int run(Options options)
     {
+        if (options.dynamics)
+            return runDynamics(options);
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);

@@ -1,12 +1,16 @@
 #include "ompl_certificates/pictures/PathFile.h"
 
 #include "certificates/WholeFile.h"
+#include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/team/PathTimes.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <charconv>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateSpaceTypes.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -61,6 +65,23 @@ namespace ompl_certificates
             return '"' + result + '"';
         }
 
+        using ControlType = ompl::control::RealVectorControlSpace::ControlType;
+
+        std::vector<std::string> controlNames(const ob::StateSpace &space)
+        {
+            std::vector<std::string> names;
+            const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
+            for (const RobotPtr &robot : team ? team->getRobots() : std::vector<RobotPtr>{nullptr})
+            {
+                const auto *dynamic = dynamic_cast<const DynamicRobot *>(robot.get());
+                if (!dynamic)
+                    throw ompl::Exception(space.getName(), "is not the space of a team of DynamicRobots");
+                for (const std::string &control : dynamic->getControlNames())
+                    names.push_back(robot->getName() + '.' + control);
+            }
+            return names;
+        }
+
         /** All digits of \e value that tell it from its neighbors, and no more */
         std::string digitsOf(double value)
         {
@@ -97,6 +118,36 @@ namespace ompl_certificates
             text += ',' + digitsOf(times[i]) + '\n';
         }
         return text;
+    }
+
+    std::string toCsv(const ompl::control::PathControl &original)
+    {
+        ompl::control::PathControl path(original);
+        path.interpolate();
+        const ob::StateSpace &space = *path.getSpaceInformation()->getStateSpace();
+        std::string text = "time";
+        for (const std::string &name : coordinateNames(space))
+            text += ',' + quoted(name);
+        const std::vector<std::string> controls = controlNames(space);
+        for (const std::string &name : controls)
+            text += ',' + quoted(name);
+        double time = 0.0;
+        std::vector<double> reals;
+        for (std::size_t i = 0; i < path.getStateCount(); ++i)
+        {
+            text += '\n' + digitsOf(time);
+            space.copyToReals(reals, path.getState(static_cast<unsigned int>(i)));
+            for (const double real : reals)
+                text += ',' + digitsOf(real);
+            const bool moves = i < path.getControlCount();
+            const auto *values =
+                moves ? path.getControl(static_cast<unsigned int>(i))->as<ControlType>()->values : nullptr;
+            for (std::size_t k = 0; k < controls.size(); ++k)
+                text += ',' + (values ? digitsOf(values[k]) : "");
+            if (moves)
+                time += path.getControlDuration(static_cast<unsigned int>(i));
+        }
+        return text + '\n';
     }
 
     void writePath(const std::string &file, const ompl::geometric::PathGeometric &path)

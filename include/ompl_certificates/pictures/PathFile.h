@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 #define OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
 #include <vector>
@@ -16,6 +17,12 @@ namespace ompl_certificates
         state. This has the length of the path up to there, in the space's distance, the state's coordinates, and its
         time by stateTimes(), all in full precision. See docs/plan-team.md. */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
+
+    /** \brief A path of a team of DynamicRobots as such a table, one line for each propagation step: the time in seconds, the
+        state's coordinates, and the controls that are held from there on, such as scout.steering. The last line has
+        none.
+        \throws ompl::Exception if its states are not those of a TeamStateSpace of DynamicRobots */
+    std::string toCsv(const ompl::control::PathControl &path);
 
     /** \brief Write toCsv() to \e file; see writeWholeFile()
         \throws ompl::Exception that names the file if it cannot be written */

@@ -1,0 +1,49 @@
+#include "ompl_certificates/control/ControlPlanners.h"
+
+#include <map>
+#include <ompl/control/planners/est/EST.h>
+#include <ompl/control/planners/kpiece/KPIECE1.h>
+#include <ompl/control/planners/pdst/PDST.h>
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/planners/sst/SST.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    namespace oc = ompl::control;
+
+    namespace
+    {
+        template <typename Planner>
+        ob::PlannerPtr make(const oc::SpaceInformationPtr &si)
+        {
+            return std::make_shared<Planner>(si);
+        }
+
+        const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr &)> PLANNERS{
+            {"EST", make<oc::EST>},
+            {"KPIECE1", make<oc::KPIECE1>},
+            {"PDST", make<oc::PDST>},
+            {"RRT", make<oc::RRT>},
+            {"SST", make<oc::SST>}};
+    }
+
+    std::vector<std::string> controlPlannerNames()
+    {
+        std::vector<std::string> names;
+        for (const auto &planner : PLANNERS)
+            names.push_back(planner.first);
+        return names;
+    }
+
+    ob::PlannerPtr makeControlPlanner(const std::string &name, const oc::SpaceInformationPtr &si)
+    {
+        if (const auto planner = PLANNERS.find(name); planner != PLANNERS.end())
+            return planner->second(si);
+        std::string known;
+        for (const std::string &other : controlPlannerNames())
+            known += (known.empty() ? "" : ", ") + other;
+        throw ompl::Exception(name, "there is no such control planner; known are: " + known);
+    }
+}
