@@ -1,0 +1,58 @@
+#include "demos/Program.h"
+
+#include <sstream>
+
+namespace
+{
+    const std::string DOORWAY = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/controls/doorway.yaml";
+
+    std::vector<std::string> linesOf(const std::string &file)
+    {
+        std::istringstream stream(contentOf(file));
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(stream, line);)
+            lines.push_back(line);
+        return lines;
+    }
+}
+
+TEST(PlanDynamicsTest, WritesTimesAndControls)
+{
+    const Folder folder;
+    for (const char *motion : {"discrete", "continuous"})
+    {
+        Program program("plan_team", {DOORWAY, "--dynamics", "--goal-tolerance", "3", "--motion", motion, "--time",
+                                      "30", "--path", folder / "path.csv", "--picture", folder / "plan.svg",
+                                      "--picture-tree", "--report", folder / "report.json"});
+        EXPECT_EQ(program.wait(), 0) << program.errors();
+        const auto lines = linesOf(folder / "path.csv");
+        ASSERT_GT(lines.size(), 3u);
+        EXPECT_EQ(lines[0],
+                  "time,cart.x,cart.y,cart.yaw,puck.pose.x,puck.pose.y,puck.velocity.x,puck.velocity.y,"
+                  "cart.linear,cart.angular,puck.ax,puck.ay");
+        EXPECT_EQ(lines[1].substr(0, 16), "0,2,2,0,4,1,0,0,");
+        EXPECT_EQ(lines[2].substr(0, 4), "0.1,");
+        EXPECT_EQ(lines.back().substr(lines.back().size() - 4), ",,,,");
+        EXPECT_NE(contentOf(folder / "plan.svg").find("</svg>"), std::string::npos);
+        EXPECT_NE(contentOf(folder / "report.json").find(std::string("\"") + motion + '"'), std::string::npos);
+    }
+}
+
+TEST(PlanDynamicsTest, RefusesBadInput)
+{
+    const std::string maze = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/maze.yaml";
+    const std::pair<std::vector<std::string>, std::string> inputs[]{
+        {{maze, "--dynamics"}, "maze.yaml:9: robots[0].type: 'rigid' has no dynamics"},
+        {{DOORWAY, "--dynamics", "--planner", "RRTConnect"}, "known are: EST, KPIECE1, PDST, RRT, SST"},
+        {{DOORWAY, "--dynamics", "--simplify"}, "--simplify excludes --dynamics"},
+        {{DOORWAY, "--dynamics", "--goal-tolerance", "0"}, "--goal-tolerance"},
+        {{DOORWAY, "--goal-tolerance", "1"}, "--dynamics"},
+        {{DOORWAY, "--dynamics", "--motion", "continuous", "--method", "fcl"}, "the method fcl does not have"},
+        {{"any.cfg", "--dynamics"}, "any.cfg"}};
+    for (const auto &[arguments, complaint] : inputs)
+    {
+        Program program("plan_team", arguments);
+        EXPECT_EQ(program.wait(), 2) << complaint;
+        EXPECT_NE(program.errors().find(complaint), std::string::npos) << program.errors();
+    }
+}
