@@ -96,6 +96,16 @@ TEST(ControlTreesTest, EqualUnderAllMethods)
         }
 }
 
+TEST(ControlTreesTest, StayWithinLimits)
+{
+    const auto setup = makeSetup(Method::SHARED_PROJECTION);
+    treeOf(*setup, "RRT", 1, 1500);
+    ob::PlannerData data(setup->getSpaceInformation());
+    setup->getPlanner()->getPlannerData(data);
+    for (unsigned int i = 0; i < data.numVertices(); ++i)
+        EXPECT_TRUE(setup->getStateSpace()->satisfiesBounds(data.getVertex(i).getState()));
+}
+
 TEST(ControlTreesTest, ProvenTreesAreEqualUnderAllMethodsWithCertificates)
 {
     const auto mode = CertificateMotionValidator::CONTINUOUS;
