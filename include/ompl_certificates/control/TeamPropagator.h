@@ -45,6 +45,8 @@ namespace ompl_certificates
         bool isStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
                         const ompl::control::Control *control, double duration, const ompl::base::State *result) const;
 
+        /** \brief Write to \e result where \e control, held for \e duration seconds, brings the team, with the references of
+            \e state. Both states may be one. */
         void propagate(const ompl::base::State *state, const ompl::control::Control *control, double duration,
                        ompl::base::State *result) const override;
 
