@@ -32,6 +32,7 @@ namespace ompl_certificates
     std::vector<std::string> controlPlannerNames()
     {
         std::vector<std::string> names;
+        names.reserve(PLANNERS.size());
         for (const auto &planner : PLANNERS)
             names.push_back(planner.first);
         return names;
