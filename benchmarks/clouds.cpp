@@ -62,7 +62,7 @@ namespace
     {
         const PointCloud cloud = sampledBoxes(static_cast<std::size_t>(state.range(0)));
         for (auto _ : state)
-            benchmark::DoNotOptimize(PointCloudObstacles(cloud, 3).getPoints().data());
+            benchmark::DoNotOptimize(PointCloudObstacles(cloud, 3).size());
     }
 
     void clearance(benchmark::State &state)

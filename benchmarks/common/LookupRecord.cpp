@@ -64,7 +64,7 @@ namespace benchmarks
                 throw ompl::Exception("A record is not to be cleared");
             }
 
-            void change(const ObstacleChange & /*change*/) override
+            void setObstacles(const ObstaclesPtr & /*obstacles*/) override
             {
                 throw ompl::Exception("A record is of one set of obstacles");
             }

@@ -110,6 +110,13 @@ namespace ompl_certificates
         bound[child / 2].store(packed(pair), std::memory_order_relaxed);
     }
 
+    void CertificateTree::lower(Bound &bound, unsigned int child)
+    {
+        FloatPair pair = unpacked(bound[child / 2].load(std::memory_order_relaxed));
+        pair[child % 2] = -FLOAT_INF;
+        bound[child / 2].store(packed(pair), std::memory_order_relaxed);
+    }
+
     void CertificateTree::extend(InnerNode &innerNode, unsigned int child, const Certificate &certificate) const
     {
         for (int axis = 0; axis < dimension_; ++axis)
@@ -296,24 +303,6 @@ namespace ompl_certificates
         }
         live_.fetch_add(1, std::memory_order_relaxed);
         return index;
-    }
-
-    void CertificateTree::changeClearances(const std::function<double(const Certificate &)> &clearanceOf)
-    {
-        // Cell bounds can only grow, so the tree is built anew, in the same order.
-        std::vector<Certificate> all;
-        for (CertificateIndex index = 0; index < stored_; ++index)
-            all.push_back(store_[index].certificate);
-        // Not clear() and insert(): the limit may have been lowered since.
-        reset();
-        for (const Certificate &certificate : all)
-            if (!std::isnan(certificate.clearance))
-                store({certificate.point, clearanceOf(certificate)});
-            else  // A removed certificate keeps its index.
-            {
-                store_[store_.append()].certificate = certificate;
-                ++stored_;
-            }
     }
 
     Certificate CertificateTree::operator[](CertificateIndex index) const

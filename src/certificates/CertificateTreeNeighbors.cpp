@@ -43,17 +43,11 @@ namespace ompl_certificates
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
         {
-            Stored &stored = store_[index];
-            if (!(stored.certificate == data))
+            if (!(store_[index].certificate == data))
                 continue;
             // A NaN clearance proves nothing and is skipped by all searches. The certificate is gone, but its index
             // stays taken.
-            constexpr double gone = std::numeric_limits<double>::quiet_NaN();
-            stored.certificate.clearance = gone;
-            for (Bucket *at = stored.bucket; at; at = at->next)
-                for (std::uint32_t i = 0; i < at->count; ++i)
-                    if (at->index[i] == index)
-                        at->clearance[i] = gone;
+            setClearance(index, std::numeric_limits<double>::quiet_NaN());
             live_.fetch_sub(1, std::memory_order_relaxed);
             return true;
         }

@@ -31,11 +31,16 @@ namespace ompl_certificates
     {
     }
 
-    void CertifiedEnvironment::change(const ObstacleChange &change)
+    void CertifiedEnvironment::visitConcerned(
+        const ObstacleChange &change, const std::function<void(CertificateIndex, const Certificate &)> &visit) const
     {
-        certificates_.changeClearances([&change](const Certificate &certificate)
-                                       { return change.clearance(certificate.point, certificate.clearance); });
-        obstacles_ = change.after;
+        certificates_.visitNear(
+            [&change](const Eigen::Vector3d &center, double radius) { return change.concerns(center, radius); }, visit);
+    }
+
+    void CertifiedEnvironment::setObstacles(ObstaclesPtr obstacles)
+    {
+        obstacles_ = std::move(obstacles);
         hits_.clear();
     }
 

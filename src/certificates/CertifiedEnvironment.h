@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_CERTIFICATES_CERTIFIED_ENVIRONMENT_
 #define OMPL_CERTIFICATES_CERTIFICATES_CERTIFIED_ENVIRONMENT_
 
+#include "CertificateRepair.h"
 #include "HitMemory.h"
 #include "SwitchingPolicy.h"
 
@@ -33,8 +34,8 @@ namespace ompl_certificates
         possible.
 
         The environment may be the workspace, or another robot's body seen from its own frame (the paper's footnote 2).
-        All methods but change() and clear() may be called from many threads at once. */
-    class CertifiedEnvironment
+        All methods but setClearance(), setObstacles() and clear() may be called from many threads at once. */
+    class CertifiedEnvironment : public CertificateStore
     {
     public:
         /** \brief An environment without certificates
@@ -90,9 +91,27 @@ namespace ompl_certificates
             return certificates_;
         }
 
-        /** \brief Replaces the obstacles. Certificates get their new clearances; remembered hits are forgotten. Not
-            while others use the environment. */
-        void change(const ObstacleChange &change);
+        CertificateIndex getEnd() const override
+        {
+            return certificates_.getEnd();
+        }
+
+        Certificate getCertificate(CertificateIndex index) const override
+        {
+            return certificates_[index];
+        }
+
+        void visitConcerned(const ObstacleChange &change,
+                            const std::function<void(CertificateIndex, const Certificate &)> &visit) const override;
+
+        void setClearance(CertificateIndex index, double clearance) override
+        {
+            certificates_.setClearance(index, clearance);
+        }
+
+        /** \brief Replaces the obstacles; remembered hits are forgotten. All certificates must be true of them: see
+            CertificateRepair. Not while others use the environment. */
+        void setObstacles(ObstaclesPtr obstacles);
 
         /** \brief Removes all certificates and hits. Not while others use the environment. */
         void clear()

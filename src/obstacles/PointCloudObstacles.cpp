@@ -1,7 +1,7 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include "Fingerprint.h"
-#include "PointTree.h"
+#include "PointForest.h"
 
 #include "geometry/TriangleTree.h"
 
@@ -21,30 +21,45 @@ namespace ompl_certificates
         /** The rounding of distances, relative to the largest coordinate */
         constexpr double ROUNDING = 1e-12;
 
-        void check(const std::vector<Eigen::Vector3d> &points, const std::vector<double> &radii, unsigned int dimension)
+        double largestOf(const std::vector<double> &radii)
         {
-            if (dimension != 2 && dimension != 3)
-                throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
-            if (points.size() > MOST_POINTS)
-                throw ompl::Exception("A point cloud must have at most " + std::to_string(MOST_POINTS) +
-                                      " points, not " + std::to_string(points.size()));
-            if (radii.size() != 1 && radii.size() != points.size())
-                throw ompl::Exception("A point cloud of " + std::to_string(points.size()) +
-                                      " points needs as many radii or one, not " + std::to_string(radii.size()));
-            for (std::size_t i = 0; i < radii.size(); ++i)
-                if (!(radii[i] >= 0.0 && radii[i] <= LARGEST))
-                    throw ompl::Exception("The radius of a point must be finite and not negative, but that of point " +
-                                          std::to_string(i) + " is " + std::to_string(radii[i]));
-            for (std::size_t i = 0; i < points.size(); ++i)
-            {
-                if (!(points[i].cwiseAbs().maxCoeff() <= LARGEST) || !points[i].allFinite())
-                    throw ompl::Exception("The coordinates of point " + std::to_string(i) +
-                                          " of a cloud must be finite and at most 10^15");
-                if (dimension == 2 && points[i].z() != 0.0)
-                    throw ompl::Exception("In the plane points must have z = 0, but that of point " +
-                                          std::to_string(i) + " is " + std::to_string(points[i].z()) +
-                                          "; see sliced()");
-            }
+            return radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
+        }
+
+        std::unique_ptr<const PointForest> plant(std::vector<Eigen::Vector3d> points, std::vector<double> radii,
+                                                 unsigned int dimension)
+        {
+            requirePoints(points, radii, dimension);
+            const std::size_t count = points.size();
+            auto tree = std::make_shared<const PointTree>(std::move(points), std::move(radii));
+            return std::make_unique<const PointForest>(
+                std::vector<PointForest::Layer>{{std::move(tree), nullptr, count}});
+        }
+    }
+
+    void requirePoints(const std::vector<Eigen::Vector3d> &points, const std::vector<double> &radii,
+                       unsigned int dimension)
+    {
+        if (dimension != 2 && dimension != 3)
+            throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
+        if (points.size() > MOST_POINTS)
+            throw ompl::Exception("A point cloud must have at most " + std::to_string(MOST_POINTS) + " points, not " +
+                                  std::to_string(points.size()));
+        if (radii.size() != 1 && radii.size() != points.size())
+            throw ompl::Exception("A point cloud of " + std::to_string(points.size()) +
+                                  " points needs as many radii or one, not " + std::to_string(radii.size()));
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            if (!(radii[i] >= 0.0 && radii[i] <= LARGEST))
+                throw ompl::Exception("The radius of a point must be finite and not negative, but that of point " +
+                                      std::to_string(i) + " is " + std::to_string(radii[i]));
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            if (!(points[i].cwiseAbs().maxCoeff() <= LARGEST) || !points[i].allFinite())
+                throw ompl::Exception("The coordinates of point " + std::to_string(i) +
+                                      " of a cloud must be finite and at most 10^15");
+            if (dimension == 2 && points[i].z() != 0.0)
+                throw ompl::Exception("In the plane points must have z = 0, but that of point " + std::to_string(i) +
+                                      " is " + std::to_string(points[i].z()) + "; see sliced()");
         }
     }
 
@@ -52,10 +67,15 @@ namespace ompl_certificates
                                              unsigned int dimension)
       : dimension_(dimension)
     {
-        check(points, radii, dimension);
-        const double largest = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
-        tree_ = std::make_unique<PointTree>(std::move(points), std::move(radii));
-        tolerance_ = ROUNDING * (tree_->getExtent() + largest);
+        const double largest = largestOf(radii);
+        forest_ = plant(std::move(points), std::move(radii), dimension);
+        tolerance_ = ROUNDING * (forest_->getExtent() + largest);
+    }
+
+    PointCloudObstacles::PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius,
+                                             unsigned int dimension)
+      : dimension_(dimension), forest_(std::move(forest)), tolerance_(ROUNDING * (forest_->getExtent() + largestRadius))
+    {
     }
 
     PointCloudObstacles::PointCloudObstacles(PointCloud cloud, unsigned int dimension)
@@ -83,13 +103,13 @@ namespace ompl_certificates
         // No rounding may hide what hits() finds.
         const double slack =
             tolerance_ + ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
-        const auto isHit = [&](std::uint32_t i)
+        const auto isHit = [&](const Eigen::Vector3d &center, double radius)
         {
-            const Eigen::Vector3d point = toShape * tree_->getPoints()[i];
-            const double radius = tree_->getRadius(i), reach = radius + slack;
+            const Eigen::Vector3d point = toShape * center;
+            const double reach = radius + slack;
             return bounds.squaredExteriorDistance(point) <= reach * reach && hits(shape, point, radius);
         };
-        const std::uint32_t hit = tree_->findNear(bounds, pose, isHit);
+        const std::uint32_t hit = forest_->findNear(bounds, pose, isHit);
         return hit == PointTree::NONE ? NO_PART : hit;
     }
 
@@ -112,48 +132,50 @@ namespace ompl_certificates
 
     bool PointCloudObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
-        if (part >= tree_->getPoints().size())
+        const auto [ball, isThere] = forest_->at(part);
+        if (!isThere)
             return false;
-        const Eigen::Vector3d &point = tree_->getPoints()[part];
         return std::any_of(body.getParts().begin(), body.getParts().end(),
-                           [&](const Body::Part &bodyPart)
+                           [&, &point = ball](const Body::Part &bodyPart)
                            {
                                const Pose toShape = (pose * bodyPart.pose).inverse();
-                               return hits(bodyPart.shape, toShape * point, tree_->getRadius(part));
+                               return hits(bodyPart.shape, toShape * point.center, point.radius);
                            });
     }
 
     double PointCloudObstacles::clearance(const Eigen::Vector3d &point) const
     {
-        return tree_->signedDistance(point, nullptr);
+        return forest_->signedDistance(point, nullptr);
     }
 
     double PointCloudObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
         std::uint32_t nearest;
-        const double distance = tree_->signedDistance(point, &nearest);
+        const double distance = forest_->signedDistance(point, &nearest);
         part = nearest == PointTree::NONE ? NO_PART : nearest;
         return distance;
     }
 
     std::uint64_t PointCloudObstacles::getFingerprint() const
     {
-        std::uint64_t sum = fingerprintOf({double(dimension_), double(getPoints().size())});
-        for (std::size_t i = 0; i < getPoints().size(); ++i)
-        {
-            const Eigen::Vector3d &point = getPoints()[i];
-            sum += fingerprintOf({point.x(), point.y(), point.z(), getRadius(i)});
-        }
+        std::uint64_t sum = fingerprintOf({double(dimension_), double(size())});
+        for (const auto &[point, radius] : getBalls())
+            sum += fingerprintOf({point.x(), point.y(), point.z(), radius});
         return sum == 0 ? 1 : sum;
     }
 
-    const std::vector<Eigen::Vector3d> &PointCloudObstacles::getPoints() const
+    std::size_t PointCloudObstacles::size() const
     {
-        return tree_->getPoints();
+        return forest_->size();
     }
 
-    double PointCloudObstacles::getRadius(std::size_t point) const
+    std::vector<Ball> PointCloudObstacles::getBalls() const
     {
-        return tree_->getRadius(static_cast<std::uint32_t>(point));
+        return forest_->getBalls();
+    }
+
+    Ball PointCloudObstacles::getBall(ObstaclePart part) const
+    {
+        return forest_->at(part).first;
     }
 }

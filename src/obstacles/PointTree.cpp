@@ -176,14 +176,15 @@ namespace ompl_certificates
         return all;
     }
 
-    double PointTree::leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point) const
+    double PointTree::leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point, Mask mask) const
     {
         const std::uint32_t first = leaf * LEAF_SIZE, count = endOf(leaf) - first;
         double least = std::numeric_limits<double>::infinity();
-        if (radii_.size() != 1)
+        if (radii_.size() != 1 || (mask && mask[leaf] != EVERY_POINT))
         {
             for (std::uint32_t i = first; i < first + count; ++i)
-                least = std::min(least, (points_[i] - point).norm() - radii_[i]);
+                if (counts(mask, i))
+                    least = std::min(least, (points_[i] - point).norm() - getRadius(i));
             return least;
         }
         const Eigen::Vector3d *const points = &points_[first];
@@ -196,16 +197,16 @@ namespace ompl_certificates
         return std::sqrt(least) - radii_.front();
     }
 
-    double PointTree::signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest) const
+    double PointTree::signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest, double most, Mask mask) const
     {
-        double least = std::numeric_limits<double>::infinity();
-        const std::uint32_t leaf = findNearestLeaf(point, least);
+        double least = most;
+        const std::uint32_t leaf = findNearestLeaf(point, least, mask);
         if (nearest)
         {
             *nearest = NONE;
             if (leaf != NONE)
                 for (std::uint32_t i = leaf * LEAF_SIZE; i < endOf(leaf) && *nearest == NONE; ++i)
-                    if ((points_[i] - point).norm() - getRadius(i) <= least)
+                    if (counts(mask, i) && (points_[i] - point).norm() - getRadius(i) <= least)
                         *nearest = i;
         }
         return least;
@@ -219,12 +220,12 @@ namespace ompl_certificates
             __builtin_prefetch(&nodes_[child]);
     }
 
-    std::uint32_t PointTree::findNearestLeaf(const Eigen::Vector3d &point, double &least) const
+    std::uint32_t PointTree::findNearestLeaf(const Eigen::Vector3d &point, double &least, Mask mask) const
     {
         std::uint32_t found = NONE;
         const auto tryLeaf = [&](std::uint32_t leaf)
         {
-            const double distance = leafDistance(leaf, point);
+            const double distance = leafDistance(leaf, point, mask);
             if (distance < least)
             {
                 least = distance;
@@ -247,7 +248,7 @@ namespace ompl_certificates
         std::uint64_t stack[STACK_SIZE];
         std::size_t open = 0;
         std::uint32_t current = 0;
-        float most = INF;  // the least distance
+        float most = roundedUp(least);
         for (;;)
         {
             if ((current & LEAF) != 0)

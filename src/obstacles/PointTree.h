@@ -25,9 +25,37 @@ namespace ompl_certificates
             \param radii one for all points, or one for each */
         PointTree(std::vector<Eigen::Vector3d> points, std::vector<double> radii);
 
-        /** \brief The least distance of \e point to a ball, negative inside; infinite if there are none
+        /** \brief Tells for each leaf which of its points count: the i-th does if the i-th bit is set. Null if all
+            count. */
+        using Mask = const std::uint16_t *;
+
+        /** \brief The least distance of \e point to a ball, negative inside; \e most if none is nearer
             \param nearest if not null: set to the position of that ball, or to NONE */
-        double signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest) const;
+        double signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest,
+                              double most = std::numeric_limits<double>::infinity(), Mask mask = nullptr) const;
+
+        /** \brief A mask by which all points count */
+        std::vector<std::uint16_t> makeMask() const
+        {
+            return std::vector<std::uint16_t>((points_.size() + LEAF_SIZE - 1) / LEAF_SIZE, EVERY_POINT);
+        }
+
+        /** \brief The leaf and the bit of a position in a mask */
+        static std::uint32_t leafOf(std::uint32_t position)
+        {
+            return position / LEAF_SIZE;
+        }
+
+        static std::uint16_t bitOf(std::uint32_t position)
+        {
+            return static_cast<std::uint16_t>(1U << position % LEAF_SIZE);
+        }
+
+        /** \brief Whether a point counts */
+        static bool counts(Mask mask, std::uint32_t position)
+        {
+            return !mask || (mask[leafOf(position)] & bitOf(position)) != 0;
+        }
 
         /** \brief Call \e visit with the position of each ball that may touch \e box, until it returns true
             \param pose from the frame of \e box to the workspace
@@ -47,11 +75,20 @@ namespace ompl_certificates
             return radii_.size() == 1 ? radii_.front() : radii_[position];
         }
 
+        /** \brief A cube around all points; empty if there are none */
+        Eigen::AlignedBox3d getCube() const
+        {
+            const Eigen::Vector3d half = Eigen::Vector3d::Constant(extent_ + 1e-9 * (extent_ + origin_.norm()));
+            return points_.empty() ? Eigen::AlignedBox3d() : Eigen::AlignedBox3d(origin_ - half, origin_ + half);
+        }
+
         /** \brief The largest distance of a ball's point from the origin of the workspace, or more */
         double getExtent() const;
 
     private:
         static constexpr std::uint32_t LEAF_SIZE = 16;
+
+        static constexpr std::uint16_t EVERY_POINT = 0xFFFF;
 
         /** \brief More than the rounding of coordinates in single precision, relative to the largest */
         static constexpr double ROUNDING = 1e-6;
@@ -91,11 +128,11 @@ namespace ompl_certificates
         void prefetch(std::uint32_t child) const;
 
         /** \brief The least distance of \e point to a ball of a leaf */
-        double leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point) const;
+        double leafDistance(std::uint32_t leaf, const Eigen::Vector3d &point, Mask mask) const;
 
-        /** \brief The leaf of the ball nearest to \e point, or NONE
-            \param least infinite; set to the distance of that ball */
-        std::uint32_t findNearestLeaf(const Eigen::Vector3d &point, double &least) const;
+        /** \brief The leaf of the ball nearest to \e point, or NONE if none is nearer than \e least
+            \param least set to the distance of that ball */
+        std::uint32_t findNearestLeaf(const Eigen::Vector3d &point, double &least, Mask mask) const;
 
         Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};
 

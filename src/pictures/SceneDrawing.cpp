@@ -33,13 +33,13 @@ namespace ompl_certificates
         {
             constexpr double pixels = 2.5;
             std::set<std::pair<int, int>> drawn;
-            for (std::size_t i = 0; i < cloud.getPoints().size(); ++i)
+            for (const Ball &ball : cloud.getBalls())
             {
-                const Eigen::Vector2d at = view.project(cloud.getPoints()[i]), inView = at - view.getCorner();
+                const Eigen::Vector2d at = view.project(ball.center), inView = at - view.getCorner();
                 if (!((inView.array() >= 0.0).all() && (inView.array() <= view.getSize().array()).all()))
                     continue;
                 if (drawn.emplace(static_cast<int>(inView.x() / pixels), static_cast<int>(inView.y() / pixels)).second)
-                    svg.circle(at, std::max(0.5 * pixels, cloud.getRadius(i) * view.getScale()), "stroke='none'");
+                    svg.circle(at, std::max(0.5 * pixels, ball.radius * view.getScale()), "stroke='none'");
             }
         }
 

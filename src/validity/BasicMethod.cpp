@@ -29,21 +29,24 @@ namespace ompl_certificates
         teamCertificates_ = 0;
     }
 
-    void BasicMethod::change(const ObstacleChange &change)
+    void BasicMethod::visitConcerned(const ObstacleChange & /*change*/,
+                                     const std::function<void(CertificateIndex, const Certificate &)> &visit) const
     {
-        for (std::size_t i = 0; i < getCertificateCount(); ++i)
-        {
-            Certificate &certificate = certificates_[static_cast<CertificateIndex>(i)];
-            certificate.clearance = change.clearance(certificate.point, certificate.clearance);
-        }
-        environment_.change(change);
+        const CertificateIndex end = getEnd();
+        for (CertificateIndex i = 0; i < end; ++i)
+            visit(i, certificates_[i]);
     }
 
     std::vector<Certificate> BasicMethod::getCertificates() const
     {
         std::vector<Certificate> all;
         for (std::size_t i = 0; i < getCertificateCount(); ++i)
-            all.push_back(certificates_[static_cast<CertificateIndex>(i)]);
+        {
+            // One that a change of the obstacles concerns may have been withdrawn.
+            const Certificate &certificate = certificates_[static_cast<CertificateIndex>(i)];
+            if (!std::isnan(certificate.clearance))
+                all.push_back(certificate);
+        }
         return all;
     }
 

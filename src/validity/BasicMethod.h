@@ -14,7 +14,7 @@ namespace ompl_certificates
 {
     /** \brief Method::BASIC: settles a team by one certificate for all of it. A robot that is asked about alone is
         settled without certificates. */
-    class BasicMethod : public CheckMethod, public TeamMethod
+    class BasicMethod : public CheckMethod, public TeamMethod, public CertificateStore
     {
     public:
         /** \param limit how many certificates all stores that share it may keep */
@@ -34,7 +34,34 @@ namespace ompl_certificates
 
         void clear() override;
 
-        void change(const ObstacleChange &change) override;
+        std::vector<CertificateStore *> getStores() override
+        {
+            return {this};
+        }
+
+        void setObstacles(const ObstaclesPtr &obstacles) override
+        {
+            environment_.setObstacles(obstacles);
+        }
+
+        CertificateIndex getEnd() const override
+        {
+            return static_cast<CertificateIndex>(getCertificateCount());
+        }
+
+        Certificate getCertificate(CertificateIndex index) const override
+        {
+            return certificates_[index];
+        }
+
+        /** \brief Visits all: no tree tells which are near */
+        void visitConcerned(const ObstacleChange &change,
+                            const std::function<void(CertificateIndex, const Certificate &)> &visit) const override;
+
+        void setClearance(CertificateIndex index, double clearance) override
+        {
+            certificates_[index].clearance = clearance;
+        }
 
         void setAdaptive(bool adaptive) override
         {

@@ -3,9 +3,8 @@
 
 #include "CheckContext.h"
 
+#include "certificates/CertificateRepair.h"
 #include "certificates/PoseQuery.h"
-
-#include "ompl_certificates/obstacles/ObstacleChange.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -111,8 +110,14 @@ namespace ompl_certificates
         /** \brief Removes all certificates and measurements. Not while others use the method. */
         virtual void clear() = 0;
 
-        /** \brief Replaces the obstacles and updates the certificates. Not while others use the method. */
-        virtual void change(const ObstacleChange &change) = 0;
+        /** \brief The stores of all certificates, for their repair */
+        virtual std::vector<CertificateStore *> getStores()
+        {
+            return {};
+        }
+
+        /** \brief Replaces the obstacles, of which all certificates must be true. Not while others use the method. */
+        virtual void setObstacles(const ObstaclesPtr &obstacles) = 0;
 
         /** \brief See TeamValidityChecker::setAdaptive() */
         virtual void setAdaptive(bool /*adaptive*/)

@@ -19,9 +19,9 @@ namespace ompl_certificates
         {
         }
 
-        void change(const ObstacleChange &change) override
+        void setObstacles(const ObstaclesPtr &obstacles) override
         {
-            obstacles_ = change.after;
+            obstacles_ = obstacles;
         }
 
     private:

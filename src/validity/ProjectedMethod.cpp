@@ -84,10 +84,18 @@ namespace ompl_certificates
             policy.reset();
     }
 
-    void ProjectedMethod::change(const ObstacleChange &change)
+    std::vector<CertificateStore *> ProjectedMethod::getStores()
+    {
+        std::vector<CertificateStore *> stores;
+        for (const auto &environment : environments_)
+            stores.push_back(environment.get());
+        return stores;
+    }
+
+    void ProjectedMethod::setObstacles(const ObstaclesPtr &obstacles)
     {
         for (const auto &environment : environments_)
-            environment->change(change);
+            environment->setObstacles(obstacles);
     }
 
     std::size_t ProjectedMethod::getCertificateCount() const

@@ -26,7 +26,9 @@ namespace ompl_certificates
 
         void clear() override;
 
-        void change(const ObstacleChange &change) override;
+        std::vector<CertificateStore *> getStores() override;
+
+        void setObstacles(const ObstaclesPtr &obstacles) override;
 
         void setAdaptive(bool adaptive) override
         {

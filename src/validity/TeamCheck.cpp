@@ -9,6 +9,7 @@
 #include <limits>
 #include <ompl/util/Exception.h>
 #include <type_traits>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -51,6 +52,32 @@ namespace ompl_certificates
                                                              limit);
             }
             throw ompl::Exception("Unknown method");
+        }
+
+        /** How many certificates are repaired, and how many new ones looked at, while all checks wait. Some 0.1 ms each. */
+        constexpr std::size_t REPAIR_STEP = 256, LOOK_STEP = 64;
+
+        /** If checks add certificates faster than they are looked at, they wait after so many attempts. */
+        constexpr int MOST_ATTEMPTS = 20;
+
+        /** Withdraws all certificates that a change concerns, also those that other checks add meanwhile */
+        void withdrawAll(WorldLock::Change &world, CertificateRepair &repair)
+        {
+            for (int attempt = 0;;)
+            {
+                if (repair.countNew() > LOOK_STEP && ++attempt < MOST_ATTEMPTS)
+                {
+                    world.open();
+                    repair.find();
+                    world.close();
+                    continue;
+                }
+                repair.find();
+                if (!repair.withdraw(REPAIR_STEP))
+                    return;
+                world.open();
+                world.close();
+            }
         }
 
         /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a tenth
@@ -256,10 +283,33 @@ namespace ompl_certificates
         for (const ObstaclesPtr &obstacles : {change.after, change.added, change.removed})
             if (obstacles || obstacles == change.after)
                 requireObstacles(obstacles, team_);
-        const WorldLock::Change guard(lock_);
-        checkMethod_->change(change);
-        exactMethod_.change(change);
-        obstacles_ = change.after;
+        ObstaclesPtr before;  // Large obstacles take time to destroy: when the checks go on.
+        WorldLock::Change world(lock_);
+        CertificateRepair repair(checkMethod_->getStores(), change);
+        world.open();
+        repair.find();
+        world.close();
+        withdrawAll(world, repair);
+        before = std::exchange(obstacles_, change.after);
+        checkMethod_->setObstacles(obstacles_);
+        exactMethod_.setObstacles(obstacles_);
+        while (repair.repair(REPAIR_STEP))
+        {
+            world.open();
+            world.close();
+        }
+    }
+
+    void TeamCheck::ignoreAllButObstacles()
+    {
+        givesReferences_ = false;
+        const auto dropPairs = [](std::vector<Subject> &subjects)
+        {
+            const auto isPair = [](const Subject &subject) { return subject.kind == Subject::PAIR; };
+            subjects.erase(std::remove_if(subjects.begin(), subjects.end(), isPair), subjects.end());
+        };
+        dropPairs(subjects_);
+        std::for_each(robotSubjects_.begin(), robotSubjects_.end(), dropPairs);
     }
 
     void TeamCheck::takeReferences(const ob::State *state, const ob::State *other, CheckContext &context) const
@@ -276,7 +326,8 @@ namespace ompl_certificates
 
     void TeamCheck::giveReferences(const ob::State *state, const CheckContext &context) const
     {
-        if (const auto *own = team_.getReferences(state))
+        const auto *own = givesReferences_ ? team_.getReferences(state) : nullptr;
+        if (own)
             for (std::size_t body = 0; body < context.hints.size(); ++body)
                 own->setReference(body, context.hints[body]);
     }

@@ -178,6 +178,10 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::changeObstacles() */
         void change(const ObstacleChange &change);
 
+        /** \brief From now on checks robots against the obstacles alone, and leaves the references of states as they are.
+            Before the first check. */
+        void ignoreAllButObstacles();
+
         /** \brief Removes all certificates. Not while others check. */
         void clear()
         {
@@ -284,6 +288,7 @@ namespace ompl_certificates
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
         bool adaptive_{true};
+        bool givesReferences_{true};
         std::size_t certificatesAfter_{8192};
         std::vector<Subject> subjects_;
         std::vector<std::vector<Subject>> robotSubjects_;

@@ -33,18 +33,18 @@ namespace ompl_certificates
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                                              Method method)
-      : TeamValidityChecker(si, Team(spaceOf(si)), obstacles, method)
+      : TeamValidityChecker(si.get(), Team(spaceOf(si)), obstacles, method)
     {
     }
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                                              const std::vector<RobotPtr> &robots, Method method)
-      : TeamValidityChecker(si, Team(spaceOf(si), robots), obstacles, method)
+      : TeamValidityChecker(si.get(), Team(spaceOf(si), robots), obstacles, method)
     {
     }
 
-    TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, Team team,
-                                             const ObstaclesPtr &obstacles, Method method)
+    TeamValidityChecker::TeamValidityChecker(ob::SpaceInformation *si, Team team, const ObstaclesPtr &obstacles,
+                                             Method method)
       : StateValidityChecker(si), check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))
     {
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;

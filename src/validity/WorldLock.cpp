@@ -27,11 +27,17 @@ namespace ompl_certificates
             // A check enters, then looks for a change. A change announces itself, then waits for checks to leave. So
             // one of them sees the other.
             checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
+            bool waits = false;
             for (checks_->fetch_add(1); lock_.changing_.load(); checks_->fetch_add(1))
             {
                 checks_->fetch_sub(1);
+                if (!waits)
+                    lock_.waiting_.fetch_add(1);
+                waits = true;
                 const std::lock_guard<std::mutex> wait(lock_.mutex_);
             }
+            if (waits)
+                lock_.waiting_.fetch_sub(1);
         }
         last_ = this;
     }
@@ -54,15 +60,30 @@ namespace ompl_certificates
     {
         if (Check::find(lastOfThisThread(), lock_) != nullptr)
             throw ompl::Exception("The obstacles cannot be changed from within a check");
-        guard_ = std::unique_lock<std::mutex>(lock_.mutex_);
-        lock_.changing_.store(true);
-        for (const Slot &slot : lock_.slots_)
-            while (slot.checks.load() != 0)
-                std::this_thread::yield();
+        changes_ = std::unique_lock<std::mutex>(lock_.changes_);
+        close();
     }
 
     WorldLock::Change::~Change()
     {
         lock_.changing_.store(false);
+    }
+
+    void WorldLock::Change::open()
+    {
+        lock_.changing_.store(false);
+        checks_.unlock();
+        // Otherwise those that wait would find the change going on again when they wake.
+        while (lock_.waiting_.load() != 0)
+            std::this_thread::yield();
+    }
+
+    void WorldLock::Change::close()
+    {
+        checks_ = std::unique_lock<std::mutex>(lock_.mutex_);
+        lock_.changing_.store(true);
+        for (const Slot &slot : lock_.slots_)
+            while (slot.checks.load() != 0)
+                std::this_thread::yield();
     }
 }

@@ -63,7 +63,7 @@ namespace
         ObstaclePart hit = NO_PART;
         ASSERT_EQ(cloud.touches(body, pose, &hit), expected ? Touching::YES : Touching::NO);
         ASSERT_TRUE(!expected || cloud.certainlyHits(body, pose, hit));
-        for (ObstaclePart part = 0; part < cloud.getPoints().size() && !expected; ++part)
+        for (ObstaclePart part = 0; part < cloud.size() && !expected; ++part)
             ASSERT_FALSE(cloud.certainlyHits(body, pose, part));
         ASSERT_FALSE(cloud.certainlyHits(body, pose, NO_PART));
     }
@@ -87,7 +87,7 @@ TEST(PointCloudObstacles, KnowTheClearanceExactly)
         const std::size_t count = anyCount(random);
         Balls balls{randomPoints(random, dimension, count, 5.0, center), randomRadii(random, count, 0.5)};
         const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
-        ASSERT_EQ(cloud.getPoints().size(), count);
+        ASSERT_EQ(cloud.size(), count);
         for (int i = 0; i < 100; ++i)
         {
             Eigen::Vector3d point = center + random.point(dimension, random.logUniform(0.1, 100.0));
@@ -103,7 +103,7 @@ TEST(PointCloudObstacles, KnowTheClearanceExactly)
             ASSERT_EQ(part == NO_PART, count == 0);
             if (count > 0)
             {
-                ASSERT_EQ((cloud.getPoints()[part] - point).norm() - cloud.getRadius(part), clearance);
+                ASSERT_EQ((cloud.getBall(part).center - point).norm() - cloud.getBall(part).radius, clearance);
             }
             const Eigen::Vector3d other = point + random.logUniform(1e-6, 10.0) * random.direction(dimension);
             if (count > 0 && point.norm() < 1e9)

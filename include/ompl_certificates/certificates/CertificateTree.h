@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <ompl/datastructures/NearestNeighbors.h>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -66,8 +67,8 @@ namespace ompl_certificates
         into the four cells it is divided into. The tree stores only certificates, not the states they prove. Each
         subtree keeps bounds of its certificates' balls, by which a search skips it.
 
-        Threads: any number may search while others add. add() takes a lock; searches take none. remove() and clear()
-        need exclusive use of the tree.
+        Threads: any number may search while others add. add() takes a lock; searches take none. remove(), setClearance() and
+        clear() need exclusive use of the tree.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
@@ -103,10 +104,24 @@ namespace ompl_certificates
             \throws ompl::Exception if its point is not finite, or its clearance is not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
 
-        /** \brief Gives every certificate a new clearance; indices stay. Needs exclusive use of the tree. Cost: that of
-            building the tree anew.
-            \param clearanceOf the new clearance of a certificate */
-        void changeClearances(const std::function<double(const Certificate &)> &clearanceOf);
+        /** \brief Calls \e visit with certificates, among them all whose ball meets a region. The ball of a certificate (p, d)
+            has the radius |d|. Cost: proportional to the certificates near the region. Others may add meanwhile; what they
+            add may be missed.
+            \param meets false only if a ball, given by center and radius, does not meet the region */
+        void visitNear(const std::function<bool(const Eigen::Vector3d &, double)> &meets,
+                       const std::function<void(CertificateIndex, const Certificate &)> &visit) const;
+
+        /** \brief Gives a certificate a new clearance. If that is not a number, the certificate proves nothing until it gets
+            another. Needs exclusive use of the tree. Cost: logarithmic.
+            \throws ompl::Exception if there is no such certificate */
+        void setClearance(CertificateIndex index, double clearance);
+
+        /** \brief One more than the largest index; certificates of smaller ones may be asked for. Some may have been
+            removed: their clearance is not a number. */
+        CertificateIndex getEnd() const
+        {
+            return stored_.load(std::memory_order_acquire);
+        }
 
         /** \brief The certificate of an index that insert() returned
             \throws ompl::Exception if there is no such certificate */
@@ -276,8 +291,15 @@ namespace ompl_certificates
         Bucket *newBucket(InnerNode *innerNode);
         InnerNode *newInnerNode(Bucket *bucket, InnerNode *parent);
         static void raise(Bound &bound, unsigned int child, float value);
+        static void lower(Bound &bound, unsigned int child);
         void extend(InnerNode &innerNode, unsigned int child, const Certificate &certificate) const;
         void extendBySubtree(InnerNode &innerNode, unsigned int child, Subtree subtree) const;
+        /** \brief Makes the bounds above a cell as tight as they can be, where its content has changed */
+        void refit(Bucket *bucket);
+
+        /** \brief A box around the balls below a child, as center and radius; negative if there are none */
+        std::pair<Eigen::Vector3d, double> ballsBelow(const InnerNode &innerNode, unsigned int child) const;
+
         void append(Bucket *first, CertificateIndex index, const Certificate &certificate);
         void chooseFirstCell();
         double smallestCell(const Eigen::AlignedBox3d &cell) const;

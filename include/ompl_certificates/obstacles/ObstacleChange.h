@@ -29,6 +29,15 @@ namespace ompl_certificates
                 return after->clearance(point);
             return added ? std::min(before, added->clearance(point)) : before;
         }
+
+        /** \brief Whether something was added or removed within \e radius of \e center, or almost. If not, a certificate
+            keeps its clearance if its ball is within that distance. */
+        bool concerns(const Eigen::Vector3d &center, double radius) const
+        {
+            const double most = radius + 2.0 * after->getTolerance();
+            return (added && added->clearance(center) <= most) ||
+                   (removed && removed->clearance(center) <= most + removed->getTolerance());
+        }
     };
 }
 

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_OBSTACLES_POINT_CLOUD_OBSTACLES_
 
 #include "ompl_certificates/obstacles/Obstacles.h"
+#include "ompl_certificates/geometry/Ball.h"
 #include "ompl_certificates/geometry/PointCloud.h"
 
 #include <memory>
@@ -9,7 +10,7 @@
 
 namespace ompl_certificates
 {
-    class PointTree;
+    class PointForest;
 
     /** \brief Obstacles that are points with a radius, as a sensor sees them. A body collides if it is nowhere farther from
         a point than its radius.
@@ -17,7 +18,9 @@ namespace ompl_certificates
         Primitives are solid. A mesh is a surface, as in FclObstacles: a point wholly inside a closed mesh does not
         touch it. In the plane a mesh is what is seen of it from above, whatever its z.
 
-        Distances have closed forms, so checks need no margin but that for rounding. Uses about 30 bytes per point. */
+        Distances have closed forms, so checks need no margin but that for rounding. Uses about 30 bytes per point.
+
+        For points that come and go, PointCloudSet makes these. */
     class PointCloudObstacles : public Obstacles
     {
     public:
@@ -46,7 +49,7 @@ namespace ompl_certificates
         /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 3 µs. */
         double clearance(const Eigen::Vector3d &point) const override;
 
-        /** \brief A part is a position in getPoints(). */
+        /** \brief A part is a point; getBall() tells which. */
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
         /** \brief The answer of collides(), always */
@@ -64,13 +67,20 @@ namespace ompl_certificates
         /** \brief A checksum of the points and radii, whatever their order. Takes some 0.1 s for 10^6 points. */
         std::uint64_t getFingerprint() const override;
 
-        /** \brief The points, in another order than they were given */
-        const std::vector<Eigen::Vector3d> &getPoints() const;
+        /** \brief The number of points */
+        std::size_t size() const;
 
-        /** \brief The radius of a point of getPoints() */
-        double getRadius(std::size_t point) const;
+        /** \brief All points with their radii, in another order than they were given. Cost: linear in their number. */
+        std::vector<Ball> getBalls() const;
+
+        /** \brief The point of a part that findNearest() or touches() named, and its radius */
+        Ball getBall(ObstaclePart part) const;
 
     private:
+        friend class PointCloudSet;
+
+        PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius, unsigned int dimension);
+
         /** \brief The first point found that a shape touches, or NO_PART */
         ObstaclePart findHit(const Shape &shape, const Pose &pose) const;
 
@@ -79,8 +89,8 @@ namespace ompl_certificates
         bool hits(const Shape &shape, const Eigen::Vector3d &point, double radius) const;
 
         unsigned int dimension_;
-        std::unique_ptr<PointTree> tree_;
-        double tolerance_{0.0};
+        std::unique_ptr<const PointForest> forest_;
+        double tolerance_;
     };
 }
 

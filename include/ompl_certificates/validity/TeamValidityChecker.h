@@ -166,8 +166,9 @@ namespace ompl_certificates
         }
 
     private:
-        TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, Team team, const ObstaclesPtr &obstacles,
-                            Method method);
+        friend class Revalidation;
+
+        TeamValidityChecker(ompl::base::SpaceInformation *si, Team team, const ObstaclesPtr &obstacles, Method method);
 
         const std::unique_ptr<TeamCheck> check_;
         ompl::base::ParamSet params_;

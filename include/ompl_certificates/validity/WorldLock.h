@@ -10,7 +10,8 @@ namespace ompl_certificates
     /** \brief Lets any number of threads check at once, or one thread change the world.
 
         Threads enter checks at slots of their own, so they do not wait for each other and seldom share a cache line.
-        Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. */
+        Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. A long change
+        may let them in between its steps. */
     class WorldLock
     {
     public:
@@ -57,9 +58,16 @@ namespace ompl_certificates
             Change(const Change &) = delete;
             Change &operator=(const Change &) = delete;
 
+            /** \brief Lets checks begin, and waits until those that wait have begun. Other changes still wait. */
+            void open();
+
+            /** \brief Goes on with the change, once all checks have ended */
+            void close();
+
         private:
             WorldLock &lock_;
-            std::unique_lock<std::mutex> guard_;
+            /** \brief Keeps out other changes, and checks */
+            std::unique_lock<std::mutex> changes_, checks_;
         };
 
     private:
@@ -75,7 +83,10 @@ namespace ompl_certificates
 
         std::array<Slot, SLOTS> slots_;
         std::atomic<bool> changing_{false};
-        std::mutex mutex_;
+        /** \brief How many checks wait for a change */
+        std::atomic<int> waiting_{0};
+        /** \brief Held by a change, and while no checks may begin. A check waits for the second, never for the first. */
+        std::mutex changes_, mutex_;
     };
 }
 

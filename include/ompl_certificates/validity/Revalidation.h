@@ -1,0 +1,78 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_REVALIDATION_
+#define OMPL_CERTIFICATES_VALIDITY_REVALIDATION_
+
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
+
+#include <memory>
+#include <ompl/base/PlannerData.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Tells which states and motions a change of the obstacles makes invalid.
+
+        What was valid stays so unless it meets what was added. So this checks among the added obstacles alone, with
+        certificates of its own: where nothing was added nearby, a few of these settle whole motions. Robots are not
+        checked against each other.
+        @code
+        const ObstacleChange change = set.takeChange();
+        checker->changeObstacles(change);
+        const Revalidation revalidation(*checker, change);
+        if (!revalidation.findInvalidEdges(path).empty())
+            ...plan anew, or mend the path
+        @endcode
+        In discrete mode the answers are those of a new check of all. In continuous mode a motion stays valid if it is
+        proved free of what was added. A motion for which that fails may still be provable by
+        CertificateMotionValidator, which then takes other steps. May be used by many threads at once. */
+    class Revalidation
+    {
+    public:
+        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker, some µs for
+            each pair of bodies.
+            \param mode the mode of the motion validator
+            \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
+        Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
+                     CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+
+        /** \brief Whether a state is still valid that was valid before. Cost: some 0.1 µs for each body that is not near
+            what was added. */
+        bool staysValid(const ompl::base::State *state) const;
+
+        /** \brief Whether a motion is still valid that was valid before. Cost: as for two states, if it is not near what was
+            added. */
+        bool staysValid(const ompl::base::State *from, const ompl::base::State *to) const;
+
+        /** \brief What is invalid of a planner's tree or roadmap */
+        struct Invalid
+        {
+            /** \brief The numbers of vertices, ascending */
+            std::vector<unsigned int> vertices;
+
+            /** \brief The vertices of edges, ascending. All edges of an invalid vertex are invalid. */
+            std::vector<std::pair<unsigned int, unsigned int>> edges;
+        };
+
+        /** \brief Which vertices and edges of \e data, all valid before, are no longer valid */
+        Invalid findInvalid(const ompl::base::PlannerData &data) const;
+
+        /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to state i +
+            1. If it has a single state, 0 is that state. */
+        std::vector<std::size_t> findInvalidEdges(const ompl::geometric::PathGeometric &path) const;
+
+        /** \brief The checks made among the added obstacles; null if none were added */
+        const TeamValidityChecker *getChecker() const
+        {
+            return checker_.get();
+        }
+
+    private:
+        /** \brief Null if nothing was added */
+        std::shared_ptr<TeamValidityChecker> checker_;
+        std::optional<CertificateMotionValidator> validator_;
+    };
+}
+
+#endif

@@ -1,0 +1,67 @@
+#include "CertificateRepair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ompl_certificates
+{
+    CertificateRepair::CertificateRepair(std::vector<CertificateStore *> stores, const ObstacleChange &change)
+      : change_(change)
+    {
+        for (CertificateStore *store : stores)
+            watched_.push_back({store, store->getEnd()});
+    }
+
+    void CertificateRepair::look(CertificateStore &store, CertificateIndex index, const Certificate &certificate)
+    {
+        if (std::isnan(certificate.clearance))
+            return;
+        const double clearance = change_.clearance(certificate.point, certificate.clearance);
+        if (clearance != certificate.clearance)
+            found_.push_back({&store, clearance, index});
+    }
+
+    void CertificateRepair::find()
+    {
+        for (auto &[store, end] : watched_)
+        {
+            CertificateStore &looked = *store;
+            const CertificateIndex newEnd = hasLooked_ ? looked.getEnd() : end;
+            if (!hasLooked_)
+                looked.visitConcerned(change_,
+                                      [&, last = end](CertificateIndex index, const Certificate &certificate)
+                                      {
+                                          // Later ones come with the next call.
+                                          if (index < last)
+                                              look(looked, index, certificate);
+                                      });
+            for (CertificateIndex index = end; index < newEnd; ++index)
+                look(looked, index, looked.getCertificate(index));
+            end = newEnd;
+        }
+        hasLooked_ = true;
+    }
+
+    std::size_t CertificateRepair::countNew() const
+    {
+        std::size_t count = 0;
+        for (const auto &[store, end] : watched_)
+            count += store->getEnd() - end;
+        return count;
+    }
+
+    bool CertificateRepair::withdraw(std::size_t most)
+    {
+        for (const std::size_t end = std::min(found_.size(), withdrawn_ + most); withdrawn_ < end; ++withdrawn_)
+            found_[withdrawn_].store->setClearance(found_[withdrawn_].index, std::numeric_limits<double>::quiet_NaN());
+        return withdrawn_ < found_.size();
+    }
+
+    bool CertificateRepair::repair(std::size_t most)
+    {
+        for (const std::size_t end = std::min(found_.size(), repaired_ + most); repaired_ < end; ++repaired_)
+            found_[repaired_].store->setClearance(found_[repaired_].index, found_[repaired_].clearance);
+        return repaired_ < found_.size();
+    }
+}

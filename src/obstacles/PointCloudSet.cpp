@@ -1,0 +1,199 @@
+#include "ompl_certificates/obstacles/PointCloudSet.h"
+
+#include "PointForest.h"
+
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+
+#include <algorithm>
+#include <iterator>
+#include <ompl/util/Exception.h>
+#include <sstream>
+#include <utility>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        bool isBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+        {
+            return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+        }
+    }
+
+    /** Points in a tree that obstacles may share. The mask is copied before it changes if obstacles share it. */
+    struct PointCloudSet::Layer
+    {
+        explicit Layer(std::shared_ptr<const PointTree> points)
+          : tree(std::move(points))
+          , mask(std::make_shared<std::vector<std::uint16_t>>(tree->makeMask()))
+          , count(tree->getPoints().size())
+        {
+        }
+
+        bool has(std::uint32_t position) const
+        {
+            return PointTree::counts(mask->data(), position);
+        }
+
+        void setPresent(std::uint32_t position, bool present)
+        {
+            if (isShared)
+                mask = std::make_shared<std::vector<std::uint16_t>>(*mask);
+            isShared = false;
+            std::uint16_t &leaf = (*mask)[PointTree::leafOf(position)];
+            leaf = static_cast<std::uint16_t>(leaf ^ PointTree::bitOf(position));
+            count += present ? 1 : std::size_t(-1);
+        }
+
+        void appendTo(std::vector<Eigen::Vector3d> &points) const
+        {
+            for (std::uint32_t i = 0; i < tree->getPoints().size(); ++i)
+                if (has(i))
+                    points.push_back(tree->getPoints()[i]);
+        }
+
+        std::shared_ptr<const PointTree> tree;
+        std::shared_ptr<std::vector<std::uint16_t>> mask;
+        /** How many points are there */
+        std::size_t count;
+        bool isShared{false};
+    };
+
+    PointCloudSet::PointCloudSet(double radius, unsigned int dimension) : radius_(radius), dimension_(dimension)
+    {
+        requirePoints({}, {radius}, dimension);
+    }
+
+    PointCloudSet::~PointCloudSet() = default;
+    PointCloudSet::PointCloudSet(PointCloudSet &&) noexcept = default;
+    PointCloudSet &PointCloudSet::operator=(PointCloudSet &&) noexcept = default;
+
+    std::size_t PointCloudSet::size() const
+    {
+        std::size_t count = 0;
+        for (const Layer &layer : layers_)
+            count += layer.count;
+        return count;
+    }
+
+    void PointCloudSet::insert(std::vector<Eigen::Vector3d> points)
+    {
+        requirePoints(points, {radius_}, dimension_);
+        inserted_.insert(inserted_.end(), points.begin(), points.end());
+        add(std::move(points));
+    }
+
+    void PointCloudSet::add(std::vector<Eigen::Vector3d> points)
+    {
+        while (!layers_.empty() && layers_.back().count < 2 * points.size())
+        {
+            layers_.back().appendTo(points);
+            layers_.pop_back();
+        }
+        if (!points.empty())
+            layers_.emplace_back(std::make_shared<const PointTree>(std::move(points), std::vector<double>{radius_}));
+    }
+
+    void PointCloudSet::tidy()
+    {
+        std::vector<Eigen::Vector3d> moved;
+        std::vector<Layer> kept;
+        for (Layer &layer : layers_)
+            if (2 * layer.count < layer.tree->getPoints().size())
+                layer.appendTo(moved);
+            else
+                kept.push_back(std::move(layer));
+        std::stable_sort(kept.begin(), kept.end(), [](const Layer &a, const Layer &b) { return a.count > b.count; });
+        layers_ = std::move(kept);
+        add(std::move(moved));
+    }
+
+    void PointCloudSet::remove(const std::vector<Eigen::Vector3d> &points)
+    {
+        std::vector<std::pair<Layer *, std::uint32_t>> found;
+        const auto take = [&](const Eigen::Vector3d &point)
+        {
+            for (Layer &layer : layers_)
+            {
+                const auto isIt = [&](std::uint32_t i) { return layer.has(i) && layer.tree->getPoints()[i] == point; };
+                const std::uint32_t i = layer.tree->findNear({point, point}, Pose::Identity(), isIt);
+                if (i == PointTree::NONE)
+                    continue;
+                layer.setPresent(i, false);
+                found.emplace_back(&layer, i);
+                return true;
+            }
+            return false;
+        };
+        for (const Eigen::Vector3d &point : points)
+            if (!point.allFinite() || !take(point))
+            {
+                for (const auto &[layer, position] : found)
+                    layer->setPresent(position, true);
+                std::ostringstream message;
+                message << "There is no point at " << point.transpose() << " to be removed";
+                throw ompl::Exception(message.str());
+            }
+        removed_.insert(removed_.end(), points.begin(), points.end());
+        tidy();
+    }
+
+    std::size_t PointCloudSet::removeWithin(const Eigen::AlignedBox3d &wanted)
+    {
+        Eigen::AlignedBox3d box;
+        for (const Layer &layer : layers_)
+            box.extend(layer.tree->getCube());
+        box.clamp(wanted);
+        if (box.isEmpty())
+            return 0;
+        const std::size_t before = removed_.size();
+        for (Layer &layer : layers_)
+        {
+            const auto visit = [&](std::uint32_t i)
+            {
+                const Eigen::Vector3d &point = layer.tree->getPoints()[i];
+                if (layer.has(i) && box.contains(point))
+                {
+                    layer.setPresent(i, false);
+                    removed_.push_back(point);
+                }
+                return false;
+            };
+            layer.tree->findNear(box, Pose::Identity(), visit);
+        }
+        tidy();
+        return removed_.size() - before;
+    }
+
+    ObstacleChange PointCloudSet::takeChange()
+    {
+        std::vector<PointForest::Layer> layers;
+        for (Layer &layer : layers_)
+        {
+            const bool isWhole = layer.count == layer.tree->getPoints().size();
+            layer.isShared = layer.isShared || !isWhole;
+            layers.push_back({layer.tree, isWhole ? nullptr : layer.mask, layer.count});
+        }
+        std::sort(inserted_.begin(), inserted_.end(), isBefore);
+        std::sort(removed_.begin(), removed_.end(), isBefore);
+        std::vector<Eigen::Vector3d> added, removed;
+        std::set_difference(inserted_.begin(), inserted_.end(), removed_.begin(), removed_.end(),
+                            std::back_inserter(added), isBefore);
+        std::set_difference(removed_.begin(), removed_.end(), inserted_.begin(), inserted_.end(),
+                            std::back_inserter(removed), isBefore);
+        inserted_.clear();
+        removed_.clear();
+        const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr
+        {
+            if (points.empty())
+                return nullptr;
+            return std::make_shared<PointCloudObstacles>(PointCloud{std::move(points), radius_}, dimension_);
+        };
+        ObstacleChange change;
+        change.after.reset(
+            new PointCloudObstacles(std::make_unique<const PointForest>(std::move(layers)), radius_, dimension_));
+        change.added = obstaclesOf(std::move(added));
+        change.removed = obstaclesOf(std::move(removed));
+        return change;
+    }
+}

@@ -1,0 +1,79 @@
+#include "ompl_certificates/validity/Revalidation.h"
+
+#include "TeamCheck.h"
+
+#include <algorithm>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    Revalidation::Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
+                               CertificateMotionValidator::Mode mode)
+    {
+        if (!change.added)
+            return;
+        // The constructor for a user's team is private.
+        checker_.reset(new TeamValidityChecker(checker.getSpaceInformation(), checker.getTeam(), change.added,
+                                               Method::SHARED_PROJECTION));
+        // There are few obstacles, so certificates pay at once.
+        checker_->setAdaptive(false);
+        checker_->check_->ignoreAllButObstacles();
+        validator_.emplace(checker_, mode);
+    }
+
+    bool Revalidation::staysValid(const ob::State *state) const
+    {
+        return !checker_ || checker_->isValid(state);
+    }
+
+    bool Revalidation::staysValid(const ob::State *from, const ob::State *to) const
+    {
+        return !checker_ || (checker_->isValid(from) && validator_->checkMotion(from, to));
+    }
+
+    Revalidation::Invalid Revalidation::findInvalid(const ob::PlannerData &data) const
+    {
+        Invalid invalid;
+        if (!checker_)
+            return invalid;
+        std::vector<bool> isValid(data.numVertices());
+        for (unsigned int i = 0; i < data.numVertices(); ++i)
+        {
+            isValid[i] = checker_->isValid(data.getVertex(i).getState());
+            if (!isValid[i])
+                invalid.vertices.push_back(i);
+        }
+        std::vector<unsigned int> ends;
+        for (unsigned int i = 0; i < data.numVertices(); ++i)
+        {
+            data.getEdges(i, ends);
+            std::sort(ends.begin(), ends.end());
+            for (const unsigned int end : ends)
+                if (!isValid[i] || !isValid[end] ||
+                    !validator_->checkMotion(data.getVertex(i).getState(), data.getVertex(end).getState()))
+                    invalid.edges.emplace_back(i, end);
+        }
+        return invalid;
+    }
+
+    std::vector<std::size_t> Revalidation::findInvalidEdges(const ompl::geometric::PathGeometric &path) const
+    {
+        std::vector<std::size_t> invalid;
+        if (!checker_)
+            return invalid;
+        if (path.getStateCount() == 1 && !staysValid(path.getState(0)))
+            invalid.push_back(0);
+        bool isValid = path.getStateCount() > 0 && checker_->isValid(path.getState(0));
+        for (std::size_t i = 0; i + 1 < path.getStateCount(); ++i)
+        {
+            const bool isNextValid = checker_->isValid(path.getState(static_cast<unsigned int>(i + 1)));
+            if (!isValid || !isNextValid ||
+                !validator_->checkMotion(path.getState(static_cast<unsigned int>(i)),
+                                         path.getState(static_cast<unsigned int>(i + 1))))
+                invalid.push_back(i);
+            isValid = isNextValid;
+        }
+        return invalid;
+    }
+}
