@@ -98,7 +98,7 @@ TEST_F(ChangingClouds, ShowEachCheckTheOldWorldOrTheNew)
         std::vector<std::vector<bool>> verdicts(1);
         for (const auto &state : states)
             verdicts[0].push_back(checker->isValid(state.get()));
-        for (int i = 0; i < 25; ++i)
+        for (int i = 0; i < 10; ++i)
         {
             changes.push_back(disturb());
             TeamSetup fresh(team_, changes.back().after, Method::STANDARD);
@@ -186,11 +186,11 @@ TEST_F(ChangingClouds, LetWaitingChecksInBetweenTheSteps)
     std::atomic<int> changing{0};
     const auto change = [&]
     {
-        for (int i = 0; i < 20; ++i)
+        for (int i = 0; i < 5; ++i)
         {
             WorldLock::Change world(*lock);
             wrong += changing++ != 0 ? 1 : 0;
-            for (int step = 0; step < 20; ++step)
+            for (int step = 0; step < 5; ++step)
             {
                 ++changes;
                 wrong += inside != 0 ? 1 : 0;
