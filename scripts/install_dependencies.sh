@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the build, the tests and the demos need and this machine lacks, on Debian 12 and Ubuntu 22.04 or 24.04.
-# Further packages can be named as arguments; --experiments stands for those of docs/experiments.md, and --cluster for
-# those that its test with Slurm needs. Does nothing, and needs no network, when everything is there.
+# Further packages can be named as arguments; --experiments stands for those of docs/experiments.md, --cluster for those
+# that its test with Slurm needs, and --python for those of the Python module. Does nothing, and needs no network, when
+# everything is there.
 set -euo pipefail
 
 packages=(
@@ -16,6 +17,9 @@ packages=(
 for argument in "$@"; do
   case $argument in
     --experiments) packages+=(python3-pandas python3-matplotlib python3-yaml snakemake ompl-demos) ;;
+    --python)
+      packages+=(python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-numpy pybind11-dev)
+      ;;
     --cluster) packages+=(munge slurmctld slurmd slurm-client) ;;
     *) packages+=("$argument") ;;
   esac

@@ -1,0 +1,96 @@
+"""Planning for teams of robots with safety certificates, by OMPL's planners.
+
+    import ompl_certificates as oc
+
+    scene = oc.load_scene("demos/scenes/paper_five_discs.yaml")
+    plan = oc.plan(scene, time=2.0)
+    print(plan.solved, plan.cost, plan.path.shape)
+
+Lengths are in the scene's unit, angles in radians, times in seconds. Errors are exceptions of class Error.
+"""
+
+from __future__ import annotations
+
+from typing import Callable, Mapping, Optional, Union
+
+from numpy.typing import ArrayLike
+
+from ._core import (
+    Body,
+    Checker,
+    Error,
+    Plan,
+    Robot,
+    Scene,
+    __version__,
+    _plan,
+    load_moveit,
+    load_scene,
+    planner_names,
+    scene_from_yaml,
+)
+
+__all__ = [
+    "Body",
+    "Checker",
+    "Error",
+    "Plan",
+    "Robot",
+    "Scene",
+    "__version__",
+    "load_moveit",
+    "load_scene",
+    "plan",
+    "planner_names",
+    "scene_from_yaml",
+]
+
+Parameter = Union[str, int, float, bool]
+
+
+def plan(
+    scene: Union[Scene, Checker],
+    planner: Optional[str] = None,
+    method: str = "shared",
+    time: float = 10.0,
+    seed: int = 1,
+    callback: Optional[Callable[[float, float], Optional[bool]]] = None,
+    *,
+    motion: str = "discrete",
+    objective: str = "length",
+    iterations: Optional[int] = None,
+    simplify: bool = False,
+    parameters: Optional[Mapping[str, Parameter]] = None,
+    start: Optional[ArrayLike] = None,
+    goal: Optional[ArrayLike] = None,
+) -> Plan:
+    """Plan for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
+
+    planner: one of planner_names(); by default DRRTstar for two or more robots, RRTConnect for one
+    method: shared, partial, basic, standard or fcl; motion: discrete or continuous. A Checker has its own.
+    time: how long to plan at most, in seconds
+    seed: of OMPL's random numbers; the same seed grows the same tree. They are one for the whole process.
+    callback: called some 20 times in a second with the seconds so far and the best cost, which is infinite if
+        the planner does not tell it. The plan ends when it returns True; what it raises is raised by plan().
+    objective: length, sum, makespan or arrival
+    iterations: end after that many evaluations of the termination condition, too
+    simplify: shorten the solution, for at most as long again
+    parameters: of the planner, such as {"range": 2.0}
+    start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
+
+    Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt.
+    """
+    checker = scene if isinstance(scene, Checker) else Checker(scene, method, motion)
+    return _plan(
+        checker,
+        planner or "",
+        time,
+        iterations or 0,
+        seed,
+        callback,
+        objective,
+        simplify,
+        dict(parameters or {}),
+        start,
+        goal,
+    )

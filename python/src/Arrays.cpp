@@ -1,0 +1,132 @@
+#include "Arrays.h"
+
+#include <cmath>
+#include <limits>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        std::string shapeOf(const py::array &array)
+        {
+            std::string text = "(";
+            for (py::ssize_t i = 0; i < array.ndim(); ++i)
+                text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+            return text + (array.ndim() == 1 ? ",)" : ")");
+        }
+
+        void requireColumns(const py::array &array, py::ssize_t columns, const std::string &what)
+        {
+            if (array.ndim() != 2 || array.shape(1) != columns)
+                throw ompl::Exception(what, "must be an array of shape (n, " + std::to_string(columns) + "), not " +
+                                                shapeOf(array));
+        }
+
+        /** The rotation of a quaternion or matrix that may be rounded, made exact */
+        Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion)
+        {
+            if (!(std::abs(quaternion.norm() - 1.0) < 1e-6))
+                throw ompl::Exception("pose",
+                                      "a quaternion must have length 1, not " + std::to_string(quaternion.norm()));
+            return quaternion.normalized().toRotationMatrix();
+        }
+
+        Eigen::Matrix3d rotationOf(const Eigen::Matrix3d &matrix)
+        {
+            if (!((matrix * matrix.transpose()).isIdentity(1e-6) && matrix.determinant() > 0.0))
+                throw ompl::Exception("pose", "the upper left 3 × 3 numbers of a matrix must be a rotation");
+            return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
+        }
+
+        Pose poseOfMatrix(const Doubles &array)
+        {
+            const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(array.data());
+            if (matrix.row(3) != Eigen::RowVector4d::UnitW())
+                throw ompl::Exception("pose", "the last row of a matrix must be 0, 0, 0, 1");
+            Pose pose = poseAt(matrix.topRightCorner<3, 1>());
+            pose.linear() = rotationOf(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()));
+            return pose;
+        }
+    }
+
+    std::vector<Eigen::Vector2d> toPoints2(const Doubles &array, const std::string &what)
+    {
+        requireColumns(array, 2, what);
+        std::vector<Eigen::Vector2d> points(static_cast<std::size_t>(array.shape(0)));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = Eigen::Map<const Eigen::Vector2d>(array.data() + 2 * i);
+        return points;
+    }
+
+    std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar)
+    {
+        const bool flat = planar && array.ndim() == 2 && array.shape(1) == 2;
+        requireColumns(array, flat ? 2 : 3, what);
+        std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.shape(0)));
+        const double *row = array.data();
+        for (Eigen::Vector3d &point : points)
+        {
+            point = {row[0], row[1], flat ? 0.0 : row[2]};
+            row += array.shape(1);
+        }
+        return points;
+    }
+
+    TriangleMeshPtr toMesh(const Doubles &vertices, const Indices &faces)
+    {
+        requireColumns(faces, 3, "faces");
+        std::vector<TriangleMesh::Triangle> triangles(static_cast<std::size_t>(faces.shape(0)));
+        const std::int64_t *index = faces.data();
+        for (TriangleMesh::Triangle &triangle : triangles)
+            for (std::uint32_t &corner : triangle)
+            {
+                if (*index < 0 || *index > std::numeric_limits<std::uint32_t>::max())
+                    throw ompl::Exception("faces", "there is no vertex " + std::to_string(*index));
+                corner = static_cast<std::uint32_t>(*index++);
+            }
+        return std::make_shared<TriangleMesh>(toPoints3(vertices, "vertices"), std::move(triangles));
+    }
+
+    Pose toPose(const py::object &object, unsigned int dimension)
+    {
+        if (object.is_none())
+            return Pose::Identity();
+        const auto array = Doubles::ensure(object);
+        if (!array)
+            throw py::error_already_set();
+        for (py::ssize_t i = 0; i < array.size(); ++i)
+            if (!std::isfinite(array.data()[i]))
+                throw ompl::Exception("pose", "all numbers must be finite");
+        const double *p = array.data();
+        if (array.ndim() == 1 && dimension == 2 && (array.size() == 2 || array.size() == 3))
+            return planarPose(p[0], p[1], array.size() == 3 ? p[2] : 0.0);
+        if (array.ndim() == 1 && dimension == 3 && (array.size() == 3 || array.size() == 7))
+        {
+            Pose pose = poseAt({p[0], p[1], p[2]});
+            if (array.size() == 7)
+                pose.linear() = rotationOf(Eigen::Quaterniond(p[6], p[3], p[4], p[5]));
+            return pose;
+        }
+        if (array.ndim() == 2 && array.shape(0) == 4 && array.shape(1) == 4)
+            return poseOfMatrix(array);
+        throw ompl::Exception(
+            "pose", std::string("must be ") +
+                        (dimension == 2 ? "(x, y) or (x, y, angle)" : "(x, y, z) or (x, y, z, qx, qy, qz, qw)") +
+                        " or a 4 × 4 matrix, not of shape " + shapeOf(array));
+    }
+
+    ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high)
+    {
+        if (low.size() != high.size() || (low.size() != 2 && low.size() != 3))
+            throw ompl::Exception("bounds", "low and high must both have 2 or 3 numbers, not " +
+                                                std::to_string(low.size()) + " and " + std::to_string(high.size()));
+        ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(low.size()));
+        bounds.low = low;
+        bounds.high = high;
+        bounds.check();
+        return bounds;
+    }
+}

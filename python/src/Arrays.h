@@ -1,0 +1,44 @@
+#ifndef OMPL_CERTIFICATES_PYTHON_ARRAYS_
+#define OMPL_CERTIFICATES_PYTHON_ARRAYS_
+
+#include <ompl_certificates/geometry/Pose.h>
+#include <ompl_certificates/geometry/TriangleMesh.h>
+
+#include <ompl/base/spaces/RealVectorBounds.h>
+#include <pybind11/numpy.h>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates_python
+{
+    namespace py = pybind11;
+
+    /** \brief Numbers from Python; other types and layouts are converted */
+    using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+    /** \brief Indices from Python */
+    using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+    /** \brief Points of the plane, from an array of shape (n, 2)
+        \throws ompl::Exception that names \e what for another shape */
+    std::vector<Eigen::Vector2d> toPoints2(const Doubles &array, const std::string &what);
+
+    /** \brief Points of space, from an array of shape (n, 3); of shape (n, 2) they get z = 0 if \e planar
+        \throws ompl::Exception that names \e what for another shape */
+    std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar = false);
+
+    /** \brief A mesh, from vertices of shape (n, 3) and faces of shape (m, 3)
+        \throws ompl::Exception for another shape or an index that is negative, and as TriangleMesh does */
+    ompl_certificates::TriangleMeshPtr toMesh(const Doubles &vertices, const Indices &faces);
+
+    /** \brief A pose, from (x, y, angle), (x, y), (x, y, z), (x, y, z, qx, qy, qz, qw) or a 4 × 4 matrix; none is the
+        identity. Three numbers are (x, y, angle) if \e dimension is 2.
+        \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */
+    ompl_certificates::Pose toPose(const py::object &object, unsigned int dimension);
+
+    /** \brief Bounds from their lower and upper ends
+        \throws ompl::Exception if these differ in length, or if there are not 2 or 3 of them */
+    ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
+}
+
+#endif

@@ -1,0 +1,112 @@
+#include "Arrays.h"
+#include "Bindings.h"
+
+#include <ompl_certificates/geometry/Body.h>
+#include <ompl_certificates/scene/MeshFile.h>
+
+#include <ompl/util/Exception.h>
+#include <optional>
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        void requireDimension(unsigned int dimension)
+        {
+            if (dimension != 2 && dimension != 3)
+                throw ompl::Exception("dimension", "must be 2 or 3, not " + std::to_string(dimension));
+        }
+
+        Body makeBox(double x, double y, std::optional<double> z)
+        {
+            return z ? Body::box(x, y, *z) : Body::box(x, y);
+        }
+
+        Body makeMesh(const Doubles &vertices, const Indices &faces, unsigned int dimension)
+        {
+            requireDimension(dimension);
+            const TriangleMeshPtr mesh = toMesh(vertices, faces);
+            return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
+        }
+
+        Body readMesh(const std::string &file, unsigned int dimension)
+        {
+            requireDimension(dimension);
+            return MeshFile(file).makeObstacle(dimension);
+        }
+
+        Body makePolygon(const Doubles &points)
+        {
+            if (points.ndim() == 2 && points.shape(1) == 2)
+                return Body::convexPolygon(toPoints2(points, "points"));
+            return Body::convexPolytope(toPoints3(points, "points"));
+        }
+
+        Body makeHull(const Doubles &points)
+        {
+            if (points.ndim() == 2 && points.shape(1) == 2)
+                return Body::convexHull(toPoints2(points, "points"));
+            return Body::convexHull(toPoints3(points, "points"));
+        }
+
+        Body join(const std::vector<std::pair<Body, py::object>> &members)
+        {
+            std::vector<Body::Part> parts;
+            for (const auto &[body, object] : members)
+            {
+                const Pose pose = toPose(object, body.getDimension());
+                for (const Body::Part &part : body.getParts())
+                    parts.push_back({part.shape, pose * part.pose});
+            }
+            return Body(std::move(parts));
+        }
+    }
+
+    void bindBodies(py::module_ &module)
+    {
+        py::class_<Body>(module, "Body",
+                         "A rigid body: one or more shapes in its own frame. Lengths are in the scene's unit.")
+            .def_static("disc", &Body::disc, py::arg("radius"), "A disc, in the plane; radius 0 is a point")
+            .def_static("sphere", &Body::sphere, py::arg("radius"), "A sphere, in space; radius 0 is a point")
+            .def_static("box", &makeBox, py::arg("x"), py::arg("y"), py::arg("z") = py::none(),
+                        "A rectangle about the origin, or with z a box, with these extents")
+            .def_static("planar_capsule", &Body::planarCapsule, py::arg("radius"), py::arg("length"),
+                        "All points of the plane within radius of a segment along x about the origin")
+            .def_static("capsule", &Body::capsule, py::arg("radius"), py::arg("length"),
+                        "All points of space within radius of a segment along z about the origin")
+            .def_static("cylinder", &Body::cylinder, py::arg("radius"), py::arg("length"),
+                        "A cylinder along z about the origin, in space")
+            .def_static("convex", &makePolygon, py::arg("points"),
+                        "The convex polygon (points of shape (n, 2)) or polytope ((n, 3)) with these corners")
+            .def_static("convex_hull", &makeHull, py::arg("points"),
+                        "The convex hull of any points, of shape (n, 2) or (n, 3)")
+            .def_static("mesh", &makeMesh, py::arg("vertices"), py::arg("faces"), py::arg("dimension") = 3,
+                        "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
+                        "a planar scene: it keeps its z, and moves in x and y.")
+            .def_static("mesh_file", &readMesh, py::arg("file"), py::arg("dimension") = 3,
+                        "The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame")
+            .def_static("join", &join, py::arg("members"),
+                        "One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)")
+            .def_property_readonly("dimension", &Body::getDimension, "The dimension of the workspace: 2 or 3")
+            .def_property_readonly("bounding_radius", &Body::getBoundingRadius,
+                                   "The largest distance of a point of the body from the origin of its frame")
+            .def(
+                "signed_distance",
+                [](const Body &body, const Doubles &points)
+                {
+                    const auto list = toPoints3(points, "points", body.getDimension() == 2);
+                    py::array_t<double> distances(static_cast<py::ssize_t>(list.size()));
+                    for (std::size_t i = 0; i < list.size(); ++i)
+                        distances.mutable_data()[i] = body.signedDistance(list[i]);
+                    return distances;
+                },
+                py::arg("points"),
+                "The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. "
+                "Shape (n,)")
+            .def(
+                "__eq__", [](const Body &body, const Body &other) { return body == other; }, py::is_operator());
+    }
+}

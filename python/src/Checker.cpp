@@ -1,0 +1,224 @@
+#include "Checker.h"
+
+#include <ompl_certificates/obstacles/MixedObstacles.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <ompl/base/spaces/SO3StateSpace.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates_python
+{
+    namespace ob = ompl::base;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        CertificateMotionValidator::Mode modeOf(const std::string &motion)
+        {
+            if (motion != "discrete" && motion != "continuous")
+                throw ompl::Exception("motion", "must be discrete or continuous, not '" + motion + "'");
+            return motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
+                                          : CertificateMotionValidator::DISCRETE;
+        }
+
+        /** Where the angles and quaternions are among the numbers of a state, from \e position on */
+        void findRotations(const ob::StateSpace &space, std::size_t &position, std::vector<std::size_t> &angles,
+                           std::vector<std::size_t> &quaternions)
+        {
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            {
+                for (const ob::StateSpacePtr &part : compound->getSubspaces())
+                    findRotations(*part, position, angles, quaternions);
+                return;
+            }
+            if (space.getType() == ob::STATE_SPACE_SO2)
+                angles.push_back(position++);
+            else if (space.getType() == ob::STATE_SPACE_SO3)
+            {
+                quaternions.push_back(position);
+                position += 4;
+            }
+            else
+                position += space.getDimension();
+        }
+    }
+
+    /** A state that takes the numbers of one row after the other */
+    class Checker::Row
+    {
+    public:
+        explicit Row(const Checker &checker) : checker_(checker), state_(checker.setup_->getStateSpace())
+        {
+            const ob::StateSpacePtr &space = state_.getSpace();
+            for (const auto &location : space->getValueLocations())
+                addresses_.push_back(space->getValueAddressAtLocation(state_.get(), location));
+        }
+
+        const ob::State *read(const double *values)
+        {
+            for (std::size_t i = 0; i < addresses_.size(); ++i)
+                *addresses_[i] = values[i];
+            constexpr double pi = boost::math::constants::pi<double>();
+            for (const std::size_t i : checker_.angles_)
+                if (!(values[i] >= -pi && values[i] < pi))
+                    *addresses_[i] = std::remainder(values[i], 2.0 * pi);
+            return state_.get();
+        }
+
+        const ob::ScopedState<> &get() const
+        {
+            return state_;
+        }
+
+    private:
+        const Checker &checker_;
+        ob::ScopedState<> state_;
+        std::vector<double *> addresses_;
+    };
+
+    Checker::Checker(const Scene &scene, const std::string &method, const std::string &motion)
+      : sceneName_(scene.getName())
+      , motion_(motion)
+      , dimension_(scene.getDimension())
+      , sensed_(scene.getSensedObstacles())
+      , obstacles_(scene.getDimension(), scene.getZInterval())
+    {
+        if (scene.getMembers().empty())
+            throw ompl::Exception(scene.getSource(), "robots: a scene needs at least one robot");
+        for (const PlacedBody &obstacle : scene.getObstacles())
+            obstacles_.add(obstacle);
+        const TeamStateSpacePtr team = scene.makeTeam();
+        setup_ = std::make_unique<TeamSetup>(team, withSensed(obstacles_.takeChange().after), methodOf(method),
+                                             modeOf(motion));
+        setup_->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+        setup_->getSpaceInformation()->setup();
+        findRotations(*team, count_, angles_, quaternions_);
+    }
+
+    ObstaclesPtr Checker::withSensed(const ObstaclesPtr &bodies) const
+    {
+        std::vector<ObstaclesPtr> all = sensed_;
+        if (obstacles_.size() > 0 || all.empty())
+            all.insert(all.begin(), bodies);
+        return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
+    }
+
+    std::size_t Checker::countRows(const Doubles &states, const char *what) const
+    {
+        const auto dimensions = states.ndim();
+        if ((dimensions != 1 && dimensions != 2) || static_cast<std::size_t>(states.shape(dimensions - 1)) != count_)
+            throw ompl::Exception(
+                what, "must be an array of shape (n, " + std::to_string(count_) + "), not of " +
+                          std::to_string(dimensions) + " dimensions" +
+                          (dimensions > 0 ? " with " + std::to_string(states.shape(dimensions - 1)) + " columns" : ""));
+        const auto rows = dimensions == 1 ? 1 : static_cast<std::size_t>(states.shape(0));
+        for (std::size_t row = 0; row < rows; ++row)
+            for (const std::size_t i : quaternions_)
+            {
+                const double *q = states.data() + row * count_ + i;
+                const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+                if (std::abs(square - 1.0) > 1e-6)
+                    throw ompl::Exception(what, "row " + std::to_string(row) +
+                                                    ": a quaternion must have length 1, not " +
+                                                    std::to_string(std::sqrt(square)));
+            }
+        return rows;
+    }
+
+    py::array_t<bool> Checker::isValid(const Doubles &states) const
+    {
+        const std::size_t rows = countRows(states, "states");
+        py::array_t<bool> result(static_cast<py::ssize_t>(rows));
+        bool *valid = result.mutable_data();
+        const double *values = states.data();
+        const py::gil_scoped_release release;
+        const TeamValidityChecker &checker = *setup_->getTeamChecker();
+        Row row(*this);
+        for (std::size_t i = 0; i < rows; ++i)
+            valid[i] = checker.isValid(row.read(values + i * count_));
+        return result;
+    }
+
+    py::array_t<double> Checker::clearance(const Doubles &states) const
+    {
+        const std::size_t rows = countRows(states, "states");
+        py::array_t<double> result(static_cast<py::ssize_t>(rows));
+        double *clearances = result.mutable_data();
+        const double *values = states.data();
+        const py::gil_scoped_release release;
+        const TeamValidityChecker &checker = *setup_->getTeamChecker();
+        Row row(*this);
+        for (std::size_t i = 0; i < rows; ++i)
+            clearances[i] = checker.clearance(row.read(values + i * count_));
+        return result;
+    }
+
+    py::array_t<bool> Checker::checkMotions(const Doubles &starts, const Doubles &ends) const
+    {
+        const std::size_t rows = countRows(starts, "starts"), others = countRows(ends, "ends");
+        if (rows != others)
+            throw ompl::Exception("ends", "must have as many rows as starts: " + std::to_string(rows) + ", not " +
+                                              std::to_string(others));
+        py::array_t<bool> result(static_cast<py::ssize_t>(rows));
+        bool *valid = result.mutable_data();
+        const double *from = starts.data(), *to = ends.data();
+        const py::gil_scoped_release release;
+        const ob::SpaceInformation &si = *setup_->getSpaceInformation();
+        Row start(*this), end(*this);
+        for (std::size_t i = 0; i < rows; ++i)
+            valid[i] = si.checkMotion(start.read(from + i * count_), end.read(to + i * count_));
+        return result;
+    }
+
+    ob::ScopedState<> Checker::toState(const Doubles &values) const
+    {
+        if (countRows(values, "state") != 1)
+            throw ompl::Exception("state", "must be one state");
+        Row row(*this);
+        row.read(values.data());
+        return row.get();
+    }
+
+    std::string Checker::describeCollision(const Doubles &state) const
+    {
+        return setup_->getTeamChecker()->describeCollision(toState(state).get());
+    }
+
+    void Checker::change()
+    {
+        ObstacleChange change = obstacles_.takeChange();
+        change.after = withSensed(change.after);
+        setup_->getTeamChecker()->changeObstacles(change);
+    }
+
+    ObstacleSet::Id Checker::addObstacle(const Body &body, const Pose &pose)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        const ObstacleSet::Id obstacle = obstacles_.add({body, pose});
+        change();
+        return obstacle;
+    }
+
+    void Checker::moveObstacle(ObstacleSet::Id obstacle, const Pose &pose)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        obstacles_.move(obstacle, pose);
+        change();
+    }
+
+    void Checker::removeObstacle(ObstacleSet::Id obstacle)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        obstacles_.remove(obstacle);
+        change();
+    }
+
+    std::unique_lock<std::mutex> Checker::lockPlanning() const
+    {
+        std::unique_lock<std::mutex> lock(planning_, std::try_to_lock);
+        if (!lock)
+            throw ompl::Exception("plan", "another thread plans with this checker already");
+        return lock;
+    }
+}

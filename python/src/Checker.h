@@ -1,0 +1,117 @@
+#ifndef OMPL_CERTIFICATES_PYTHON_CHECKER_
+#define OMPL_CERTIFICATES_PYTHON_CHECKER_
+
+#include "Arrays.h"
+
+#include <ompl_certificates/obstacles/ObstacleSet.h>
+#include <ompl_certificates/scene/Scene.h>
+
+#include <memory>
+#include <mutex>
+
+namespace ompl_certificates_python
+{
+    using ompl_certificates::Body;
+    using ompl_certificates::ObstacleSet;
+    using ompl_certificates::Pose;
+    using ompl_certificates::Scene;
+    using ompl_certificates::TeamSetup;
+
+    /** \brief A scene's team among its obstacles, which may change: checks batches of states and motions, and keeps what
+        is known of the obstacles. All methods may be called from many threads at once.
+
+        Members that take arrays release Python's lock while they check. */
+    class Checker
+    {
+    public:
+        /** \brief A checker for the team of \e scene
+            \param scene with at least one robot
+            \param method the name of a method; see ompl_certificates::methodOf()
+            \param motion how motions are checked: discrete or continuous
+            \throws ompl::Exception if a name is unknown, or the scene has no robot */
+        Checker(const Scene &scene, const std::string &method, const std::string &motion);
+
+        /** \brief Which states are valid: one bool for each row of \e states, of shape (n, coordinates) or
+            (coordinates,)
+            \throws ompl::Exception for another shape, and for a quaternion whose length is not 1 */
+        py::array_t<bool> isValid(const Doubles &states) const;
+
+        /** \brief A lower bound of the distance to the nearest contact, for each state */
+        py::array_t<double> clearance(const Doubles &states) const;
+
+        /** \brief Which motions are valid, between the same rows of both. As in OMPL, starts must be valid: they are not
+            checked here in the discrete mode. */
+        py::array_t<bool> checkMotions(const Doubles &starts, const Doubles &ends) const;
+
+        /** \brief What collides in a state, in one line; empty if it is valid */
+        std::string describeCollision(const Doubles &state) const;
+
+        /** \brief Change the obstacles. Waits for running checks of other threads.
+            \throws ompl::Exception as ObstacleSet does */
+        ObstacleSet::Id addObstacle(const Body &body, const Pose &pose);
+        void moveObstacle(ObstacleSet::Id obstacle, const Pose &pose);
+        void removeObstacle(ObstacleSet::Id obstacle);
+
+        /** \brief A state of the team, from its numbers
+            \throws ompl::Exception as isValid() does */
+        ompl::base::ScopedState<> toState(const Doubles &values) const;
+
+        /** \brief The setup, for planning; see lockPlanning() */
+        TeamSetup &getSetup() const
+        {
+            return *setup_;
+        }
+
+        /** \brief The numbers of a state */
+        std::size_t getCoordinateCount() const
+        {
+            return count_;
+        }
+
+        /** \brief The dimension of the workspace: 2 or 3 */
+        unsigned int getDimension() const
+        {
+            return dimension_;
+        }
+
+        /** \brief The name of the scene */
+        const std::string &getSceneName() const
+        {
+            return sceneName_;
+        }
+
+        /** \brief How motions are checked: discrete or continuous */
+        const std::string &getMotion() const
+        {
+            return motion_;
+        }
+
+        /** \brief Returns a lock that no other plan holds
+            \throws ompl::Exception if a thread plans with this checker already */
+        std::unique_lock<std::mutex> lockPlanning() const;
+
+    private:
+        class Row;
+
+        /** \brief The number of rows, after a check of the shape and of all quaternions */
+        std::size_t countRows(const Doubles &states, const char *what) const;
+
+        /** \brief Give the changes of the set to the checker. */
+        void change();
+
+        /** \brief All obstacles, as of Scene::makeObstacles() */
+        ompl_certificates::ObstaclesPtr withSensed(const ompl_certificates::ObstaclesPtr &bodies) const;
+
+        std::string sceneName_, motion_;
+        unsigned int dimension_;
+        std::size_t count_{0};
+        std::vector<ompl_certificates::ObstaclesPtr> sensed_;
+        std::vector<std::size_t> angles_, quaternions_;
+        ObstacleSet obstacles_;
+        std::unique_ptr<TeamSetup> setup_;
+        std::mutex changing_;
+        mutable std::mutex planning_;
+    };
+}
+
+#endif

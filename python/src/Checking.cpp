@@ -1,0 +1,123 @@
+#include "Bindings.h"
+#include "Checker.h"
+#include "Reports.h"
+
+#include <ompl_certificates/validity/CertificateFile.h>
+
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        py::object validOf(const Checker &checker, const Doubles &states)
+        {
+            py::array_t<bool> valid = checker.isValid(states);
+            return states.ndim() == 1 ? py::object(py::bool_(*valid.data())) : py::object(valid);
+        }
+
+        py::object clearanceOf(const Checker &checker, const Doubles &states)
+        {
+            py::array_t<double> clearances = checker.clearance(states);
+            return states.ndim() == 1 ? py::object(py::float_(*clearances.data())) : py::object(clearances);
+        }
+
+        /** One row for each certificate: the point's coordinates, then its clearance */
+        Doubles certificatesOf(const Checker &checker)
+        {
+            const auto certificates = checker.getSetup().getTeamChecker()->getCertificates();
+            const auto dimension = static_cast<py::ssize_t>(checker.getDimension());
+            Doubles result({static_cast<py::ssize_t>(certificates.size()), dimension + 1});
+            double *values = result.mutable_data();
+            for (const Certificate &certificate : certificates)
+            {
+                for (Eigen::Index i = 0; i < dimension; ++i)
+                    *values++ = certificate.point[i];
+                *values++ = certificate.clearance;
+            }
+            return result;
+        }
+
+        void bindBatches(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+        {
+            checker
+                .def("is_valid", &validOf, py::arg("states"),
+                     "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
+                     "state a bool. Bounds are not checked. Other Python threads run meanwhile.")
+                .def("clearance", &clearanceOf, py::arg("states"),
+                     "Lower bounds of the distance to the nearest contact, in the scene's length unit; not positive "
+                     "if a state is not valid. Shapes as of is_valid.")
+                .def("check_motions", &Checker::checkMotions, py::arg("starts"), py::arg("ends"),
+                     "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
+                     "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
+                .def("describe_collision", &Checker::describeCollision, py::arg("state"),
+                     "What collides in a state, in one line; empty if it is valid");
+        }
+
+        void bindChanges(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+        {
+            checker
+                .def(
+                    "add_obstacle",
+                    [](Checker &self, const Body &body, const py::object &object)
+                    {
+                        const Pose pose = toPose(object, self.getDimension());
+                        const py::gil_scoped_release release;
+                        return self.addObstacle(body, pose);
+                    },
+                    py::arg("body"), py::arg("pose") = py::none(), "Add an obstacle and return its number.")
+                .def(
+                    "move_obstacle",
+                    [](Checker &self, ObstacleSet::Id obstacle, const py::object &object)
+                    {
+                        const Pose pose = toPose(object, self.getDimension());
+                        const py::gil_scoped_release release;
+                        self.moveObstacle(obstacle, pose);
+                    },
+                    py::arg("obstacle"), py::arg("pose"),
+                    "Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned.")
+                .def("remove_obstacle", &Checker::removeObstacle, py::arg("obstacle"), "Remove an obstacle.",
+                     py::call_guard<py::gil_scoped_release>());
+        }
+    }
+
+    void bindChecker(py::module_ &module)
+    {
+        py::class_<Checker, std::shared_ptr<Checker>> checker(
+            module, "Checker",
+            "Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of "
+            "the scene do not reach it. Threads may share it.");
+        checker.def(py::init<const Scene &, const std::string &, const std::string &>(), py::arg("scene"),
+                    py::arg("method") = "shared", py::arg("motion") = "discrete",
+                    "method: shared, partial, basic, standard or fcl. motion: discrete or continuous.");
+        bindBatches(checker);
+        bindChanges(checker);
+        checker
+            .def("certificates", &certificatesOf,
+                 "The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and "
+                 "its clearance")
+            .def(
+                "save_certificates",
+                [](const Checker &self, const std::string &file)
+                { saveCertificates(*self.getSetup().getTeamChecker(), file); },
+                py::arg("file"), "Write what is known of the obstacles to a file.")
+            .def(
+                "load_certificates",
+                [](Checker &self, const std::string &file)
+                { return loadCertificates(*self.getSetup().getTeamChecker(), file); },
+                py::arg("file"),
+                "Read what another run knew of the same obstacles, and return the number of certificates.")
+            .def("statistics", &statisticsOf, "How checks were settled so far, as in the report of a plan")
+            .def(
+                "reset_statistics", [](Checker &self) { self.getSetup().getStatistics().reset(); },
+                "Set all counts to 0.")
+            .def(
+                "set_adaptive",
+                [](Checker &self, bool adaptive) { self.getSetup().getTeamChecker()->setAdaptive(adaptive); },
+                py::arg("adaptive"),
+                "Whether to skip certificates where they have not paid lately (the default). If not, counts depend "
+                "only on the states, for experiments. Not while others use the checker.");
+    }
+}

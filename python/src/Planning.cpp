@@ -1,0 +1,271 @@
+#include "Bindings.h"
+#include "Checker.h"
+#include "Progress.h"
+#include "Reports.h"
+
+#include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/planning/Planners.h>
+#include <ompl_certificates/team/PathTimes.h>
+#include <ompl_certificates/team/TeamObjective.h>
+
+#include <cmath>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+#include <ompl/util/RandomNumbers.h>
+#include <optional>
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    namespace ob = ompl::base;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        /** What came of a plan */
+        struct Plan
+        {
+            PlanReport report;
+            std::vector<std::string> coordinates;
+            Doubles path, times;
+            std::string csv;
+        };
+
+        struct Options
+        {
+            std::string planner, objective;
+            double seconds;
+            std::uint64_t iterations;
+            std::uint32_t seed;
+            py::object callback;
+            bool simplify;
+            std::map<std::string, py::object> parameters;
+        };
+
+        /** Only errors of OMPL are printed while this lives. */
+        class Quiet
+        {
+        public:
+            explicit Quiet(ompl::msg::LogLevel level) : before_(ompl::msg::getLogLevel())
+            {
+                ompl::msg::setLogLevel(level);
+            }
+            Quiet(const Quiet &) = delete;
+            Quiet &operator=(const Quiet &) = delete;
+            ~Quiet()
+            {
+                ompl::msg::setLogLevel(before_);
+            }
+
+        private:
+            ompl::msg::LogLevel before_;
+        };
+
+        void seedRandomNumbers(std::uint32_t seed)
+        {
+            // OMPL warns of a second seed, which is meant for programs that plan once.
+            const Quiet quiet(ompl::msg::LOG_NONE);
+            ompl::RNG::setSeed(seed);
+        }
+
+        ob::PlannerPtr plannerOf(const Options &options, const TeamSetup &setup)
+        {
+            std::string name = options.planner;
+            if (name.empty())
+                name = setup.getTeam().getRobotCount() > 1 ? "DRRTstar" : "RRTConnect";
+            const ob::PlannerPtr planner = makePlanner(name, setup.getSpaceInformation());
+            for (const auto &[key, value] : options.parameters)
+                setParameter(*planner, key,
+                             py::isinstance<py::bool_>(value) ? (value.cast<bool>() ? "1" : "0")
+                                                              : std::string(py::str(value)));
+            return planner;
+        }
+
+        void setProblem(TeamSetup &setup, const Checker &checker, const Options &options, const py::object &start,
+                        const py::object &goal)
+        {
+            const auto read = [&checker](const py::object &object)
+            {
+                const auto array = Doubles::ensure(object);
+                if (!array)
+                    throw py::error_already_set();
+                return checker.toState(array);
+            };
+            if (!start.is_none())
+                setup.setStartState(read(start));
+            if (!goal.is_none())
+                setup.setGoalState(read(goal));
+            ob::ScopedState<> end(setup.getStateSpace());
+            end = setup.getGoal()->as<ob::GoalState>()->getState();
+            for (const auto &[key, state] :
+                 {std::pair<std::string, const ob::State *>{"start", setup.getProblemDefinition()->getStartState(0)},
+                  {"goal", end.get()}})
+            {
+                if (!setup.getSpaceInformation()->satisfiesBounds(state))
+                    throw ompl::Exception(checker.getSceneName(), key + ": is outside the bounds");
+                const std::string collision = setup.getTeamChecker()->describeCollision(state);
+                if (!collision.empty())
+                    throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
+            }
+            setup.setOptimizationObjective(options.objective == "length"
+                                               ? nullptr
+                                               : makeObjective(options.objective, setup.getSpaceInformation(), end));
+        }
+
+        void setPath(Plan &plan, ompl::geometric::PathGeometric &path)
+        {
+            const ob::StateSpacePtr space = path.getSpaceInformation()->getStateSpace();
+            std::vector<double> row;
+            space->copyToReals(row, path.getState(0));
+            const auto count = static_cast<py::ssize_t>(path.getStateCount());
+            plan.path = Doubles({count, static_cast<py::ssize_t>(row.size())});
+            double *values = plan.path.mutable_data();
+            for (const ob::State *state : path.getStates())
+            {
+                space->copyToReals(row, state);
+                values = std::copy(row.begin(), row.end(), values);
+            }
+            plan.times = Doubles(count, stateTimes(path).data());
+            plan.csv = toCsv(path);
+        }
+
+        double costOf(TeamSetup &setup, const Options &options)
+        {
+            ob::ScopedState<> goal(setup.getStateSpace());
+            goal = setup.getGoal()->as<ob::GoalState>()->getState();
+            return setup.getSolutionPath()
+                .cost(makeObjective(options.objective, setup.getSpaceInformation(), goal))
+                .value();
+        }
+
+        /** Plan without Python's lock, and fill in the report. */
+        void solve(TeamSetup &setup, const Options &options, PlanReport &report)
+        {
+            Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
+            {
+                const py::gil_scoped_release release;
+                setup.setup();
+                setup.getProblemDefinition()->setIntermediateSolutionCallback(
+                    [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
+                    {
+                        if (report.firstSolutionSeconds < 0.0)
+                            report.firstSolutionSeconds = progress.getSeconds();
+                    });
+                const ob::PlannerStatus status = setup.solve(progress.condition());
+                setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
+                report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
+            }
+            progress.rethrow();
+            report.approximate = !report.solved && setup.haveSolutionPath();
+            report.totalSeconds = setup.getLastPlanComputationTime();
+            report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
+            report.checks = setup.getStatistics().getCounts();
+            report.iterations = progress.getEvaluations();
+            report.certificates = setup.getTeamChecker()->getCertificateCount();
+            if (report.solved)
+                report.cost = costOf(setup, options);
+            ob::PlannerData tree(setup.getSpaceInformation());
+            setup.getPlanner()->getPlannerData(tree);
+            report.setTree(tree);
+        }
+
+        /** Shorten the solution, for as long as it was planned for at most. */
+        void simplify(TeamSetup &setup, const Options &options, PlanReport &report)
+        {
+            Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
+            {
+                const py::gil_scoped_release release;
+                setup.simplifySolution(progress.condition());
+            }
+            progress.rethrow();
+            report.simplifiedCost = costOf(setup, options);
+            report.simplifyingSeconds = setup.getLastSimplificationTime();
+        }
+
+        Plan planWith(Checker &checker, const Options &options, const py::object &start, const py::object &goal)
+        {
+            const auto lock = checker.lockPlanning();
+            if (!(options.seconds > 0.0))
+                throw ompl::Exception("time", "must be positive, not " + std::to_string(options.seconds));
+            const Quiet quiet(ompl::msg::LOG_ERROR);
+            seedRandomNumbers(options.seed);
+            TeamSetup &setup = checker.getSetup();
+            if (setup.getPlanner())
+                setup.clear();
+            setup.getProblemDefinition()->clearSolutionPaths();
+            setup.setPlanner(plannerOf(options, setup));
+            setProblem(setup, checker, options, start, goal);
+            setup.getStatistics().reset();
+
+            Plan plan;
+            plan.report.scene = checker.getSceneName();
+            plan.report.planner = setup.getPlanner()->getName();
+            plan.report.method = nameOf(setup.getTeamChecker()->getMethod());
+            plan.report.motion = checker.getMotion();
+            plan.report.objective = options.objective;
+            plan.report.seed = options.seed;
+            plan.coordinates = coordinateNames(*setup.getStateSpace());
+            plan.path = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(checker.getCoordinateCount())});
+            plan.times = Doubles(0);
+            solve(setup, options, plan.report);
+            // An approximate path would be taken for a solution.
+            if (plan.report.solved && options.simplify)
+                simplify(setup, options, plan.report);
+            if (plan.report.solved)
+                setPath(plan, setup.getSolutionPath());
+            return plan;
+        }
+
+        void savePath(const Plan &plan, const std::string &file)
+        {
+            if (!plan.report.solved)
+                throw ompl::Exception(file, "there is no path to be written");
+            py::object path = py::module_::import("pathlib").attr("Path")(file);
+            path.attr("write_text")(plan.csv, py::arg("encoding") = "utf-8");
+        }
+    }
+
+    void bindPlanning(py::module_ &module)
+    {
+        py::class_<Plan>(module, "Plan", "What came of a plan")
+            .def_property_readonly(
+                "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
+            .def_property_readonly(
+                "cost",
+                [](const Plan &plan)
+                {
+                    if (!plan.report.solved)
+                        return std::numeric_limits<double>::infinity();
+                    return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
+                },
+                "The cost of the path, by the objective; infinite without a solution")
+            .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
+            .def_readonly("times", &Plan::times,
+                          "When the team is at each state if no robot is faster than 1, of shape (n,)")
+            .def_readonly("coordinates", &Plan::coordinates, "The names of the columns of path, such as scout.x")
+            .def_property_readonly(
+                "report", [](const Plan &plan) { return toDict(plan.report); },
+                "Costs, counts and times (docs/plan-team.md), as a dict")
+            .def("save", &savePath, py::arg("file"),
+                 "Write the path as a table of comma-separated values (docs/plan-team.md).")
+            .def(
+                "save_report", [](const Plan &plan, const std::string &file) { plan.report.write(file); },
+                py::arg("file"), "Write the report as JSON.")
+            .def("__bool__", [](const Plan &plan) { return plan.report.solved; });
+
+        module.def("planner_names", &plannerNames, "The names of all planners: OMPL's classes, and DRRTstar");
+        module.def(
+            "_plan",
+            [](Checker &checker, const std::string &planner, double time, std::uint64_t iterations, std::uint32_t seed,
+               const py::object &callback, const std::string &objective, bool simplified,
+               const std::map<std::string, py::object> &parameters, const py::object &start, const py::object &goal)
+            {
+                return planWith(checker, {planner, objective, time, iterations, seed, callback, simplified, parameters},
+                                start, goal);
+            },
+            py::arg("checker"), py::arg("planner"), py::arg("time"), py::arg("iterations"), py::arg("seed"),
+            py::arg("callback"), py::arg("objective"), py::arg("simplify"), py::arg("parameters"), py::arg("start"),
+            py::arg("goal"));
+    }
+}

@@ -1,0 +1,103 @@
+#include "Arrays.h"
+#include "Bindings.h"
+
+#include <ompl_certificates/robots/CarWithTrailer.h>
+#include <ompl_certificates/robots/RigidRobot.h>
+#include <ompl_certificates/scene/ArmFile.h>
+#include <ompl_certificates/pictures/PathFile.h>
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/util/Exception.h>
+#include <optional>
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        // pybind11 holds shared pointers to robots that are not constant; nothing here changes them.
+        using RobotHolder = std::shared_ptr<Robot>;
+
+        RobotHolder hold(const RobotPtr &robot)
+        {
+            return std::const_pointer_cast<Robot>(robot);
+        }
+
+        RobotHolder makeRigid(const std::string &name, const Body &body, const std::vector<double> &low,
+                              const std::vector<double> &high, bool turns)
+        {
+            const auto bounds = toBounds(low, high);
+            if (body.getDimension() == 2)
+                return hold(turns ? RigidRobot::inSE2(name, body, bounds) : RigidRobot::inR2(name, body, bounds));
+            return hold(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
+        }
+
+        RobotHolder makeArm(const std::string &urdf, const std::string &srdf, const std::string &group,
+                            std::optional<std::string> name, const py::object &base,
+                            const std::map<std::string, double> &jointValues)
+        {
+            const ArmFile file(urdf, srdf);
+            ArmFile::ArmSettings settings;
+            settings.base = toPose(base, 3);
+            settings.jointValues = jointValues;
+            return hold(file.makeArm(name.value_or(file.getName()), group, settings));
+        }
+
+        py::array_t<double> posesOf(const Robot &robot, const std::vector<double> &state)
+        {
+            const auto &space = robot.getStateSpace();
+            space->computeLocations();
+            if (state.size() != space->getValueLocations().size())
+                throw ompl::Exception("state", "must have " + std::to_string(space->getValueLocations().size()) +
+                                                   " numbers, not " + std::to_string(state.size()));
+            ompl::base::ScopedState<> scoped(space);
+            space->copyFromReals(scoped.get(), state);
+            std::vector<Pose> poses(robot.getBodies().size());
+            robot.placeBodies(scoped.get(), poses.data());
+            py::array_t<double> result({static_cast<py::ssize_t>(poses.size()), py::ssize_t(4), py::ssize_t(4)});
+            for (std::size_t i = 0; i < poses.size(); ++i)
+                Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(result.mutable_data() + 16 * i) =
+                    poses[i].matrix();
+            return result;
+        }
+    }
+
+    void bindRobots(py::module_ &module)
+    {
+        py::class_<Robot, RobotHolder>(module, "Robot",
+                                       "One member of a team: a rigid body, a car with a trailer, or "
+                                       "an arm")
+            .def_static("rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
+                        py::arg("turns") = true,
+                        "A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y "
+                        "and, if it turns, the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw.")
+            .def_static(
+                "car_with_trailer",
+                [](const std::string &name, const Body &car, const Body &trailer, double hitchLength,
+                   const std::vector<double> &low, const std::vector<double> &high) -> RobotHolder
+                { return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)); },
+                py::arg("name"), py::arg("car"), py::arg("trailer"), py::arg("hitch_length"), py::arg("low"),
+                py::arg("high"), "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle")
+            .def_static("arm", &makeArm, py::arg("urdf"), py::arg("srdf") = "", py::arg("group") = "",
+                        py::arg("name") = py::none(), py::arg("base") = py::none(),
+                        py::arg("joint_values") = std::map<std::string, double>(),
+                        "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
+                        "for. base is the pose of its root link. A state has the values of the group's joints, in "
+                        "radians or meters.")
+            .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
+            .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")
+            .def_property_readonly(
+                "coordinates",
+                [](const Robot &robot)
+                {
+                    robot.getStateSpace()->computeLocations();
+                    return coordinateNames(*robot.getStateSpace());
+                },
+                "The names of the numbers of a state")
+            .def_property_readonly("dimension", &Robot::getWorkspaceDimension, "The dimension of the workspace: 2 or 3")
+            .def("poses", &posesOf, py::arg("state"),
+                 "Where each body is in a state: matrices, of shape (bodies, 4, 4)");
+    }
+}

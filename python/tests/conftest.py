@@ -1,0 +1,25 @@
+"""Scenes that several tests use"""
+
+import pathlib
+
+import ompl_certificates as oc
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture()
+def scenes() -> pathlib.Path:
+    """The folder of the demos' scenes"""
+    return ROOT / "demos" / "scenes"
+
+
+@pytest.fixture()
+def room() -> oc.Scene:
+    """Two discs that change sides, past a box in the middle of a room of 10 by 10"""
+    scene = oc.Scene([0, 0], [10, 10], "room")
+    scene.add_obstacle(oc.Body.box(2, 2), (5, 5))
+    for name, start, goal in (("left", [1, 5], [9, 5]), ("right", [9, 5], [1, 5])):
+        body = oc.Body.disc(0.5)
+        scene.add_robot(oc.Robot.rigid(name, body, [0, 0], [10, 10], turns=False), start, goal)
+    return scene

@@ -1,0 +1,172 @@
+"""Checks in batches, changes of obstacles, certificates"""
+
+import math
+import pathlib
+import threading
+from typing import Any, List
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+
+METHODS = ("fcl", "standard", "basic", "partial", "shared")
+
+
+def test_batches_equal_the_geometry_under_all_methods(room: oc.Scene) -> None:
+    states = np.random.default_rng(4).uniform(0, 10, (20000, 4))
+    corners = np.maximum(np.abs(states.reshape(-1, 2, 2) - 5) - 1, 0)
+    free = (np.linalg.norm(corners, axis=2) > 0.5).all(axis=1)
+    free &= np.linalg.norm(states[:, :2] - states[:, 2:], axis=1) > 1
+    for method in METHODS:
+        assert (oc.Checker(room, method).is_valid(states) == free).all(), method
+
+
+def test_one_state_gives_one_bool(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    assert checker.is_valid(room.start) is True
+    assert checker.is_valid([5, 5, 1, 1]) is False
+    assert checker.is_valid([math.nan, 5, 1, 1]) is False
+    assert "left" in checker.describe_collision([5, 5, 1, 1])
+    assert checker.describe_collision(room.start) == ""
+
+
+def test_wrong_shapes_are_refused(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    wrongs: List[Any] = [np.zeros((3, 5)), np.zeros(3), np.zeros((2, 2, 4)), 1.0]
+    for wrong in wrongs:
+        with pytest.raises(oc.Error, match=r"^states: must be an array of shape \(n, 4\)"):
+            checker.is_valid(wrong)
+    with pytest.raises(oc.Error, match="^ends: must have as many rows as starts"):
+        checker.check_motions(np.zeros((3, 4)), np.zeros((2, 4)))
+    assert checker.is_valid(np.zeros((0, 4))).shape == (0,)
+
+
+def test_other_layouts_and_types_are_converted(room: oc.Scene) -> None:
+    states = np.random.default_rng(5).integers(0, 10, (500, 4))
+    checker = oc.Checker(room)
+    wanted = checker.is_valid(states.astype(float))
+    assert (checker.is_valid(states) == wanted).all()
+    assert (checker.is_valid(np.asfortranarray(states.astype(np.float32))) == wanted).all()
+    assert (checker.is_valid(np.repeat(states, 2, axis=0)[::2]) == wanted).all()
+
+
+def test_motions_equal_their_samples(room: oc.Scene) -> None:
+    rng = np.random.default_rng(6)
+    checker = oc.Checker(room)
+    states = rng.uniform(0, 10, (3000, 4))
+    starts = states[checker.is_valid(states)]
+    ends = rng.uniform(0, 10, starts.shape)
+    motions = checker.check_motions(starts, ends)
+    assert 0 < motions.sum() < len(motions)
+    for t in np.linspace(0, 1, 11):
+        # Valid motions have valid samples, at the resolution of the space and nearly so in between.
+        clearances = checker.clearance(starts + t * (ends - starts))
+        assert clearances[motions].min() > -0.1
+    assert not motions[~checker.is_valid(ends)].any()
+
+
+def test_angles_wrap_and_quaternions_have_length_one() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_obstacle(oc.Body.box(1, 8), (5, 5))
+    robot = oc.Robot.rigid("bar", oc.Body.box(3, 0.2), [0, 0], [10, 10])
+    scene.add_robot(robot, [2, 5, 0], [8, 5, 0])
+    states = np.random.default_rng(7).uniform([0, 0, -3], [10, 10, 3], (2000, 3))
+    checker = oc.Checker(scene)
+    turned = states + [0, 0, 2 * math.pi]
+    assert (checker.is_valid(states) == checker.is_valid(turned)).all()
+    assert (checker.check_motions(states[:-1], states[1:]) == checker.check_motions(turned[:-1], states[1:])).all()
+
+    space = oc.Scene([0] * 3, [10] * 3)
+    box = oc.Robot.rigid("box", oc.Body.box(1, 1, 1), [0] * 3, [10] * 3)
+    space.add_robot(box, [1, 1, 1, 0, 0, 0, 1], [9, 9, 9, 0, 0, 0, 1])
+    with pytest.raises(oc.Error, match="^states: row 1: a quaternion must have length 1, not 2"):
+        oc.Checker(space).is_valid([[1, 1, 1, 0, 0, 0, 1], [1, 1, 1, 0, 0, 0, 2]])
+
+
+def test_changes_reach_the_checker(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    states = np.random.default_rng(8).uniform(0, 10, (20000, 4))
+    checker.is_valid(states)
+    crate = checker.add_obstacle(oc.Body.disc(1), (2, 2))
+    assert not checker.is_valid([2, 2, 9, 9])
+    checker.move_obstacle(crate, (8, 8))
+    checker.move_obstacle(0, (5, 4, 0.5))
+    changed = oc.Scene([0, 0], [10, 10])
+    changed.add_obstacle(oc.Body.box(2, 2), (5, 4, 0.5))
+    changed.add_obstacle(oc.Body.disc(1), (8, 8))
+    for robot, place in zip(room.robots, ([1, 5], [9, 5])):
+        changed.add_robot(robot, place, place)
+    assert (checker.is_valid(states) == oc.Checker(changed, "fcl").is_valid(states)).all()
+    checker.remove_obstacle(crate)
+    assert checker.is_valid([8, 8, 1, 1])
+    with pytest.raises(oc.Error):
+        checker.remove_obstacle(crate)
+
+
+def test_certificates_are_clearances_and_outlive_the_program(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    # Among few obstacles clearances cost less than certificates, and none are kept.
+    crates = np.array([[x, y] for x in (1, 3, 7, 9) for y in (1, 2, 3, 7, 8, 9)], dtype=float)
+    for crate in crates:
+        room.add_obstacle(oc.Body.box(0.2, 0.2), crate)
+    checker = oc.Checker(room)
+    checker.set_adaptive(False)
+    checker.is_valid(np.random.default_rng(9).uniform(0, 10, (20000, 4)))
+    certificates = checker.certificates()
+    assert certificates.shape[0] > 10 and certificates.shape[1] == 3
+    halves = np.array([1.0] + len(crates) * [0.1])[:, None]
+    away = np.abs(certificates[:, None, :2] - np.vstack([[[5, 5]], crates])[None]) - halves
+    outside = np.linalg.norm(np.maximum(away, 0), axis=2).min(axis=1)
+    free = outside > 0
+    assert np.allclose(certificates[free, 2], outside[free], atol=1e-4)
+    file = str(tmp_path / "room.certificates")
+    checker.save_certificates(file)
+    other = oc.Checker(room)
+    assert other.load_certificates(file) == len(certificates)
+    assert len(other.certificates()) == len(certificates)
+    with pytest.raises(oc.Error, match="nowhere"):
+        other.load_certificates("nowhere")
+
+
+def test_statistics_are_a_dict_of_counts(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    checker.is_valid(np.random.default_rng(10).uniform(0, 10, (100, 4)))
+    statistics = checker.statistics()
+    assert statistics["robot_poses"] > 100
+    assert statistics["robot_poses"] == (
+        statistics["certified_free"] + statistics["certified_colliding"] + statistics["asked"]
+    )
+    checker.reset_statistics()
+    assert checker.statistics()["robot_poses"] == 0
+
+
+def test_threads_check_at_once_while_obstacles_change(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    states = np.random.default_rng(11).uniform(0, 10, (20000, 4))
+    wanted = checker.is_valid(states)
+    failures = []
+
+    def check() -> None:
+        for _ in range(5):
+            if not (checker.is_valid(states) == wanted).all():
+                failures.append(1)
+
+    threads = [threading.Thread(target=check) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for i in range(10):
+        checker.move_obstacle(0, (5, 5, i * math.pi / 2))
+    for thread in threads:
+        thread.join()
+    # A quarter turn of a square changes nothing, but for rounding at its edges.
+    assert not failures
+
+
+def test_python_runs_while_a_batch_is_checked(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    states = np.random.default_rng(12).uniform(0, 10, (1000000, 4))
+    thread = threading.Thread(target=lambda: checker.is_valid(states))
+    turns = 0
+    thread.start()
+    while thread.is_alive():
+        turns += 1
+    assert turns > 100

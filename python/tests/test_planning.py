@@ -1,0 +1,151 @@
+"""Plans"""
+
+import json
+import os
+import pathlib
+import signal
+import threading
+import time
+from typing import List, Tuple
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+
+
+def test_plan_leads_from_start_to_goal(room: oc.Scene) -> None:
+    plan = oc.plan(room, time=1.0)
+    assert plan.solved and plan
+    assert plan.coordinates == ["left.x", "left.y", "right.x", "right.y"]
+    assert (plan.path[0] == room.start).all() and (plan.path[-1] == room.goal).all()
+    assert plan.times.shape == (len(plan.path),) and (np.diff(plan.times) >= 0).all()
+    checker = oc.Checker(room)
+    assert checker.is_valid(plan.path).all()
+    assert checker.check_motions(plan.path[:-1], plan.path[1:]).all()
+    assert np.isclose(plan.cost, np.linalg.norm(np.diff(plan.path, axis=0), axis=1).sum())
+
+
+def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    plan = oc.plan(room, "RRTConnect", time=5.0, seed=7, simplify=True, parameters={"range": 0.5})
+    report = plan.report
+    assert (report["scene"], report["planner"], report["method"], report["seed"]) == ("room", "RRTConnect", "shared", 7)
+    assert report["solved"] is True and report["simplified_cost"] == plan.cost <= report["cost"]
+    assert report["checks"]["robot_poses"] > 0
+    plan.save(str(tmp_path / "path.csv"))
+    plan.save_report(str(tmp_path / "report.json"))
+    assert json.loads((tmp_path / "report.json").read_text(encoding="utf-8")) == report
+    table = np.loadtxt(tmp_path / "path.csv", delimiter=",", skiprows=1)
+    assert (table[:, 1:5] == plan.path).all()
+
+
+def test_same_seed_grows_the_same_tree_whatever_the_method(room: oc.Scene) -> None:
+    digests = {
+        (seed, oc.plan(room, "RRT", method, time=60, iterations=2000, seed=seed).report["tree"]["digest"])
+        for seed in (1, 2)
+        for method in ("standard", "shared", "shared")
+    }
+    assert len(digests) == 2
+
+
+def test_callback_sees_progress_and_ends_the_plan(room: oc.Scene) -> None:
+    calls: List[Tuple[float, float]] = []
+
+    def callback(seconds: float, cost: float) -> bool:
+        calls.append((seconds, cost))
+        return seconds > 0.4
+
+    begin = time.monotonic()
+    plan = oc.plan(room, "RRTstar", time=60, callback=callback)
+    assert time.monotonic() - begin < 10
+    assert len(calls) >= 3
+    assert [c[0] for c in calls] == sorted(c[0] for c in calls)
+    if plan.solved:
+        assert calls[-1][1] < float("inf")
+
+
+def test_what_the_callback_raises_is_raised(room: oc.Scene) -> None:
+    def callback(seconds: float, cost: float) -> None:
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        oc.plan(room, "RRTstar", time=60, callback=callback)
+
+
+def test_interrupt_ends_the_plan(room: oc.Scene) -> None:
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    begin = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        oc.plan(room, "RRTstar", time=60)
+    assert time.monotonic() - begin < 10
+    timer.join()
+
+
+def test_python_runs_while_it_is_planned(room: oc.Scene) -> None:
+    turns = 0
+
+    def work() -> None:
+        nonlocal turns
+        while not done.is_set():
+            turns += 1
+            time.sleep(0.001)
+
+    done = threading.Event()
+    thread = threading.Thread(target=work)
+    thread.start()
+    oc.plan(room, "RRTstar", time=0.5)
+    done.set()
+    thread.join()
+    assert turns > 50
+
+
+def test_checker_plans_again_in_a_changed_world(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    assert oc.plan(checker, "RRTConnect", time=20)
+    for x in (3, 4, 6):
+        checker.move_obstacle(0, (x, 5))
+        plan = oc.plan(checker, "RRTConnect", time=20)
+        assert plan.solved and checker.is_valid(plan.path).all()
+    plan = oc.plan(checker, time=0.5, start=[1, 1, 9, 9], goal=[9, 9, 1, 1])
+    assert (plan.path[-1] == [9, 9, 1, 1]).all()
+
+
+def test_one_checker_plans_once_at_a_time(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+
+    def callback(seconds: float, cost: float) -> None:
+        oc.plan(checker, time=0.1)
+
+    with pytest.raises(oc.Error, match="plans with this checker already"):
+        oc.plan(checker, "RRTstar", time=20, callback=callback)
+
+
+def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
+    for kwargs, message in (
+        ({"planner": "RTT"}, "RTT"),
+        ({"method": "best"}, "best"),
+        ({"motion": "jumpy"}, "^motion: "),
+        ({"time": -1.0}, "^time: "),
+        ({"objective": "beauty"}, "beauty"),
+        ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
+        ({"start": [5, 5, 1, 1]}, "^room: start: "),
+        ({"goal": [50, 5, 1, 1]}, "^room: goal: is outside the bounds"),
+        ({"goal": [5, 5]}, "^state: "),
+    ):
+        begin = time.monotonic()
+        with pytest.raises(oc.Error, match=message):
+            oc.plan(room, **kwargs)  # type: ignore[arg-type]
+        assert time.monotonic() - begin < 3
+    with pytest.raises(oc.Error, match="needs at least one robot"):
+        oc.plan(oc.Scene([0, 0], [1, 1]))
+
+
+def test_no_solution_is_no_path() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_obstacle(oc.Body.box(1, 20), (5, 5))
+    scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 5], [9, 5])
+    plan = oc.plan(scene, time=0.2)
+    assert not plan.solved and plan.path.shape == (0, 2) and plan.cost == float("inf")
+    with pytest.raises(oc.Error, match="no path"):
+        plan.save("nothing.csv")
+    assert "DRRTstar" in oc.planner_names()
