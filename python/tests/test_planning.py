@@ -71,12 +71,15 @@ def test_what_the_callback_raises_is_raised(room: oc.Scene) -> None:
         oc.plan(room, "RRTstar", time=60, callback=callback)
 
 
-def test_interrupt_ends_the_plan(room: oc.Scene) -> None:
+@pytest.mark.parametrize("planner", ["RRTstar", "RRT", "DRRTstar", "PRMstar"])
+def test_interrupt_ends_the_plan(room: oc.Scene, planner: str) -> None:
+    if planner == "RRT":
+        room.add_obstacle(oc.Body.box(0.5, 20), (5, 5))  # no way, so that it plans on
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     begin = time.monotonic()
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        oc.plan(room, "RRTstar", time=60)
+        oc.plan(room, planner, time=60)
     assert time.monotonic() - begin < 10
     timer.join()
 
