@@ -2,6 +2,7 @@
 
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <ompl/base/spaces/SO3StateSpace.h>
@@ -165,9 +166,12 @@ namespace ompl_certificates_python
         const double *from = starts.data(), *to = ends.data();
         const py::gil_scoped_release release;
         const ob::SpaceInformation &si = *setup_->getSpaceInformation();
+        // OMPL's spaces abort the program where an angle is no number.
+        const auto isFinite = [this](const double *row)
+        { return std::all_of(row, row + count_, [](double value) { return std::isfinite(value); }); };
         Row start(*this), end(*this);
-        for (std::size_t i = 0; i < rows; ++i)
-            valid[i] = si.checkMotion(start.read(from + i * count_), end.read(to + i * count_));
+        for (std::size_t i = 0; i < rows; ++i, from += count_, to += count_)
+            valid[i] = isFinite(from) && isFinite(to) && si.checkMotion(start.read(from), end.read(to));
         return result;
     }
 
