@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the Python module needs and this machine lacks, and the module itself into a virtual environment: out/python, or
-# the folder that is named as the first argument. On Debian 12 and Ubuntu 22.04 or 24.04; no package index is needed.
+# Installs what the Python module needs and this machine lacks, and the module itself into a virtual environment:
+# out/python, or the folder that is named as the first argument. On Debian 12 and Ubuntu 22.04 or 24.04; no package index is needed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

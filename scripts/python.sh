@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Builds the Python module into build/python/ and tests it: pytest, mypy, the examples and the notebook, and flake8, since Debian has
-# no ruff. Where a ruff is installed, it looks, too.
+# Builds the Python module into build/python/ and tests it: pytest, mypy, the examples and the notebook, and flake8, since
+# Debian has no ruff. Where a ruff is installed, it looks, too.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_dependencies.sh --python python3-pytest mypy flake8 python3-matplotlib jupyter-nbconvert python3-ipykernel
+scripts/install_dependencies.sh --python python3-pytest mypy flake8 python3-matplotlib \
+  jupyter-nbconvert python3-ipykernel
 python=/usr/bin/python3
 cmake -S . -B build -G Ninja -DOMPL_CERTIFICATES_WERROR=ON -DOMPL_CERTIFICATES_BUILD_PYTHON=ON \
   -DPython_EXECUTABLE="$python"

@@ -17,8 +17,8 @@ namespace ompl_certificates_python
     using ompl_certificates::Scene;
     using ompl_certificates::TeamSetup;
 
-    /** \brief A scene's team among its obstacles, which may change: checks batches of states and motions, and keeps what
-        is known of the obstacles. All methods may be called from many threads at once.
+    /** \brief A scene's team among its obstacles, which may change. Checks batches of states and motions, and keeps
+        what is known of the obstacles. All methods may be called from many threads at once.
 
         Members that take arrays release Python's lock while they check. */
     class Checker
