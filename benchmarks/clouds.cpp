@@ -1,15 +1,20 @@
-// Point clouds: what a clearance costs among more and more points, how long a tree takes to build, and what a drone's check
-// costs with the contact test and with certificates. Random boxes in a room of 20 by 20 by 6 are sampled, with noise.
+// Point clouds: what a clearance costs among more and more points, how long a tree takes to build, what a drone's check
+// costs with the contact test and with certificates, and what a new frame of a sensor costs a checker with many certificates. Random boxes in a room of 20 by 20 by 6 are sampled, with noise.
 //
 //     clouds --benchmark_filter=Clearance
 
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudSet.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
+#include <algorithm>
+#include <atomic>
 #include <benchmark/benchmark.h>
+#include <chrono>
 #include <map>
 #include <ompl/util/RandomNumbers.h>
+#include <thread>
 
 using namespace ompl_certificates;
 
@@ -77,6 +82,124 @@ namespace
             benchmark::DoNotOptimize(obstacles->clearance(points[next++ % points.size()]));
     }
 
+    std::vector<Certificate> certificatesOf(const Obstacles &obstacles, std::size_t count)
+    {
+        ompl::RNG random(3);
+        std::vector<Certificate> certificates;
+        while (certificates.size() < count)
+        {
+            const Eigen::Vector3d point = pointIn(random, Eigen::Vector3d::Zero(), ROOM);
+            certificates.push_back({point, obstacles.clearance(point)});
+        }
+        return certificates;
+    }
+
+    TeamStateSpacePtr teamOfABall()
+    {
+        ompl::base::RealVectorBounds bounds(3);
+        for (unsigned int axis = 0; axis < 3; ++axis)
+            bounds.setHigh(axis, ROOM[axis]);
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::inR3("ball", Body::sphere(0.2), bounds));
+        return team;
+    }
+
+    /** 100 000 points of which a thousand move by 0.3 from frame to frame: those within a slab of the room */
+    class Stream
+    {
+    public:
+        Stream() : cloud_(sampledBoxes(100000)), set_(cloud_.radius)
+        {
+            std::sort(cloud_.points.begin(), cloud_.points.end(),
+                      [](const Eigen::Vector3d &a, const Eigen::Vector3d &b) { return a.x() < b.x(); });
+            set_.insert(cloud_.points);
+        }
+
+        ObstacleChange next()
+        {
+            std::vector<Eigen::Vector3d> gone, come;
+            const std::size_t count = cloud_.points.size() / 100;
+            for (std::size_t i = frame_ % 100 * count, end = i + count; i < end; ++i)
+            {
+                gone.push_back(cloud_.points[i]);
+                cloud_.points[i].z() += 0.3;
+                come.push_back(cloud_.points[i]);
+            }
+            ++frame_;
+            set_.remove(gone);
+            set_.insert(come);
+            return set_.takeChange();
+        }
+
+        ObstacleChange first()
+        {
+            return set_.takeChange();
+        }
+
+        const PointCloud &getCloud() const
+        {
+            return cloud_;
+        }
+
+    private:
+        PointCloud cloud_;
+        PointCloudSet set_;
+        std::size_t frame_{0};
+    };
+
+    /** A new frame for a checker with so many certificates; meanwhile a thread checks and notes its longest check */
+    void frame(benchmark::State &state)
+    {
+        Stream stream;
+        TeamSetup setup(teamOfABall(), stream.first().after);
+        const auto checker = setup.getTeamChecker();
+        checker->setAdaptive(false);
+        checker->addCertificates(certificatesOf(checker->getObstacles(), static_cast<std::size_t>(state.range(0))));
+        checker->setMaxCertificates(checker->getCertificateCount());
+        ompl::base::ScopedState<> at(setup.getStateSpace());
+        at.random();
+        using Clock = std::chrono::steady_clock;
+        std::atomic<bool> stop{false};
+        double longest = 0.0, sum = 0.0, changes = 0.0;
+        std::thread reader(
+            [&]
+            {
+                while (!stop)
+                {
+                    const Clock::time_point begin = Clock::now();
+                    checker->isValid(at.get());
+                    longest = std::max(longest, std::chrono::duration<double>(Clock::now() - begin).count());
+                }
+            });
+        for (auto _ : state)
+        {
+            const Clock::time_point begin = Clock::now();
+            checker->changeObstacles(stream.next());
+            sum += std::chrono::duration<double>(Clock::now() - begin).count();
+            ++changes;
+        }
+        stop = true;
+        reader.join();
+        state.counters["longest_check_ms"] = 1e3 * longest;
+        state.counters["mean_ms"] = 1e3 * sum / changes;
+    }
+
+    /** The same frame with everything anew: a tree, a checker, and as many certificates */
+    void anew(benchmark::State &state)
+    {
+        Stream stream;
+        for (auto _ : state)
+        {
+            state.PauseTiming();
+            stream.next();
+            state.ResumeTiming();
+            TeamSetup setup(teamOfABall(), std::make_shared<PointCloudObstacles>(stream.getCloud(), 3));
+            const auto checker = setup.getTeamChecker();
+            checker->addCertificates(certificatesOf(checker->getObstacles(), static_cast<std::size_t>(state.range(0))));
+            benchmark::DoNotOptimize(checker->getCertificateCount());
+        }
+    }
+
     /** Random motions of a drone: by the contact test alone, or with certificates of earlier ones */
     void motion(benchmark::State &state)
     {
@@ -121,6 +244,8 @@ namespace
 }
 
 BENCHMARK(build)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(frame)->Arg(10000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(anew)->Arg(10000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(clearance)->Arg(10000)->Arg(100000)->Arg(1000000);
 BENCHMARK(motion)
     ->ArgsProduct({{10000, 100000, 1000000},

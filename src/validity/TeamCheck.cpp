@@ -54,7 +54,7 @@ namespace ompl_certificates
             throw ompl::Exception("Unknown method");
         }
 
-        /** How many certificates are repaired, and how many new ones looked at, while all checks wait. Some 0.1 ms each. */
+        /** How many certificates are repaired, and how many new ones looked at, while all checks wait */
         constexpr std::size_t REPAIR_STEP = 256, LOOK_STEP = 64;
 
         /** If checks add certificates faster than they are looked at, they wait after so many attempts. */

@@ -34,10 +34,13 @@ namespace ompl_certificates
 
         ~PointCloudSet();
 
+        /** \brief Takes over the points of another set, which is then of no use */
         PointCloudSet(PointCloudSet &&) noexcept;
+
+        /** \brief Takes over the points of another set, which is then of no use */
         PointCloudSet &operator=(PointCloudSet &&) noexcept;
 
-        /** \brief Add points; one that is there already is there twice. Cost: about 0.2 µs times log² n for each point, averaged
+        /** \brief Add points; one that is there already is there twice. Cost: for each point some log² n steps, averaged
             over many calls, where n are there.
             \throws ompl::Exception as PointCloudObstacles::PointCloudObstacles(). Then none is added. */
         void insert(std::vector<Eigen::Vector3d> points);

@@ -30,15 +30,14 @@ namespace ompl_certificates
     class Revalidation
     {
     public:
-        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker, some µs for
-            each pair of bodies.
+        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker.
             \param mode the mode of the motion validator
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
                      CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
-        /** \brief Whether a state is still valid that was valid before. Cost: some 0.1 µs for each body that is not near
-            what was added. */
+        /** \brief Whether a state is still valid that was valid before. Cost: mostly a search for a certificate for
+            each body. */
         bool staysValid(const ompl::base::State *state) const;
 
         /** \brief Whether a motion is still valid that was valid before. Cost: as for two states, if it is not near what was
