@@ -191,6 +191,8 @@ namespace ompl_certificates_python
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
             TeamSetup &setup = checker.getSetup();
+            // Planners such as KPIECE have cells whose sizes OMPL infers from random states.
+            setup.getSpaceInformation()->setup();
             if (setup.getPlanner())
                 setup.clear();
             setup.getProblemDefinition()->clearSolutionPaths();

@@ -136,10 +136,14 @@ namespace ompl_certificates_python
                 "validate", [](const Scene &self) { self.validate(); },
                 "Raise an Error unless the team can stand at its start and goal.");
 
-        module.def("load_scene", &loadScene, py::arg("file"),
-                   "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app");
-        module.def("scene_from_yaml", &sceneFromYaml, py::arg("text"), py::arg("source") = "scene.yaml",
-                   "The scene in a text. Errors name source, and meshes are looked for in its folder.");
+        module.def(
+            "load_scene", [](const std::string &file) { return loadScene(file); }, py::arg("file"),
+            "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app");
+        module.def(
+            "scene_from_yaml",
+            [](const std::string &text, const std::string &source) { return sceneFromYaml(text, source); },
+            py::arg("text"), py::arg("source") = "scene.yaml",
+            "The scene in a text. Errors name source, and meshes are looked for in its folder.");
         module.def(
             "load_moveit",
             [](const std::string &file, const std::string &request, const std::string &urdf, const std::string &srdf)

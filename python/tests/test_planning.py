@@ -38,9 +38,10 @@ def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     assert (table[:, 1:5] == plan.path).all()
 
 
-def test_same_seed_grows_the_same_tree_whatever_the_method(room: oc.Scene) -> None:
+@pytest.mark.parametrize("planner", ["RRT", "KPIECE1"])
+def test_same_seed_grows_the_same_tree_whatever_the_method(room: oc.Scene, planner: str) -> None:
     digests = {
-        (seed, oc.plan(room, "RRT", method, time=60, iterations=2000, seed=seed).report["tree"]["digest"])
+        (seed, oc.plan(room, planner, method, time=60, iterations=2000, seed=seed).report["tree"]["digest"])
         for seed in (1, 2)
         for method in ("standard", "shared", "shared")
     }
