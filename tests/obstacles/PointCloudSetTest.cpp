@@ -185,8 +185,8 @@ TEST(PointCloudSet, TellsWhichClearancesMayChange)
             before = change.after;
         }
     }
-    EXPECT_GT(unconcerned, 1000U);
-    EXPECT_GT(changed, 1000U);
+    EXPECT_GT(unconcerned, 30 * scaled(30));
+    EXPECT_GT(changed, 30 * scaled(30));
 }
 
 TEST(PointCloudSet, ForgetsPointsThatComeAndGoBetweenChanges)
