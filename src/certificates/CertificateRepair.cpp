@@ -6,7 +6,7 @@
 
 namespace ompl_certificates
 {
-    CertificateRepair::CertificateRepair(std::vector<CertificateStore *> stores, const ObstacleChange &change)
+    CertificateRepair::CertificateRepair(const std::vector<CertificateStore *> &stores, const ObstacleChange &change)
       : change_(change)
     {
         for (CertificateStore *store : stores)

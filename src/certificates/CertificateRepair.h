@@ -42,7 +42,7 @@ namespace ompl_certificates
     {
     public:
         /** \brief A repair of \e stores, which must not change meanwhile. Not while others add. */
-        CertificateRepair(std::vector<CertificateStore *> stores, const ObstacleChange &change);
+        CertificateRepair(const std::vector<CertificateStore *> &stores, const ObstacleChange &change);
 
         /** \brief Notes which certificates the change concerns. Called again, looks at those that were added since. Others
             may check and add meanwhile. */

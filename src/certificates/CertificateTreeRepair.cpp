@@ -87,7 +87,7 @@ namespace ompl_certificates
 
     void CertificateTree::refit(Bucket *bucket)
     {
-        for (;;)
+        while (bucket)
         {
             InnerNode *const innerNode = bucket->innerNode;
             const bool isDivided = innerNode && innerNode->bucket == bucket;
@@ -97,7 +97,7 @@ namespace ompl_certificates
             unsigned int child = 0;
             while (parent->child[child].load().bucket() != bucket)
                 ++child;
-            std::uint64_t before[3][4];
+            std::uint64_t before[3][4]{};
             for (int axis = 0; axis < dimension_; ++axis)
                 for (int which = 0; which < 4; ++which)
                 {
