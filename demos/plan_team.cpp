@@ -18,6 +18,7 @@
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/pictures/PlanReport.h"
+#include "ompl_certificates/pictures/PlanViewer.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
@@ -49,7 +50,7 @@ namespace
         std::uint32_t seed{1};
         std::string range;
         std::vector<std::string> parameters;
-        std::string picture, animation, path, report, loadedCertificates, savedCertificates;
+        std::string picture, animation, view, path, report, loadedCertificates, savedCertificates;
         double goalTolerance{0.5};
         bool dynamics{false}, simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
@@ -106,6 +107,9 @@ namespace
             ->needs(picture);
         app.add_option("--animation", options.animation,
                        "Write a picture in which the robots follow the solution (SVG, for browsers)");
+        app.add_option("--view", options.view,
+                       "Write a page to look at all of it in a browser, in 3-D where the scene is (HTML, needs no "
+                       "network)");
         app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
         app.add_option("--report", options.report, "Write a report (JSON)");
         app.add_option("--load-certificates", options.loadedCertificates,
@@ -127,7 +131,7 @@ namespace
             ->needs(dynamics);
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.footer(
-            "Of picture, animation, path and report one may be -, for standard output; all else is then printed to "
+            "Of picture, animation, view, path and report one may be -, for standard output; all else is then printed to "
             "standard error.\n"
             "Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a file that "
             "could not be written.");
@@ -305,6 +309,18 @@ namespace
         return picture.toSvg();
     }
 
+    std::string viewed(const Scene &scene, const TeamSetup &setup, const PlanReport &report,
+                       const ob::PlannerData &tree)
+    {
+        PlanViewer viewer(scene);
+        if (report.solved)
+            viewer.setPath(setup.getSolutionPath());
+        viewer.setTree(tree);
+        viewer.setCertificates(setup.getTeamChecker()->getCertificates());
+        viewer.setReport(report);
+        return viewer.toHtml();
+    }
+
     /** Write all files that are asked for; one that cannot be written does not keep the others from it. */
     void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
                const ob::PlannerData &tree)
@@ -335,6 +351,8 @@ namespace
         }
         attempt(options.picture,
                 [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
+        attempt(options.view,
+                [&](const std::string &file) { demos::writeOutput(file, viewed(scene, setup, report, tree)); });
         if (!failures.empty())
             throw ompl::Exception(failures);
     }
@@ -404,6 +422,7 @@ namespace
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
         demos::prepareOutputs({{"--picture", options.picture},
                                {"--animation", options.animation},
+                               {"--view", options.view},
                                {"--path", options.path},
                                {"--report", options.report},
                                {"--save-certificates", options.savedCertificates}},

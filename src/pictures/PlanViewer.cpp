@@ -1,0 +1,163 @@
+#include "ompl_certificates/pictures/PlanViewer.h"
+
+#include "RobotMotion.h"
+#include "SceneDrawing.h"
+#include "ViewerData.h"
+#include "ViewerPage.h"
+#include "certificates/WholeFile.h"
+#include "ompl_certificates/team/PathTimes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    using nlohmann::json;
+
+    namespace
+    {
+        /** How far a body may be from where it is, as a fraction of the scene's extent: a tenth of a pixel */
+        constexpr double TOLERANCE = 1e-4;
+
+        /** How many edges of a tree are looked at, and how many lines of all robots are shown */
+        constexpr std::size_t MAX_EDGES = 20000, MAX_SEGMENTS = 24000;
+
+        constexpr std::size_t MAX_CERTIFICATES = 600;
+
+        /** A ball is not shown if its center is that near to the center of a larger one, in radii of that one. */
+        constexpr double SAME_PLACE = 0.4;
+
+        /** Where the page has its plan */
+        const std::string PLACE = "<script id=\"plan\" type=\"application/json\">";
+    }
+
+    PlanViewer::PlanViewer(const Scene &scene) : scene_(scene)
+    {
+        if (scene_.getMembers().empty())
+            return;
+        const ob::ScopedState<> start = scene_.makeStart(scene_.makeTeam());
+        setStates({start.get()}, {0.0});
+    }
+
+    void PlanViewer::setStates(const std::vector<const ob::State *> &states, const std::vector<double> &times)
+    {
+        const ob::RealVectorBounds &bounds = scene_.getBounds();
+        double extent = 0.0;
+        for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+            extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
+        motions_.clear();
+        for (const Scene::Member &member : scene_.getMembers())
+        {
+            std::vector<const ob::State *> components;
+            for (const ob::State *state : states)
+                components.push_back(state->as<ob::CompoundState>()->components[motions_.size()]);
+            motions_.push_back(
+                std::make_shared<const RobotMotion>(*member.robot, components, times, TOLERANCE * extent));
+        }
+        end_ = times.back();
+    }
+
+    void PlanViewer::setPath(const ompl::geometric::PathGeometric &path)
+    {
+        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
+        if (path.getStateCount() == 0)
+            throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
+        std::vector<const ob::State *> states;
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+            states.push_back(path.getState(i));
+        setStates(states, stateTimes(path));
+    }
+
+    void PlanViewer::setTree(const ob::PlannerData &data)
+    {
+        const SceneDrawing drawing(scene_);
+        drawing.requireTeam(data.getSpaceInformation()->getStateSpace());
+        edges_.assign(scene_.getMembers().size(), {});
+        const std::size_t step = data.numEdges() / MAX_EDGES + 1;
+        std::size_t count = 0;
+        std::vector<unsigned int> targets;
+        for (unsigned int v = 0; v < data.numVertices(); ++v)
+        {
+            data.getEdges(v, targets);
+            for (const unsigned int target : targets)
+            {
+                if (count++ % step != 0)
+                    continue;
+                const auto from = drawing.posesOf(data.getVertex(v).getState()),
+                           to = drawing.posesOf(data.getVertex(target).getState());
+                for (std::size_t robot = 0; robot < from.size(); ++robot)
+                    edges_[robot].emplace_back(drawing.pointOf(robot, from[robot]), drawing.pointOf(robot, to[robot]));
+            }
+        }
+    }
+
+    void PlanViewer::setCertificates(const std::vector<Certificate> &certificates)
+    {
+        std::vector<Certificate> largest;
+        // Clearance is infinite without obstacles, and negative inside one.
+        std::copy_if(certificates.begin(), certificates.end(), std::back_inserter(largest),
+                     [](const Certificate &c) { return c.clearance > 0.0 && std::isfinite(c.clearance); });
+        std::sort(largest.begin(), largest.end(),
+                  [](const Certificate &a, const Certificate &b) { return a.clearance > b.clearance; });
+        certificates_.clear();
+        for (const Certificate &candidate : largest)
+        {
+            if (certificates_.size() == MAX_CERTIFICATES)
+                break;
+            if (std::none_of(certificates_.begin(), certificates_.end(),
+                             [&candidate](const Certificate &shown)
+                             { return (shown.point - candidate.point).norm() < SAME_PLACE * shown.clearance; }))
+                certificates_.push_back(candidate);
+        }
+    }
+
+    void PlanViewer::setReport(const PlanReport &report)
+    {
+        report_ = report.toJson();
+    }
+
+    std::string PlanViewer::toJson() const
+    {
+        ViewerData data(scene_);
+        json page{{"format", 1},
+                  {"name", scene_.getName()},
+                  {"dimension", scene_.getDimension()},
+                  {"bounds", data.bounds()},
+                  {"end", end_},
+                  {"obstacles", data.obstacles()},
+                  {"cells", data.cells()},
+                  {"clouds", data.clouds()},
+                  {"robots", json::array()},
+                  {"certificates", data.certificates(certificates_)}};
+        const std::vector<BodyPoses> goals = SceneDrawing(scene_).getGoals();
+        for (std::size_t i = 0; i < motions_.size(); ++i)
+        {
+            json robot = data.robot(i, *motions_[i], goals[i]);
+            if (i < edges_.size())
+                robot["tree"] = data.segments(edges_[i], MAX_SEGMENTS / edges_.size());
+            page["robots"].push_back(robot);
+        }
+        page["shapes"] = data.shapes();
+        page["report"] = report_.empty() ? json(nullptr) : json::parse(report_);
+        // Names come from users: what is not UTF-8 is replaced, not an error at the end of a long run.
+        return page.dump(-1, ' ', true, json::error_handler_t::replace);
+    }
+
+    std::string PlanViewer::toHtml() const
+    {
+        std::string html(VIEWER_PAGE, VIEWER_PAGE + VIEWER_PAGE_SIZE);
+        std::string plan;
+        // No name of a user's ends the element that the plan is in.
+        for (const char c : toJson())
+            plan += c == '<' ? "\\u003c" : std::string(1, c);
+        return html.insert(html.rfind(PLACE) + PLACE.size(), plan);
+    }
+
+    void PlanViewer::write(const std::string &file) const
+    {
+        writeWholeFile(file, toHtml());
+    }
+}

@@ -1,0 +1,171 @@
+#include "ViewerData.h"
+
+#include "PackedArray.h"
+#include "SceneDrawing.h"
+#include "ompl_certificates/obstacles/CellObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/robots/Arm.h"
+
+#include <map>
+#include <set>
+
+namespace ompl_certificates
+{
+    using nlohmann::json;
+
+    namespace
+    {
+        constexpr std::size_t MAX_POINTS = 60000;
+
+        void append(std::vector<float> &numbers, const Eigen::Vector3d &point)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+                numbers.push_back(static_cast<float>(point[axis]));
+        }
+
+        json toJson(const Eigen::Vector3d &point)
+        {
+            return {point.x(), point.y(), point.z()};
+        }
+    }
+
+    ViewerData::ViewerData(const Scene &scene) : scene_(scene)
+    {
+        for (unsigned int axis = 0; axis < scene.getDimension(); ++axis)
+            origin_[axis] = 0.5 * (scene.getBounds().low[axis] + scene.getBounds().high[axis]);
+    }
+
+    json ViewerData::bounds() const
+    {
+        return {{"low", scene_.getBounds().low}, {"high", scene_.getBounds().high}, {"origin", toJson(origin_)}};
+    }
+
+    json ViewerData::obstacles()
+    {
+        std::map<std::size_t, std::vector<float>> poses;
+        for (const PlacedBody &obstacle : scene_.getObstacles())
+            for (const Body::Part &part : obstacle.body.getParts())
+            {
+                const std::array<float, 7> numbers = numbersOf(obstacle.pose * part.pose, origin_);
+                std::vector<float> &ofShape = poses[shapes_.add(part.shape, scene_.getZInterval())];
+                ofShape.insert(ofShape.end(), numbers.begin(), numbers.end());
+            }
+        json result = json::array();
+        for (const auto &[shape, numbers] : poses)
+            result.push_back({{"shape", shape}, {"poses", packed(numbers)}});
+        return result;
+    }
+
+    json ViewerData::cells() const
+    {
+        json result = json::array();
+        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+            if (const auto *cells = dynamic_cast<const CellObstacles *>(sensed.get()))
+            {
+                std::vector<std::int16_t> low;
+                std::vector<std::uint8_t> size;
+                for (const CellBox &box : cells->getBoxes())
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                    {
+                        low.push_back(static_cast<std::int16_t>(box.low[axis]));
+                        size.push_back(static_cast<std::uint8_t>(box.high[axis] - box.low[axis]));
+                    }
+                result.push_back({{"edge", cells->getCellSize()}, {"low", packed(low)}, {"size", packed(size)}});
+            }
+        return result;
+    }
+
+    json ViewerData::clouds() const
+    {
+        json result = json::array();
+        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+            if (const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.get()))
+            {
+                std::vector<float> points;
+                double radius = 0.0;
+                const std::size_t step = cloud->getPoints().size() / MAX_POINTS + 1;
+                for (std::size_t i = 0; i < cloud->getPoints().size(); i += step)
+                {
+                    append(points, cloud->getPoints()[i] - origin_);
+                    radius = std::max(radius, cloud->getRadius(i));
+                }
+                result.push_back({{"points", packed(points)}, {"radius", rounded(radius)}});
+            }
+        return result;
+    }
+
+    json ViewerData::robot(std::size_t index, const RobotMotion &motion, const std::vector<Pose> &goal)
+    {
+        const Robot &robot = *scene_.getMembers()[index].robot;
+        json bodies = json::array();
+        for (const Body &body : robot.getBodies())
+        {
+            json parts = json::array();
+            for (const Body::Part &part : body.getParts())
+                parts.push_back({shapes_.add(part.shape), poseJson(part.pose)});
+            bodies.push_back(parts);
+        }
+        const auto append = [this](std::vector<float> &numbers, const std::vector<Pose> &poses)
+        {
+            for (const Pose &pose : poses)
+            {
+                const std::array<float, 7> seven = numbersOf(pose, origin_);
+                numbers.insert(numbers.end(), seven.begin(), seven.end());
+            }
+        };
+        std::vector<float> times, poses, goalPoses;
+        for (const RobotMotion::Key &key : motion.getKeys())
+        {
+            times.push_back(static_cast<float>(key.time));
+            append(poses, key.poses);
+        }
+        append(goalPoses, goal);
+        json result{{"name", robot.getName()},  {"color", SceneDrawing::colorOf(index)},
+                    {"bodies", bodies},         {"traced", robot.getTracedBody()},
+                    {"times", packed(times)},   {"poses", packed(poses)},
+                    {"goal", packed(goalPoses)}};
+        if (const auto *arm = dynamic_cast<const Arm *>(&robot))
+            for (std::size_t body = 0; body < bodies.size(); ++body)
+                result["links"].push_back(arm->getLinkOfBody(body));
+        return result;
+    }
+
+    json ViewerData::segments(const std::vector<Segment> &segments, std::size_t most) const
+    {
+        Eigen::AlignedBox3d box;
+        for (const Segment &segment : segments)
+            box.extend(segment.first).extend(segment.second);
+        if (segments.empty())
+            box.extend(origin_);
+        const Eigen::Vector3d step = (box.sizes() / 65535.0).cwiseMax(1e-30);
+        using Point = std::array<std::uint16_t, 3>;
+        const auto quantized = [&](const Eigen::Vector3d &point)
+        {
+            const Eigen::Vector3d cell = (point - box.min()).cwiseQuotient(step).array().round();
+            return Point{static_cast<std::uint16_t>(cell.x()), static_cast<std::uint16_t>(cell.y()),
+                         static_cast<std::uint16_t>(cell.z())};
+        };
+        std::set<std::pair<Point, Point>> different;
+        for (const Segment &segment : segments)
+            if (const Point a = quantized(segment.first), b = quantized(segment.second); a != b)
+                different.emplace(std::min(a, b), std::max(a, b));
+        std::vector<std::uint16_t> numbers;
+        std::size_t count = 0;
+        for (const auto &[a, b] : different)
+            if (count++ % (different.size() / std::max<std::size_t>(most, 1) + 1) == 0)
+                for (const Point &point : {a, b})
+                    numbers.insert(numbers.end(), point.begin(), point.end());
+        return {{"low", toJson(box.min() - origin_)}, {"step", toJson(step)}, {"points", packed(numbers)}};
+    }
+
+    json ViewerData::certificates(const std::vector<Certificate> &certificates) const
+    {
+        std::vector<float> balls;
+        for (const Certificate &certificate : certificates)
+        {
+            append(balls, certificate.point - origin_);
+            balls.push_back(static_cast<float>(certificate.clearance));
+        }
+        return packed(balls);
+    }
+}

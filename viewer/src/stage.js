@@ -1,0 +1,87 @@
+// The floor with its grid, the frame of the workspace, and the numbers along its axes.
+import {
+  BufferGeometry,
+  EdgesGeometry,
+  BoxGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  Vector3,
+} from 'three'
+import { FLAT, look, ORDER } from './look.js'
+
+/** A step of 1, 2 or 5 times a power of ten that divides `extent` into some five parts */
+function niceStep(extent) {
+  const power = 10 ** Math.floor(Math.log10(extent / 5))
+  return power * [1, 2, 5, 10].find((factor) => extent / (factor * power) <= 7)
+}
+
+/** The multiples of `step` from `low` to `high` */
+function ticks(low, high, step) {
+  const values = []
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) values.push(i * step)
+  return values
+}
+
+export class Stage {
+  constructor(plan) {
+    this.group = new Group()
+    this.labels = []
+    const { low, high } = plan
+    const { origin } = plan.bounds
+    const size = high.map((value, axis) => value - low[axis])
+    const step = niceStep(plan.extent)
+    const flat = plan.spatial ? {} : FLAT
+    const bottom = low[2] - (plan.spatial ? 0.002 * plan.extent : 0)
+
+    const material = plan.spatial
+      ? new MeshStandardMaterial({ color: look.floor, roughness: 1, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 })
+      : new MeshBasicMaterial({ color: look.floor, ...FLAT })
+    const floor = new Mesh(new PlaneGeometry(size[0], size[1]), material)
+    floor.position.z = bottom
+    floor.receiveShadow = true
+    floor.renderOrder = ORDER.floor
+    this.group.add(floor)
+
+    const lines = []
+    const at = (axis, value) => value - origin[axis]
+    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step))
+      lines.push(at(0, x), low[1], bottom, at(0, x), high[1], bottom)
+    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step))
+      lines.push(low[0], at(1, y), bottom, high[0], at(1, y), bottom)
+    this.addLines(lines, look.grid, flat)
+
+    const box = new EdgesGeometry(new BoxGeometry(size[0], size[1], plan.spatial ? size[2] : 0))
+    const frame = new LineSegments(box, new LineBasicMaterial({ color: look.frame, ...flat }))
+    frame.renderOrder = ORDER.grid
+    this.group.add(frame)
+
+    const away = 0.025 * plan.extent
+    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step)) this.addLabel(x, step, at(0, x), low[1] - away, bottom)
+    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step)) this.addLabel(y, step, low[0] - away, at(1, y), bottom)
+    this.addLabel('x', 1, 0, low[1] - 3 * away, bottom)
+    this.addLabel('y', 1, low[0] - 3 * away, 0, bottom)
+    if (!plan.spatial) return
+    for (const z of ticks(plan.bounds.low[2], plan.bounds.high[2], step)) this.addLabel(z, step, low[0] - away, high[1] + away, at(2, z))
+    this.addLabel('z', 1, low[0] - 3 * away, high[1] + 2 * away, 0)
+  }
+
+  addLines(numbers, color, options) {
+    const geometry = new BufferGeometry()
+    geometry.setAttribute('position', new Float32BufferAttribute(numbers, 3))
+    const lines = new LineSegments(geometry, new LineBasicMaterial({ color, ...options }))
+    lines.renderOrder = ORDER.grid
+    this.group.add(lines)
+  }
+
+  addLabel(value, step, x, y, z) {
+    const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
+    const text = typeof value === 'number' ? value.toFixed(digits).replace(/^-0(?:\.0*)?$/, '0') : value
+    this.labels.push({ text, axis: typeof value !== 'number', position: new Vector3(x, y, z) })
+  }
+}

@@ -1,0 +1,164 @@
+// The canvas: renderer, light, camera and its controls. Scenes of the plane are seen from above, and do not turn.
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  MOUSE,
+  OrthographicCamera,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  TOUCH,
+  Vector3,
+  WebGLRenderer,
+} from 'three'
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
+import { look } from './look.js'
+
+/** Where a scene of space is seen from at first, from its middle */
+const DIRECTION = new Vector3(-0.45, -1, 0.62).normalize()
+
+export class View {
+  constructor(plan, element) {
+    this.plan = plan
+    this.element = element
+    this.renderer = new WebGLRenderer({ antialias: true })
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
+    element.append(this.renderer.domElement)
+    this.scene = new Scene()
+    this.scene.background = new Color(look.background)
+    this.corners = []
+    for (const x of [plan.low[0], plan.high[0]])
+      for (const y of [plan.low[1], plan.high[1]])
+        for (const z of [plan.low[2], plan.high[2]]) this.corners.push(new Vector3(x, y, z))
+    this.radius = this.corners[0].length()
+    this.camera = plan.spatial
+      ? new PerspectiveCamera(35, 1, 0.01 * this.radius, 40 * this.radius)
+      : new OrthographicCamera(-1, 1, 1, -1, 0.1, 10 * this.radius)
+    this.camera.up.set(0, 0, 1)
+    if (!plan.spatial) this.camera.up.set(0, 1, 0)
+    this.addControls()
+    if (plan.spatial) this.addLights()
+    this.labels = []
+    new ResizeObserver(() => this.resize()).observe(element)
+    this.resize()
+    this.reset()
+  }
+
+  addControls() {
+    const controls = new OrbitControls(this.camera, this.renderer.domElement)
+    controls.zoomToCursor = true
+    if (this.plan.spatial) {
+      controls.minDistance = 0.05 * this.radius
+      controls.maxDistance = 12 * this.radius
+    } else {
+      controls.enableRotate = false
+      controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN }
+      controls.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN }
+      controls.minZoom = 0.3
+      controls.maxZoom = 60
+    }
+    controls.addEventListener('change', () => this.draw())
+    this.controls = controls
+  }
+
+  addLights() {
+    this.renderer.shadowMap.enabled = true
+    this.renderer.shadowMap.type = PCFShadowMap
+    this.scene.add(new HemisphereLight('#ffffff', '#b9b4aa', 2.1))
+    const sun = new DirectionalLight('#ffffff', 1.9)
+    sun.position.set(-0.5, -0.45, 1).multiplyScalar(2 * this.radius)
+    sun.castShadow = true
+    sun.shadow.mapSize.set(2048, 2048)
+    Object.assign(sun.shadow.camera, {
+      left: -this.radius,
+      right: this.radius,
+      top: this.radius,
+      bottom: -this.radius,
+      near: 0.1 * this.radius,
+      far: 5 * this.radius,
+    })
+    sun.shadow.normalBias = 0.004 * this.radius
+    sun.shadow.intensity = 0.6
+    this.scene.add(sun)
+  }
+
+  /** Text at places of the workspace */
+  addLabels(labels) {
+    for (const { text, position, axis } of labels) {
+      const element = document.createElement('span')
+      element.className = axis ? 'tick axis' : 'tick'
+      element.textContent = text
+      this.element.append(element)
+      this.labels.push({ element, position })
+    }
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.element
+    if (width === 0 || height === 0) return
+    this.width = width
+    this.height = height
+    this.renderer.setSize(width, height)
+    const aspect = width / height
+    if (this.plan.spatial) this.camera.aspect = aspect
+    else {
+      // Some room for the numbers along the axes
+      const half = (axis) => 0.5 * (this.plan.high[axis] - this.plan.low[axis]) + 0.09 * this.plan.extent
+      const scale = Math.max(half(1), half(0) / aspect)
+      Object.assign(this.camera, { left: -scale * aspect, right: scale * aspect, top: scale, bottom: -scale })
+    }
+    this.camera.updateProjectionMatrix()
+    if (!this.moved) this.reset()
+    this.draw()
+  }
+
+  /** See all of the workspace, as at first. */
+  reset() {
+    this.controls.target.set(0, 0, 0)
+    if (this.plan.spatial) this.camera.position.copy(DIRECTION).multiplyScalar(this.fittingDistance())
+    else {
+      const down = 0.02 * this.plan.extent
+      this.controls.target.set(-down, -down, 0)
+      this.camera.position.set(-down, -down, 5 * this.radius)
+      this.camera.zoom = 1
+      this.camera.updateProjectionMatrix()
+    }
+    this.controls.update()
+    this.draw()
+  }
+
+  /** How far away the camera must be to see all corners */
+  fittingDistance() {
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.9
+    const right = new Vector3().crossVectors(this.camera.up, DIRECTION).normalize()
+    const up = new Vector3().crossVectors(DIRECTION, right)
+    return Math.max(
+      ...this.corners.map(
+        (corner) =>
+          corner.dot(DIRECTION) +
+          Math.max(Math.abs(corner.dot(up)), Math.abs(corner.dot(right)) / this.camera.aspect) / tangent,
+      ),
+    )
+  }
+
+  /** Draw soon: once, however often this is called until then. */
+  draw() {
+    this.pending ??= requestAnimationFrame(() => {
+      this.pending = undefined
+      this.renderer.render(this.scene, this.camera)
+      this.placeLabels()
+    })
+  }
+
+  placeLabels() {
+    const seen = new Vector3()
+    for (const { element, position } of this.labels) {
+      seen.copy(position).project(this.camera)
+      const x = (0.5 + 0.5 * seen.x) * this.width
+      const y = (0.5 - 0.5 * seen.y) * this.height
+      element.hidden = seen.z > 1 || x < 0 || y < 0 || x > this.width || y > this.height
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`
+    }
+  }
+}
