@@ -40,6 +40,6 @@ cd viewer
 case $mode in
   --build) node build.mjs ;;
   --check) node build.mjs --check ;;
-  --test) node --test --test-reporter=spec test/ ;;
+  --test) node --test --test-reporter=spec test/*.test.mjs ;;
   *) echo "viewer.sh: what is $mode?" >&2; exit 2 ;;
 esac

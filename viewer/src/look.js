@@ -5,7 +5,7 @@ const LIGHT = {
   floor: '#ffffff',
   grid: '#d9dbd5',
   frame: '#8b8f88',
-  obstacle: '#a7a9a4',
+  obstacle: '#b9bbb6',
   edge: '#55585a',
   certificate: '#9a9a2e',
 }

@@ -132,9 +132,17 @@ view.renderer.domElement.addEventListener('pointerleave', () => (tip.hidden = tr
 
 // Keys
 
+/** Whether what has the focus does something with a key itself */
+function hasOwnUse({ target, key }) {
+  if (target === scrub) return false
+  if (key === ' ') return ['BUTTON', 'SUMMARY', 'INPUT', 'SELECT'].includes(target.tagName)
+  return key.length > 1 && ['INPUT', 'SELECT'].includes(target.tagName)
+}
+// What was clicked with a mouse does not keep the keys.
+byId('panel').addEventListener('click', ({ detail }) => detail > 0 && document.activeElement.blur())
+byId('speed').addEventListener('change', ({ target }) => target.blur())
 addEventListener('keydown', (event) => {
-  const typing = ['SELECT', 'SUMMARY', 'BUTTON'].includes(event.target.tagName) || event.target.type === 'color'
-  if (event.ctrlKey || event.metaKey || event.altKey || (typing && event.key !== 'Escape' && event.key.length > 1)) return
+  if (event.ctrlKey || event.metaKey || event.altKey || hasOwnUse(event)) return
   const step = event.shiftKey ? 30 : 3
   const layer = layers.find(({ key }) => key === event.key.toLowerCase())
   const robot = /^[1-9]$/.test(event.key) ? Number(event.key) - 1 : undefined

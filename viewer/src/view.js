@@ -59,6 +59,7 @@ export class View {
       controls.maxZoom = 60
     }
     controls.addEventListener('change', () => this.draw())
+    controls.addEventListener('start', () => (this.touched = true))
     this.controls = controls
   }
 
@@ -109,17 +110,18 @@ export class View {
       Object.assign(this.camera, { left: -scale * aspect, right: scale * aspect, top: scale, bottom: -scale })
     }
     this.camera.updateProjectionMatrix()
-    if (!this.moved) this.reset()
+    if (!this.touched) this.reset()
     this.draw()
   }
 
   /** See all of the workspace, as at first. */
   reset() {
-    this.controls.target.set(0, 0, 0)
-    if (this.plan.spatial) this.camera.position.copy(DIRECTION).multiplyScalar(this.fittingDistance())
+    const { target } = this.controls
+    target.set(0, 0, 0)
+    if (this.plan.spatial) this.fit()
     else {
       const down = 0.02 * this.plan.extent
-      this.controls.target.set(-down, -down, 0)
+      target.set(-down, -down, 0)
       this.camera.position.set(-down, -down, 5 * this.radius)
       this.camera.zoom = 1
       this.camera.updateProjectionMatrix()
@@ -128,18 +130,26 @@ export class View {
     this.draw()
   }
 
-  /** How far away the camera must be to see all corners */
-  fittingDistance() {
-    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.9
-    const right = new Vector3().crossVectors(this.camera.up, DIRECTION).normalize()
-    const up = new Vector3().crossVectors(DIRECTION, right)
-    return Math.max(
-      ...this.corners.map(
-        (corner) =>
-          corner.dot(DIRECTION) +
-          Math.max(Math.abs(corner.dot(up)), Math.abs(corner.dot(right)) / this.camera.aspect) / tangent,
-      ),
-    )
+  /** Bring the workspace to the middle of the canvas, and as near as it fits. */
+  fit() {
+    const { camera, corners } = this
+    const { target } = this.controls
+    let distance = 6 * this.radius
+    for (let i = 0; i < 8; ++i) {
+      camera.position.copy(DIRECTION).multiplyScalar(distance).add(target)
+      camera.lookAt(target)
+      camera.updateMatrixWorld()
+      const seen = corners.map((corner) => corner.clone().project(camera))
+      const [x, y] = ['x', 'y'].map((axis) => seen.map((point) => point[axis]))
+      const half = (values) => (Math.max(...values) - Math.min(...values)) / 2
+      const middle = (values) => (Math.max(...values) + Math.min(...values)) / 2
+      const unit = distance * Math.tan((camera.fov * Math.PI) / 360)
+      const [right, up] = [0, 1].map((column) => new Vector3().setFromMatrixColumn(camera.matrixWorld, column))
+      target.addScaledVector(right, middle(x) * unit * camera.aspect).addScaledVector(up, middle(y) * unit)
+      // Some room for the numbers along the axes
+      distance *= Math.max(half(x), half(y)) / 0.86
+    }
+    camera.position.copy(DIRECTION).multiplyScalar(distance).add(target)
   }
 
   /** Draw soon: once, however often this is called until then. */

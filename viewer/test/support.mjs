@@ -30,7 +30,7 @@ export function launch() {
 }
 
 /** Open a page without a network. What goes wrong in it, and what it asks for beside its file, is in `troubles`. */
-export async function open(browser, file, size = { width: 1280, height: 800 }) {
+export async function open(browser, file, size = { width: 900, height: 560 }) {
   const context = await browser.newContext({ viewport: size, offline: true })
   const page = await context.newPage()
   const troubles = []

@@ -1,0 +1,261 @@
+#include "ompl_certificates/pictures/PlanViewer.h"
+#include "ompl_certificates/obstacles/CellObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/team/PathTimes.h"
+#include "pictures/PackedArray.h"
+#include "pictures/QuantizedMesh.h"
+#include "support/Random.h"
+
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    using nlohmann::json;
+    using ompl::geometric::PathGeometric;
+
+    namespace
+    {
+        std::string scenePath(const std::string &name)
+        {
+            return OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/" + name;
+        }
+
+        template <typename Number>
+        std::vector<Number> unpacked(const json &text)
+        {
+            namespace iterators = boost::archive::iterators;
+            using Bytes = iterators::transform_width<iterators::binary_from_base64<const char *>, 8, 6>;
+            std::string digits = text.get<std::string>();
+            std::size_t padding = 0;
+            for (auto last = digits.rbegin(); last != digits.rend() && *last == '='; ++last, ++padding)
+                *last = 'A';
+            std::string bytes(Bytes(digits.data()), Bytes(digits.data() + digits.size()));
+            bytes.resize(bytes.size() - padding);
+            std::vector<Number> numbers(bytes.size() / sizeof(Number));
+            EXPECT_EQ(bytes.size(), numbers.size() * sizeof(Number));
+            if (!numbers.empty())
+                std::memcpy(numbers.data(), bytes.data(), bytes.size());
+            return numbers;
+        }
+
+        /** Where a body of a robot of the page is at a time, as the page works it out */
+        Pose poseAt(const json &robot, std::size_t body, double time, const json &origin)
+        {
+            const auto times = unpacked<float>(robot["times"]);
+            const auto poses = unpacked<float>(robot["poses"]);
+            const std::size_t bodies = robot["bodies"].size();
+            EXPECT_EQ(poses.size(), times.size() * bodies * 7);
+            std::size_t after = 0;
+            while (after + 1 < times.size() && static_cast<double>(times[after]) < time)
+                ++after;
+            const std::size_t before = after > 0 ? after - 1 : 0;
+            const auto read = [&](std::size_t key)
+            {
+                const float *numbers = &poses[(key * bodies + body) * 7];
+                Eigen::Vector3d position;
+                Eigen::Quaterniond turn;
+                for (int i = 0; i < 3; ++i)
+                    position[i] = static_cast<double>(numbers[i]) + origin[static_cast<std::size_t>(i)].get<double>();
+                for (int i = 0; i < 4; ++i)
+                    turn.coeffs()[i] = static_cast<double>(numbers[3 + i]);
+                return std::pair(position, turn);
+            };
+            const auto [fromPosition, fromTurn] = read(before);
+            const auto [toPosition, toTurn] = read(after);
+            const double span = static_cast<double>(times[after] - times[before]);
+            const double fraction =
+                span > 0.0 ? std::clamp((time - static_cast<double>(times[before])) / span, 0.0, 1.0) : 0.0;
+            Pose pose(fromTurn.slerp(fraction, toTurn));
+            pose.translation() = fromPosition + fraction * (toPosition - fromPosition);
+            return pose;
+        }
+    }
+
+    TEST(PlanViewerTest, PackedArraysAreBase64)
+    {
+        EXPECT_EQ(toBase64(""), "");
+        EXPECT_EQ(toBase64("f"), "Zg==");
+        EXPECT_EQ(toBase64("fo"), "Zm8=");
+        EXPECT_EQ(toBase64("foo"), "Zm9v");
+        EXPECT_EQ(toBase64("foobar"), "Zm9vYmFy");
+        const std::vector<float> numbers{1.5f, -2.25f, 1e-7f};
+        EXPECT_EQ(unpacked<float>(packed(numbers)), numbers);
+    }
+
+    TEST(PlanViewerTest, PosesAreThoseOfRandomPaths)
+    {
+        for (const std::string name : {"drones_3d.yaml", "paper_five_discs.yaml", "arms/two_arms.yaml", "maze.yaml"})
+        {
+            SCOPED_TRACE(name);
+            const Scene scene = loadScene(scenePath(name));
+            const auto team = scene.makeTeam();
+            const auto si = std::make_shared<ob::SpaceInformation>(team);
+            PathGeometric path(si);
+            ob::ScopedState<> state(team);
+            for (int i = 0; i < 6; ++i)
+            {
+                state.random();
+                path.append(state.get());
+            }
+            PlanViewer viewer(scene);
+            viewer.setPath(path);
+            const json page = json::parse(viewer.toJson());
+            const std::vector<double> times = stateTimes(path);
+            EXPECT_DOUBLE_EQ(page["end"].get<double>(), times.back());
+            ASSERT_EQ(page["robots"].size(), scene.getMembers().size());
+            const auto &bounds = scene.getBounds();
+            double extent = 0.0;
+            for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+                extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
+            for (unsigned int k = 0; k < 50; ++k)
+            {
+                // At the states, and between them
+                const unsigned int from = k % 5;
+                const double fraction = k < 5 ? 0.0 : 0.02 * k;
+                team->interpolate(path.getState(from), path.getState(from + 1), fraction, state.get());
+                const double time = times[from] + fraction * (times[from + 1] - times[from]);
+                for (std::size_t i = 0; i < scene.getMembers().size(); ++i)
+                {
+                    const Robot &robot = *scene.getMembers()[i].robot;
+                    std::vector<Pose> poses(robot.getBodies().size());
+                    robot.computePoses(state.get()->as<ob::CompoundState>()->components[i], poses.data());
+                    for (std::size_t body = 0; body < poses.size(); ++body)
+                    {
+                        const Pose shown = poseAt(page["robots"][i], body, time, page["bounds"]["origin"]);
+                        EXPECT_LT((shown.translation() - poses[body].translation()).norm(), 1.5e-4 * extent);
+                        EXPECT_LT(Eigen::Quaterniond(shown.linear())
+                                      .angularDistance(Eigen::Quaterniond(poses[body].linear())),
+                                  0.0075);
+                    }
+                }
+            }
+        }
+    }
+
+    TEST(PlanViewerTest, EqualShapesAreThereOnce)
+    {
+        const Scene scene = loadScene(scenePath("arms/two_arms.yaml"));
+        const json page = json::parse(PlanViewer(scene).toJson());
+        // Both arms are one: nine links with eleven shapes, two of which are equal. The right one holds a bar; beside
+        // them are the cart, the table and the post.
+        EXPECT_EQ(page["shapes"].size(), 10 + 1 + 1 + 2);
+        EXPECT_EQ(page["robots"][0]["bodies"], page["robots"][1]["bodies"].get<json>().is_array()
+                                                   ? json(std::vector<json>(page["robots"][1]["bodies"].begin(),
+                                                                            page["robots"][1]["bodies"].begin() + 9))
+                                                   : json());
+        EXPECT_EQ(page["robots"][0]["links"][0], "base");
+    }
+
+    TEST(PlanViewerTest, MeshesKeepTheirTriangles)
+    {
+        Random random(1);
+        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+        for (int i = 0; i < 500; ++i)
+            triangles.push_back({random.point(3, 10.0), random.point(3, 10.0), random.point(3, 10.0)});
+        // One without area, which is left out
+        triangles.push_back({triangles[0][0], triangles[0][0], triangles[0][1]});
+        const QuantizedMesh mesh(triangles, 1000);
+        ASSERT_EQ(mesh.triangles.size(), 3u * 500);
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const double coordinate = mesh.vertices[3 * mesh.triangles[i] + static_cast<std::size_t>(axis)];
+                EXPECT_NEAR(mesh.low[axis] + coordinate * mesh.step[axis], triangles[i / 3][i % 3][axis],
+                            0.51 * mesh.step.maxCoeff());
+            }
+        EXPECT_LT(mesh.step.maxCoeff(), 20.0 / 65000);
+    }
+
+    TEST(PlanViewerTest, LargeMeshesBecomeCoarser)
+    {
+        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+        constexpr int SIDE = 200;
+        const auto at = [](int x, int y) { return Eigen::Vector3d(x, y, std::sin(0.05 * x) * std::cos(0.03 * y)); };
+        for (int x = 0; x < SIDE; ++x)
+            for (int y = 0; y < SIDE; ++y)
+            {
+                triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+                triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+            }
+        const QuantizedMesh mesh(triangles, 20000);
+        EXPECT_LE(mesh.triangles.size() / 3, 20000u);
+        EXPECT_GE(mesh.triangles.size() / 3, 5000u);
+    }
+
+    TEST(PlanViewerTest, SensedWorldsAreThere)
+    {
+        ob::RealVectorBounds bounds(3);
+        bounds.setLow(10.0);
+        bounds.setHigh(20.0);
+        Scene scene("sensed", "sensed", bounds);
+        scene.addSensedObstacles(
+            std::make_shared<CellObstacles>(0.5, std::vector<CellBox>{{{22, 23, 24}, {23, 24, 25}}}), "cells");
+        const std::vector<Eigen::Vector3d> points{{11.0, 12.0, 13.0}, {18.0, 17.0, 16.0}};
+        scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, std::vector<double>{0.1, 0.1}),
+                                 "points");
+        const json page = json::parse(PlanViewer(scene).toJson());
+        EXPECT_EQ(unpacked<std::int16_t>(page["cells"][0]["low"]), (std::vector<std::int16_t>{22, 23, 24}));
+        EXPECT_EQ(unpacked<std::uint8_t>(page["cells"][0]["size"]), (std::vector<std::uint8_t>{1, 1, 1}));
+        auto shown = unpacked<float>(page["clouds"][0]["points"]);
+        ASSERT_EQ(shown.size(), 6u);
+        if (shown[0] > shown[3])
+            std::rotate(shown.begin(), shown.begin() + 3, shown.end());
+        EXPECT_EQ(shown, (std::vector<float>{-4, -3, -2, 3, 2, 1}));
+    }
+
+    TEST(PlanViewerTest, CertificatesAreTheLargestAndApart)
+    {
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(10.0);
+        PlanViewer viewer(Scene("plane", "plane", bounds));
+        const double infinite = std::numeric_limits<double>::infinity();
+        viewer.setCertificates({{{5.0, 5.0, 0.0}, 1.0},
+                                {{5.0, 5.0, 0.0}, 2.0},
+                                {{5.5, 5.0, 0.0}, 1.9},
+                                {{8.0, 5.0, 0.0}, 0.5},
+                                {{1.0, 1.0, 0.0}, -1.0},
+                                {{2.0, 2.0, 0.0}, infinite}});
+        const json page = json::parse(viewer.toJson());
+        EXPECT_EQ(unpacked<float>(page["certificates"]), (std::vector<float>{0, 0, 0, 2, 3, 0, 0, 0.5f}));
+    }
+
+    TEST(PlanViewerTest, NamesDoNotEndTheElement)
+    {
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(10.0);
+        const std::string name = "</script><script>alert(1)</script>\xff <!-- ü";
+        const std::string html = PlanViewer(Scene(name, "source", bounds)).toHtml();
+        EXPECT_EQ(html.find("</script><script>alert"), std::string::npos);
+        const std::string element = "<script id=\"plan\" type=\"application/json\">";
+        const std::size_t begin = html.rfind(element) + element.size();
+        const json page = json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+        EXPECT_EQ(page["name"], "</script><script>alert(1)</script>\xef\xbf\xbd <!-- ü");
+    }
+
+    TEST(PlanViewerTest, ForeignPathsAreRefused)
+    {
+        const Scene scene = loadScene(scenePath("paper_five_discs.yaml"));
+        PlanViewer viewer(scene);
+        const auto own = std::make_shared<ob::SpaceInformation>(scene.makeTeam());
+        EXPECT_THROW(viewer.setPath(PathGeometric(own)), ompl::Exception);
+        const auto foreign =
+            std::make_shared<ob::SpaceInformation>(loadScene(scenePath("paper_three_discs.yaml")).makeTeam());
+        PathGeometric path(foreign);
+        ob::ScopedState<> state(foreign);
+        state.random();
+        path.append(state.get());
+        EXPECT_THROW(viewer.setPath(path), ompl::Exception);
+        EXPECT_THROW(viewer.setTree(ob::PlannerData(foreign)), ompl::Exception);
+    }
+}
