@@ -389,6 +389,7 @@ namespace
         plan.goalTolerance = options.goalTolerance;
         plan.setParameters = [&options](ob::Planner &planner) { setParameters(options, planner); };
         plan.picture = options.picture;
+        plan.view = options.view;
         plan.pictureTree = options.pictureTree;
         plan.pictureCertificates = options.pictureCertificates;
         plan.path = options.path;

@@ -9,6 +9,7 @@
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
+#include "ompl_certificates/pictures/PlanViewer.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
@@ -78,6 +79,18 @@ namespace demos
                 picture.setCertificates(setup.getTeamChecker()->getCertificates());
             return picture.toSvg();
         }
+
+        std::string viewed(const Scene &scene, const TeamControlSetup &setup, const PlanReport &report,
+                           const ob::PlannerData &tree)
+        {
+            PlanViewer viewer(scene);
+            if (report.solved)
+                viewer.setPath(setup.getSolutionPath());
+            viewer.setTree(tree);
+            viewer.setCertificates(setup.getTeamChecker()->getCertificates());
+            viewer.setReport(report);
+            return viewer.toHtml();
+        }
     }
 
     int run(const DynamicPlan &plan)
@@ -93,7 +106,9 @@ namespace demos
         setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team), plan.goalTolerance);
         setup.setPlanner(makeControlPlanner(plan.planner, setup.getSpaceInformation()));
         plan.setParameters(*setup.getPlanner());
-        prepareOutputs({{"--picture", plan.picture}, {"--path", plan.path}, {"--report", plan.report}}, {plan.scene});
+        prepareOutputs(
+            {{"--picture", plan.picture}, {"--view", plan.view}, {"--path", plan.path}, {"--report", plan.report}},
+            {plan.scene});
         setup.setup();
         setup.getStatistics().reset();
         ompl::msg::setLogLevel(plan.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
@@ -123,6 +138,8 @@ namespace demos
             writeOutput(plan.path, toCsv(setup.getSolutionPath()));
         if (!plan.picture.empty())
             writeOutput(plan.picture, drawn(plan, scene, setup, tree));
+        if (!plan.view.empty())
+            writeOutput(plan.view, viewed(scene, setup, report, tree));
         return report.solved ? SOLVED : NOT_SOLVED;
     }
 }

@@ -30,7 +30,7 @@ namespace demos
         std::function<void(ompl::base::Planner &)> setParameters;
 
         /** \brief The files to write; empty for none */
-        std::string picture, path, report;
+        std::string picture, view, path, report;
         bool pictureTree{false}, pictureCertificates{false}, quiet{false};
     };
 

@@ -71,6 +71,24 @@ namespace ompl_certificates
         setStates(states, stateTimes(path));
     }
 
+    void PlanViewer::setPath(const ompl::control::PathControl &original)
+    {
+        SceneDrawing(scene_).requireTeam(original.getSpaceInformation()->getStateSpace());
+        if (original.getStateCount() == 0)
+            throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
+        // Between the states that it had, its robots do not move straight: all steps are shown.
+        ompl::control::PathControl path(original);
+        path.interpolate();
+        std::vector<const ob::State *> states;
+        std::vector<double> times;
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        {
+            states.push_back(path.getState(i));
+            times.push_back(i == 0 ? 0.0 : times.back() + path.getControlDuration(i - 1));
+        }
+        setStates(states, times);
+    }
+
     void PlanViewer::setTree(const ob::PlannerData &data)
     {
         const SceneDrawing drawing(scene_);

@@ -63,12 +63,12 @@ namespace ompl_certificates
             if (const auto *cells = dynamic_cast<const CellObstacles *>(sensed.get()))
             {
                 std::vector<std::int16_t> low;
-                std::vector<std::uint8_t> size;
+                std::vector<std::uint16_t> size;
                 for (const CellBox &box : cells->getBoxes())
                     for (std::size_t axis = 0; axis < 3; ++axis)
                     {
                         low.push_back(static_cast<std::int16_t>(box.low[axis]));
-                        size.push_back(static_cast<std::uint8_t>(box.high[axis] - box.low[axis]));
+                        size.push_back(static_cast<std::uint16_t>(box.high[axis] - box.low[axis]));
                     }
                 result.push_back({{"edge", cells->getCellSize()}, {"low", packed(low)}, {"size", packed(size)}});
             }
@@ -83,11 +83,12 @@ namespace ompl_certificates
             {
                 std::vector<float> points;
                 double radius = 0.0;
-                const std::size_t step = cloud->getPoints().size() / MAX_POINTS + 1;
-                for (std::size_t i = 0; i < cloud->getPoints().size(); i += step)
+                const std::vector<Ball> balls = cloud->getBalls();
+                const std::size_t step = balls.size() / MAX_POINTS + 1;
+                for (std::size_t i = 0; i < balls.size(); i += step)
                 {
-                    append(points, cloud->getPoints()[i] - origin_);
-                    radius = std::max(radius, cloud->getRadius(i));
+                    append(points, balls[i].center - origin_);
+                    radius = std::max(radius, balls[i].radius);
                 }
                 result.push_back({{"points", packed(points)}, {"radius", rounded(radius)}});
             }

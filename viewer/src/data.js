@@ -5,7 +5,7 @@
 //   shapes        kind: ball (radius), box (size), capsule and cylinder (radius, length; along z), polygon (points: x, y,
 //                 ...), mesh (low, step, vertices: 16 bits each, triangles: indices of indexBytes bytes)
 //   obstacles     shape (an index), poses (floats)
-//   cells         edge (their length), low (16 bits, in cells), size (8 bits, in cells)
+//   cells         edge (their length), low and size (16 bits, in cells)
 //   clouds        points (floats), radius
 //   robots        name, color, bodies (for each its parts: [shape, pose]), traced (an index of a body), times (floats,
 //                 of the keys), poses (floats: for each key those of all bodies), goal (floats: those of all bodies),
@@ -27,7 +27,6 @@ function bytesOf(base64) {
 export const floats = (base64) => new Float32Array(bytesOf(base64))
 export const words = (base64) => new Uint16Array(bytesOf(base64))
 export const signedWords = (base64) => new Int16Array(bytesOf(base64))
-export const bytes = (base64) => new Uint8Array(bytesOf(base64))
 
 /** Indices of two or four bytes */
 export const indices = (base64, size) =>
@@ -52,7 +51,7 @@ export function readPlan(text) {
   for (const obstacle of plan.obstacles) obstacle.poses = floats(obstacle.poses)
   for (const cells of plan.cells) {
     cells.low = signedWords(cells.low)
-    cells.size = bytes(cells.size)
+    cells.size = words(cells.size)
   }
   for (const cloud of plan.clouds) cloud.points = floats(cloud.points)
   plan.certificates = floats(plan.certificates)

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <ompl/base/PlannerData.h>
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace ompl_certificates
     /** \brief A page for browsers in which a scene can be looked at from all sides while its robots move along a path.
 
         The page is one HTML file with all that it needs, and opens without a network. Scenes of the plane are seen from
-        above. The file has some 0.6 MB, and what the scene's meshes, cells and points take. See docs/viewer.md. */
+        above. The file has some 0.6 MB, and what the scene's meshes, cells and points take. See docs/plan-team.md. */
     class PlanViewer
     {
     public:
@@ -28,6 +29,10 @@ namespace ompl_certificates
             \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots, or if it
             has none */
         void setPath(const ompl::geometric::PathGeometric &path);
+
+        /** \brief Let the robots move along a path of controls, with the times of its controls
+            \throws ompl::Exception as above */
+        void setPath(const ompl::control::PathControl &path);
 
         /** \brief Add a planner's tree, projected to each robot's position in the workspace. Of very large trees every
             n-th edge is shown.
