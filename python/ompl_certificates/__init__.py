@@ -29,6 +29,7 @@ from ._core import (
     planner_names,
     scene_from_yaml,
 )
+from ._view import View
 
 __all__ = [
     "Body",
@@ -37,6 +38,7 @@ __all__ = [
     "Plan",
     "Robot",
     "Scene",
+    "View",
     "__version__",
     "load_moveit",
     "load_scene",

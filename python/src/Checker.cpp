@@ -79,11 +79,7 @@ namespace ompl_certificates_python
     };
 
     Checker::Checker(const Scene &scene, const std::string &method, const std::string &motion)
-      : sceneName_(scene.getName())
-      , motion_(motion)
-      , dimension_(scene.getDimension())
-      , sensed_(scene.getSensedObstacles())
-      , obstacles_(scene.getDimension(), scene.getZInterval())
+      : scene_(scene), motion_(motion), obstacles_(scene.getDimension(), scene.getZInterval())
     {
         if (scene.getMembers().empty())
             throw ompl::Exception(scene.getSource(), "robots: a scene needs at least one robot");
@@ -99,7 +95,7 @@ namespace ompl_certificates_python
 
     ObstaclesPtr Checker::withSensed(const ObstaclesPtr &bodies) const
     {
-        std::vector<ObstaclesPtr> all = sensed_;
+        std::vector<ObstaclesPtr> all = scene_.getSensedObstacles();
         if (obstacles_.size() > 0 || all.empty())
             all.insert(all.begin(), bodies);
         return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
@@ -187,6 +183,25 @@ namespace ompl_certificates_python
     std::string Checker::describeCollision(const Doubles &state) const
     {
         return setup_->getTeamChecker()->describeCollision(toState(state).get());
+    }
+
+    Scene Checker::getScene(const ob::State *goal) const
+    {
+        Scene now(scene_.getName(), scene_.getSource(), scene_.getBounds());
+        {
+            const std::lock_guard<std::mutex> lock(changing_);
+            for (const PlacedBody &obstacle : obstacles_.getObstacles())
+                now.addObstacle(obstacle);
+        }
+        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
+            now.addSensedObstacles(sensed, "");
+        std::size_t i = 0;
+        for (Scene::Member member : scene_.getMembers())
+        {
+            member.robot->getStateSpace()->copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i++]);
+            now.addMember(member);
+        }
+        return now;
     }
 
     void Checker::change()

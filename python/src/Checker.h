@@ -56,6 +56,10 @@ namespace ompl_certificates_python
             \throws ompl::Exception as isValid() does */
         ompl::base::ScopedState<> toState(const Doubles &values) const;
 
+        /** \brief The scene with the obstacles there are now, and a goal
+            \param goal a state of the team */
+        Scene getScene(const ompl::base::State *goal) const;
+
         /** \brief The setup, for planning; see lockPlanning() */
         TeamSetup &getSetup() const
         {
@@ -71,13 +75,13 @@ namespace ompl_certificates_python
         /** \brief The dimension of the workspace: 2 or 3 */
         unsigned int getDimension() const
         {
-            return dimension_;
+            return scene_.getDimension();
         }
 
         /** \brief The name of the scene */
         const std::string &getSceneName() const
         {
-            return sceneName_;
+            return scene_.getName();
         }
 
         /** \brief How motions are checked: discrete or continuous */
@@ -102,15 +106,13 @@ namespace ompl_certificates_python
         /** \brief All obstacles, as of Scene::makeObstacles() */
         ompl_certificates::ObstaclesPtr withSensed(const ompl_certificates::ObstaclesPtr &bodies) const;
 
-        std::string sceneName_, motion_;
-        unsigned int dimension_;
+        Scene scene_;
+        std::string motion_;
         std::size_t count_{0};
-        std::vector<ompl_certificates::ObstaclesPtr> sensed_;
         std::vector<std::size_t> angles_, quaternions_;
         ObstacleSet obstacles_;
         std::unique_ptr<TeamSetup> setup_;
-        std::mutex changing_;
-        mutable std::mutex planning_;
+        mutable std::mutex changing_, planning_;
     };
 }
 

@@ -4,6 +4,7 @@
 #include "Reports.h"
 
 #include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/pictures/PlanViewer.h>
 #include <ompl_certificates/planning/Planners.h>
 #include <ompl_certificates/team/PathTimes.h>
 #include <ompl_certificates/team/TeamObjective.h>
@@ -30,6 +31,10 @@ namespace ompl_certificates_python
             std::vector<std::string> coordinates;
             Doubles path, times;
             std::string csv;
+
+            /** A page of what was planned. It gets its certificates, which take the longest, when it is asked for. */
+            std::shared_ptr<PlanViewer> viewer;
+            std::vector<Certificate> certificates;
         };
 
         struct Options
@@ -165,9 +170,6 @@ namespace ompl_certificates_python
             report.certificates = setup.getTeamChecker()->getCertificateCount();
             if (report.solved)
                 report.cost = costOf(setup, options);
-            ob::PlannerData tree(setup.getSpaceInformation());
-            setup.getPlanner()->getPlannerData(tree);
-            report.setTree(tree);
         }
 
         /** Shorten the solution, for as long as it was planned for at most. */
@@ -181,6 +183,37 @@ namespace ompl_certificates_python
             progress.rethrow();
             report.simplifiedCost = costOf(setup, options);
             report.simplifyingSeconds = setup.getLastSimplificationTime();
+        }
+
+        /** Report the tree, and keep what a page shows of all this. */
+        void setTree(Plan &plan, const Checker &checker)
+        {
+            TeamSetup &setup = checker.getSetup();
+            ob::PlannerData tree(setup.getSpaceInformation());
+            setup.getPlanner()->getPlannerData(tree);
+            plan.report.setTree(tree);
+            plan.viewer =
+                std::make_shared<PlanViewer>(checker.getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
+            if (plan.report.solved)
+                plan.viewer->setPath(setup.getSolutionPath());
+            plan.viewer->setTree(tree);
+            plan.viewer->setReport(plan.report);
+            plan.certificates = setup.getTeamChecker()->getCertificates();
+        }
+
+        py::object view(const Plan &plan, const py::object &path)
+        {
+            std::string html;
+            {
+                const py::gil_scoped_release release;
+                PlanViewer viewer(*plan.viewer);
+                viewer.setCertificates(plan.certificates);
+                html = viewer.toHtml();
+            }
+            py::object page = py::module_::import("ompl_certificates._view").attr("View")(html);
+            if (!path.is_none())
+                page.attr("save")(path);
+            return page;
         }
 
         Plan planWith(Checker &checker, const Options &options, const py::object &start, const py::object &goal)
@@ -216,6 +249,7 @@ namespace ompl_certificates_python
                 simplify(setup, options, plan.report);
             if (plan.report.solved)
                 setPath(plan, setup.getSolutionPath());
+            setTree(plan, checker);
             return plan;
         }
 
@@ -254,6 +288,9 @@ namespace ompl_certificates_python
             .def(
                 "save_report", [](const Plan &plan, const std::string &file) { plan.report.write(file); },
                 py::arg("file"), "Write the report as JSON.")
+            .def("view", &view, py::arg("path") = py::none(),
+                 "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "
+                 "file, too.")
             .def("__bool__", [](const Plan &plan) { return plan.report.solved; });
 
         module.def("planner_names", &plannerNames, "The names of all planners: OMPL's classes, and DRRTstar");

@@ -33,7 +33,7 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
     monkeypatch.chdir(ROOT)
     names: Dict[str, Any] = {}
     snippets = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 5
+    assert len(snippets) == 6
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))

@@ -45,6 +45,14 @@ namespace ompl_certificates
         obstacles_.erase(find(obstacle));
     }
 
+    std::vector<PlacedBody> ObstacleSet::getObstacles() const
+    {
+        std::vector<PlacedBody> obstacles;
+        for (const auto &[id, obstacle] : obstacles_)
+            obstacles.push_back(obstacle);
+        return obstacles;
+    }
+
     ObstacleChange ObstacleSet::takeChange()
     {
         std::vector<PlacedBody> all, added, removed;

@@ -16,7 +16,7 @@ const byId = (id) => document.getElementById(id)
 const plan = readPlan(byId('plan').textContent)
 document.title = `${plan.name} · plan`
 byId('title').textContent = plan.name
-byId('subtitle').textContent = plan.report ? `${plan.report.planner} · ${plan.robots.length} robots` : ''
+byId('subtitle').textContent = plan.report ? `${plan.report.planner} · ${plan.robots.length} ${plan.robots.length === 1 ? 'robot' : 'robots'}` : ''
 
 const view = new View(plan, byId('canvas'))
 const shapes = new Shapes(plan)
@@ -54,7 +54,7 @@ byId('speed').onchange = ({ target }) => (playback.speed = Number(target.value))
 // Layers
 
 const layers = [
-  { name: 'paths', label: 'paths, with marks at equal times', key: 'p', on: true, there: plan.end > 0 },
+  { name: 'paths', label: 'paths, marked at equal times', key: 'p', on: true, there: plan.end > 0 },
   { name: 'trail', label: 'bodies at the marks', key: 'm', on: false, there: plan.end > 0 },
   { name: 'goals', label: 'goals', key: 'g', on: true, there: true },
   { name: 'tree', label: 'tree', key: 't', on: false, there: plan.robots.some(({ tree }) => tree.length > 0) },

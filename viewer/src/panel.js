@@ -88,10 +88,10 @@ export function statistics(plan) {
     ['Method', `${report.method}, ${report.motion}`],
     ['Objective', report.objective],
     ['Seed', String(report.seed)],
-    ['First solution after', seconds(report.seconds.first_solution)],
+    ...(report.seconds.first_solution === null ? [] : [['First solution after', seconds(report.seconds.first_solution)]]),
     ['Time to plan', seconds(report.seconds.total)],
-    ['of it in checks', `${seconds(report.seconds.checking)} (${share(report.seconds.checking, report.seconds.total)})`],
-    ['Tree', `${number(report.tree.states)} states`],
+    ['In checks', `${seconds(report.seconds.checking)} (${share(report.seconds.checking, report.seconds.total)})`],
+    ['Tree', `${number(report.tree.states)} state${report.tree.states === 1 ? '' : 's'}`],
     ['Certificates', number(checks.certificates)],
     ['Calls of FCL', number(checks.exact_calls + checks.pair_exact)],
   ]

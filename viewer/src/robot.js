@@ -100,7 +100,8 @@ export class Robot {
   solidPart(shape, pose, material, line) {
     const { geometry, scale } = this.shapes.solid(shape)
     const mesh = new Mesh(geometry, material)
-    mesh.castShadow = mesh.receiveShadow = !!line
+    // What is at the goal is not there yet, and has no shadow.
+    mesh.castShadow = mesh.receiveShadow = !material.transparent
     const objects = [mesh]
     if (line) objects.push(new LineSegments(this.shapes.once(`edges ${geometry.uuid}`, () => new EdgesGeometry(geometry, 35)), line))
     for (const object of objects) {

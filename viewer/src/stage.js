@@ -61,11 +61,13 @@ export class Stage {
     frame.renderOrder = ORDER.grid
     this.group.add(frame)
 
-    const away = 0.025 * plan.extent
-    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step)) this.addLabel(x, step, at(0, x), low[1] - away, bottom)
-    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step)) this.addLabel(y, step, low[0] - away, at(1, y), bottom)
-    this.addLabel('x', 1, 0, low[1] - 3 * away, bottom)
-    this.addLabel('y', 1, low[0] - 3 * away, 0, bottom)
+    // In the plane numbers are some pixels beside the frame, in space some part of it, since they turn with it.
+    const away = plan.spatial ? 0.025 * plan.extent : 0
+    const [below, beside] = plan.spatial ? [] : [[0, 14], [-18, 0]]
+    this.addLabel('x', 1, 0, low[1] - 3 * away, bottom, below && [0, 30])
+    this.addLabel('y', 1, low[0] - 3 * away, 0, bottom, beside && [-42, 0])
+    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step)) this.addLabel(x, step, at(0, x), low[1] - away, bottom, below)
+    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step)) this.addLabel(y, step, low[0] - away, at(1, y), bottom, beside)
     if (!plan.spatial) return
     for (const z of ticks(plan.bounds.low[2], plan.bounds.high[2], step)) this.addLabel(z, step, low[0] - away, high[1] + away, at(2, z))
     this.addLabel('z', 1, low[0] - 3 * away, high[1] + 2 * away, 0)
@@ -79,9 +81,10 @@ export class Stage {
     this.group.add(lines)
   }
 
-  addLabel(value, step, x, y, z) {
+  /** @param shift from there, in pixels */
+  addLabel(value, step, x, y, z, shift = [0, 0]) {
     const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
     const text = typeof value === 'number' ? value.toFixed(digits).replace(/^-0(?:\.0*)?$/, '0') : value
-    this.labels.push({ text, axis: typeof value !== 'number', position: new Vector3(x, y, z) })
+    this.labels.push({ text, axis: typeof value !== 'number', position: new Vector3(x, y, z), shift })
   }
 }

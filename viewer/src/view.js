@@ -18,6 +18,12 @@ import { look } from './look.js'
 /** Where a scene of space is seen from at first, from its middle */
 const DIRECTION = new Vector3(-0.45, -1, 0.62).normalize()
 
+/** The room around a scene of the plane, in pixels: for the title, and for the numbers along the axes */
+const ROOM = { left: 60, right: 24, top: 78, bottom: 46 }
+
+/** Numbers nearer to each other than that are not both shown: across and down, in pixels. */
+const APART = [24, 12]
+
 export class View {
   constructor(plan, element) {
     this.plan = plan
@@ -86,12 +92,12 @@ export class View {
 
   /** Text at places of the workspace */
   addLabels(labels) {
-    for (const { text, position, axis } of labels) {
+    for (const { text, position, axis, shift } of labels) {
       const element = document.createElement('span')
       element.className = axis ? 'tick axis' : 'tick'
       element.textContent = text
       this.element.append(element)
-      this.labels.push({ element, position })
+      this.labels.push({ element, position, shift })
     }
   }
 
@@ -104,10 +110,11 @@ export class View {
     const aspect = width / height
     if (this.plan.spatial) this.camera.aspect = aspect
     else {
-      // Some room for the numbers along the axes
-      const half = (axis) => 0.5 * (this.plan.high[axis] - this.plan.low[axis]) + 0.09 * this.plan.extent
-      const scale = Math.max(half(1), half(0) / aspect)
-      Object.assign(this.camera, { left: -scale * aspect, right: scale * aspect, top: scale, bottom: -scale })
+      const size = (axis) => this.plan.high[axis] - this.plan.low[axis]
+      const free = [width - ROOM.left - ROOM.right, height - ROOM.top - ROOM.bottom].map((pixels) => Math.max(pixels, 1))
+      this.pixel = Math.max(size(0) / free[0], size(1) / free[1])
+      const [right, top] = [0.5 * width * this.pixel, 0.5 * height * this.pixel]
+      Object.assign(this.camera, { left: -right, right, top, bottom: -top })
     }
     this.camera.updateProjectionMatrix()
     if (!this.touched) this.reset()
@@ -120,9 +127,8 @@ export class View {
     target.set(0, 0, 0)
     if (this.plan.spatial) this.fit()
     else {
-      const down = 0.02 * this.plan.extent
-      target.set(-down, -down, 0)
-      this.camera.position.set(-down, -down, 5 * this.radius)
+      target.set(0.5 * (ROOM.right - ROOM.left) * this.pixel, 0.5 * (ROOM.top - ROOM.bottom) * this.pixel, 0)
+      this.camera.position.set(target.x, target.y, 5 * this.radius)
       this.camera.zoom = 1
       this.camera.updateProjectionMatrix()
     }
@@ -163,11 +169,15 @@ export class View {
 
   placeLabels() {
     const seen = new Vector3()
-    for (const { element, position } of this.labels) {
+    const placed = []
+    for (const { element, position, shift } of this.labels) {
       seen.copy(position).project(this.camera)
-      const x = (0.5 + 0.5 * seen.x) * this.width
-      const y = (0.5 - 0.5 * seen.y) * this.height
-      element.hidden = seen.z > 1 || x < 0 || y < 0 || x > this.width || y > this.height
+      const x = (0.5 + 0.5 * seen.x) * this.width + shift[0]
+      const y = (0.5 - 0.5 * seen.y) * this.height + shift[1]
+      const isOver = ([otherX, otherY]) => Math.abs(x - otherX) < APART[0] && Math.abs(y - otherY) < APART[1]
+      element.hidden = seen.z > 1 || x < 0 || y < 0 || x > this.width || y > this.height || placed.some(isOver)
+      if (element.hidden) continue
+      placed.push([x, y])
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`
     }
   }

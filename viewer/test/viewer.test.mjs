@@ -62,7 +62,7 @@ async function assertRobotsAreSeen({ page, troubles }, most) {
 }
 
 test('drones in space', async () => {
-  const made = plan('drones_3d.yaml', '--time', '1')
+  const made = plan('drones_3d.yaml', '--iterations', '1000')
   const opened = await open(browser, made.page)
   await assertShowsPath(opened, made, spatial)
   await assertRobotsAreSeen(opened, 4)
@@ -70,7 +70,7 @@ test('drones in space', async () => {
 })
 
 test('sixteen discs and boxes', async () => {
-  const made = plan('teams/boxes_16.yaml', '--time', '1')
+  const made = plan('teams/boxes_16.yaml', '--iterations', '1000')
   const opened = await open(browser, made.page)
   await assertShowsPath(opened, made, planar)
   await assertRobotsAreSeen(opened, 4)
@@ -78,7 +78,7 @@ test('sixteen discs and boxes', async () => {
 })
 
 test('arms', async () => {
-  const made = plan('arms/two_arms.yaml', '--time', '2')
+  const made = plan('arms/two_arms.yaml', '--iterations', '1000')
   assert.ok(made.size < 2e6, `${made.size} bytes`)
   const opened = await open(browser, made.page)
   // As two_arms.yaml has them
@@ -110,7 +110,7 @@ test('arms', async () => {
 })
 
 test('drones in an octomap', async () => {
-  const made = plan('drones_octomap.yaml', '--time', '1')
+  const made = plan('drones_octomap.yaml', '--iterations', '1000')
   const opened = await open(browser, made.page)
   await assertShowsPath(opened, made, spatial)
   assert.ok((await opened.page.evaluate('viewer.plan.cells[0].low.length')) > 300)
@@ -118,8 +118,26 @@ test('drones in an octomap', async () => {
   await opened.close()
 })
 
+test('drones in a point cloud', async () => {
+  const made = plan('cloud.yaml', '--iterations', '1000')
+  const opened = await open(browser, made.page)
+  await assertShowsPath(opened, made, spatial)
+  assert.ok((await opened.page.evaluate('viewer.plan.clouds[0].points.length')) > 3000)
+  await assertRobotsAreSeen(opened, 2)
+  await opened.close()
+})
+
+test('robots that move by controls', async () => {
+  const made = plan('controls/doorway.yaml', '--dynamics', '--iterations', '20000')
+  const opened = await open(browser, made.page)
+  // cart.x, but puck.pose.x, beside its velocity
+  await assertShowsPath(opened, made, (state, robot) => planar(state, `${robot}.x` in state ? robot : `${robot}.pose`))
+  await assertRobotsAreSeen(opened, 2)
+  await opened.close()
+})
+
 test('keys and controls, on a phone', async () => {
-  const made = plan('paper_five_discs.yaml', '--time', '1')
+  const made = plan('paper_five_discs.yaml', '--iterations', '1000')
   const { page, troubles, close } = await open(browser, made.page, { width: 390, height: 844 })
   const state = (expression) => page.evaluate(`viewer.${expression}`)
   const width = await page.evaluate('document.documentElement.scrollWidth')

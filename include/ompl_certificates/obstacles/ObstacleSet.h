@@ -49,6 +49,9 @@ namespace ompl_certificates
             return obstacles_.size();
         }
 
+        /** \brief The obstacles now, in the order of their numbers. Cost: a copy of each. */
+        std::vector<PlacedBody> getObstacles() const;
+
         /** \brief The obstacles now, and what was added and removed since the last call. Cost: that of making
             FclObstacles of all of them. */
         ObstacleChange takeChange();

@@ -1,0 +1,25 @@
+"""Pages that show plans"""
+
+from __future__ import annotations
+
+import html as markup
+import os
+import pathlib
+from typing import Union
+
+
+class View:
+    """A page in which a plan can be looked at, as plan_team --view writes it. As the value of a cell of a notebook it
+    is shown there."""
+
+    def __init__(self, html: str) -> None:
+        self.html = html
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Write the page, one file that opens without a network. OSError names a file that cannot be written."""
+        pathlib.Path(path).write_text(self.html, encoding="utf-8")
+
+    def _repr_html_(self) -> str:
+        # The page has styles and keys of its own, so it gets a frame of its own.
+        style = "width: 100%; height: 620px; border: 1px solid #8884; border-radius: 6px"
+        return f'<iframe title="plan" style="{style}" srcdoc="{markup.escape(self.html)}"></iframe>'

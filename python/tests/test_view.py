@@ -1,0 +1,70 @@
+"""Pages that show plans"""
+
+import base64
+import html
+import json
+import pathlib
+import re
+from typing import Any, Dict
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+
+
+def shown_in(page: str) -> Dict[str, Any]:
+    """What a page shows, as JSON"""
+    data = re.findall(r'<script id="plan" type="application/json">(.*?)</script>', page, re.DOTALL)[-1]
+    shown: Dict[str, Any] = json.loads(data)
+    return shown
+
+
+def floats(text: str) -> "np.ndarray[Any, np.dtype[np.float32]]":
+    return np.frombuffer(base64.b64decode(text), dtype="<f4")
+
+
+def test_page_shows_the_plan(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    plan = oc.plan(room, time=1.0)
+    file = tmp_path / "plan.html"
+    view = plan.view(file)
+    assert file.read_text(encoding="utf-8") == view.html
+    shown = shown_in(view.html)
+    assert shown["end"] == plan.times[-1]
+    assert shown["report"] == plan.report
+    for i, robot in enumerate(shown["robots"]):
+        poses = floats(robot["poses"]).reshape(-1, 7)
+        origin = shown["bounds"]["origin"][:2]
+        assert np.allclose(poses[0, :2] + origin, plan.path[0].reshape(-1, 2)[i])
+        assert np.allclose(poses[-1, :2] + origin, plan.path[-1].reshape(-1, 2)[i])
+
+
+def test_notebooks_show_it_in_a_frame(room: oc.Scene) -> None:
+    view = oc.plan(room, time=1.0).view()
+    frame = view._repr_html_()
+    inside = re.fullmatch(r'<iframe [^<>]*srcdoc="([^"]*)"></iframe>', frame)
+    assert inside and html.unescape(inside[1]) == view.html
+
+
+def test_page_shows_the_world_and_the_goal_of_its_plan(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    crate = checker.add_obstacle(oc.Body.box(1, 1), (2, 2))
+    goal = np.array([9.0, 4.0, 1.0, 6.0])
+    plan = oc.plan(checker, time=1.0, goal=goal)
+    checker.remove_obstacle(crate)
+    shown = shown_in(plan.view().html)
+    assert sum(len(floats(obstacle["poses"])) // 7 for obstacle in shown["obstacles"]) == 2
+    for i, robot in enumerate(shown["robots"]):
+        assert np.allclose(floats(robot["goal"])[:2] + shown["bounds"]["origin"][:2], goal.reshape(-1, 2)[i])
+
+
+def test_without_a_solution_robots_stay_at_their_starts(room: oc.Scene) -> None:
+    room.add_obstacle(oc.Body.box(0.2, 12), (7, 5))
+    plan = oc.plan(room, "RRT", time=0.2)
+    assert not plan.solved
+    shown = shown_in(plan.view().html)
+    assert shown["end"] == 0 and len(floats(shown["robots"][0]["times"])) == 1
+
+
+def test_file_that_cannot_be_written_is_named(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    with pytest.raises(OSError, match="nowhere"):
+        oc.plan(room, time=1.0).view(tmp_path / "nowhere" / "plan.html")
