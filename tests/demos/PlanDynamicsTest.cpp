@@ -22,8 +22,8 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
     for (const char *motion : {"discrete", "continuous"})
     {
         Program program("plan_team", {DOORWAY, "--dynamics", "--goal-tolerance", "3", "--motion", motion, "--time",
-                                      "30", "--path", folder / "path.csv", "--picture", folder / "plan.svg",
-                                      "--picture-tree", "--report", folder / "report.json"});
+                                      "30", "--path", folder / "path.csv", "--picture", folder / "plan.svg", "--view",
+                                      folder / "plan.html", "--picture-tree", "--report", folder / "report.json"});
         EXPECT_EQ(program.wait(), 0) << program.errors();
         const auto lines = linesOf(folder / "path.csv");
         ASSERT_GT(lines.size(), 3u);
@@ -34,6 +34,7 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
         EXPECT_EQ(lines[2].substr(0, 4), "0.1,");
         EXPECT_EQ(lines.back().substr(lines.back().size() - 4), ",,,,");
         EXPECT_NE(contentOf(folder / "plan.svg").find("</svg>"), std::string::npos);
+        EXPECT_NE(contentOf(folder / "plan.html").find("</html>"), std::string::npos);
         EXPECT_NE(contentOf(folder / "report.json").find(std::string("\"") + motion + '"'), std::string::npos);
     }
 }

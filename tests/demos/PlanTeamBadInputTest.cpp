@@ -59,6 +59,7 @@ namespace
             {{"@/scene.yaml", "--picture-tree"}, "--picture"},
             {{"@/scene.yaml", "--picture", "@/none/plan.svg"}, "--picture"},
             {{"@/scene.yaml", "--animation", "@/none/plan.svg"}, "--animation"},
+            {{"@/scene.yaml", "--view", "@/none/plan.html"}, "/none/plan.html: cannot be written"},
             {{"@/scene.yaml", "--picture", "@/a.svg", "--animation", "@/a.svg"}, "is named by --picture, too"},
             {{"@/scene.yaml", "--path", "@"}, "--path"},
             {{"@/scene.yaml", "--report", "@/scene.yaml"}, "--report"},

@@ -181,6 +181,9 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
         ASSERT_EQ(picture.wait(), 0);
         EXPECT_NE(picture.output().find("</svg>"), std::string::npos) << option;
     }
+    Program view("plan_team", {scene(), "--planner", "RRTConnect", "--view", "-", "--quiet"});
+    ASSERT_EQ(view.wait(), 0);
+    EXPECT_NE(view.output().find("</html>"), std::string::npos);
 }
 
 TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)

@@ -1,4 +1,5 @@
 #include "ompl_certificates/pictures/PlanViewer.h"
+#include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/robots/RigidRobot.h"
@@ -139,6 +140,45 @@ namespace ompl_certificates
                 }
             }
         }
+    }
+
+    TEST(PlanViewerTest, ControlsMoveRobotsInTheirOwnTime)
+    {
+        namespace oc = ompl::control;
+        const Scene scene = loadScene(scenePath("controls/doorway.yaml"), true);
+        const TeamStateSpacePtr team = scene.makeTeam();
+        const TeamControlSetup setup(team, scene.makeObstacles());
+        const oc::SpaceInformationPtr si = setup.getSpaceInformation();
+        si->setup();
+        oc::PathControl path(si);
+        const oc::ControlSamplerPtr sampler = si->allocControlSampler();
+        oc::Control *control = si->allocControl();
+        ob::ScopedState<> state = scene.makeStart(team);
+        for (const unsigned int steps : {4, 1, 7})
+        {
+            sampler->sample(control);
+            path.append(state.get(), control, steps * si->getPropagationStepSize());
+            si->propagate(state.get(), control, static_cast<int>(steps), state.get());
+        }
+        path.append(state.get());
+        si->freeControl(control);
+
+        PlanViewer viewer(scene);
+        viewer.setPath(path);
+        const json page = json::parse(viewer.toJson());
+        EXPECT_NEAR(page["end"].get<double>(), 1.2, 1e-9);
+        path.interpolate();
+        ASSERT_EQ(path.getStateCount(), 13u);
+        for (unsigned int k = 0; k < path.getStateCount(); ++k)
+            for (std::size_t i = 0; i < scene.getMembers().size(); ++i)
+            {
+                const Robot &robot = *scene.getMembers()[i].robot;
+                std::vector<Pose> poses(robot.getBodies().size());
+                robot.computePoses(path.getState(k)->as<ob::CompoundState>()->components[i], poses.data());
+                const Pose shown = poseAt(page["robots"][i], 0, 0.1 * k, page["bounds"]["origin"]);
+                EXPECT_LT((shown.translation() - poses[0].translation()).norm(), 1e-3)
+                    << robot.getName() << " at " << k;
+            }
     }
 
     TEST(PlanViewerTest, EqualShapesAreThereOnce)

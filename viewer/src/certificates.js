@@ -30,7 +30,7 @@ const bubble = () =>
       varying vec3 towards;
       void main() {
         float rim = 1.0 - abs(dot(normalize(outwards), normalize(towards)));
-        gl_FragColor = vec4(color, 0.045 + 0.5 * pow(rim, 3.0));
+        gl_FragColor = vec4(color, 0.03 + 0.42 * pow(rim, 3.0));
         #include <colorspace_fragment>
       }`,
     transparent: true,
@@ -41,6 +41,8 @@ export class Certificates {
   constructor(plan) {
     this.group = new Group()
     this.number = plan.certificates.length / 4
+    // Balls of space hide each other sooner than those of the plane.
+    this.few = Math.min(this.number, plan.spatial ? 24 : 60)
     this.meshes = plan.spatial
       ? [this.balls(plan, new IcosahedronGeometry(1, 8), bubble())]
       : [

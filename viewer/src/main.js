@@ -65,7 +65,7 @@ const layers = [
     on: false,
     there: certificates.number > 0,
     slider: certificates.number,
-    value: Math.min(certificates.number, 60),
+    value: certificates.few,
   },
   { name: 'seeThrough', label: 'obstacles see-through', key: 'o', on: false, there: plan.spatial },
 ].filter(({ there }) => there)
@@ -84,7 +84,7 @@ const layerPanel = layerList(layers, setLayer, (_, count) => {
   certificates.setCount(count)
   setLayer('certificates', true)
 })
-certificates.setCount(60)
+certificates.setCount(certificates.few)
 certificates.group.visible = false
 
 // Robots
