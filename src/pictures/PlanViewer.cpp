@@ -52,6 +52,7 @@ namespace ompl_certificates
         for (const Scene::Member &member : scene_.getMembers())
         {
             std::vector<const ob::State *> components;
+            components.reserve(states.size());
             for (const ob::State *state : states)
                 components.push_back(state->as<ob::CompoundState>()->components[motions_.size()]);
             motions_.push_back(
@@ -65,9 +66,9 @@ namespace ompl_certificates
         SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
         if (path.getStateCount() == 0)
             throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
-        std::vector<const ob::State *> states;
+        std::vector<const ob::State *> states(path.getStateCount());
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
-            states.push_back(path.getState(i));
+            states[i] = path.getState(i);
         setStates(states, stateTimes(path));
     }
 
@@ -79,12 +80,13 @@ namespace ompl_certificates
         // Between the states that it had, its robots do not move straight: all steps are shown.
         ompl::control::PathControl path(original);
         path.interpolate();
-        std::vector<const ob::State *> states;
-        std::vector<double> times;
+        std::vector<const ob::State *> states(path.getStateCount());
+        std::vector<double> times(path.getStateCount(), 0.0);
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
         {
-            states.push_back(path.getState(i));
-            times.push_back(i == 0 ? 0.0 : times.back() + path.getControlDuration(i - 1));
+            states[i] = path.getState(i);
+            if (i > 0)
+                times[i] = times[i - 1] + path.getControlDuration(i - 1);
         }
         setStates(states, times);
     }
