@@ -1,19 +1,29 @@
-# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS octomap scene pictures]) finds it again.
+# Headers, libraries, programs and the CMake package; find_package(ompl_certificates [COMPONENTS octomap scene pictures])
+# finds it again. Each rule names the package of cmake/Package.cmake that its files go to; `cmake --install` takes all.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ompl_certificates")
 
-install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" PATTERN "scene" EXCLUDE PATTERN "pictures" EXCLUDE)
-install(TARGETS ompl_certificates ompl_certificates_neighbors EXPORT ompl_certificatesTargets)
+# Installs libraries and adds them to an exported set.
+function(install_libraries set)
+  install(TARGETS ${ARGN} EXPORT ${set}
+    LIBRARY COMPONENT runtime NAMELINK_COMPONENT dev
+    ARCHIVE COMPONENT dev)
+endfunction()
+
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
+  PATTERN "scene" EXCLUDE PATTERN "pictures" EXCLUDE)
+install_libraries(ompl_certificatesTargets ompl_certificates ompl_certificates_neighbors)
 if(TARGET ompl_certificates_octomap)
-  install(TARGETS ompl_certificates_octomap EXPORT ompl_certificatesTargets)
+  install_libraries(ompl_certificatesTargets ompl_certificates_octomap)
 endif()
-install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
+install(EXPORT ompl_certificatesTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}" COMPONENT dev)
 
 if(TARGET ompl_certificates_scene)
   install(DIRECTORY include/ompl_certificates/scene include/ompl_certificates/pictures
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates")
-  install(TARGETS ompl_certificates_scene ompl_certificates_pictures EXPORT ompl_certificates_sceneTargets)
-  install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}")
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ompl_certificates" COMPONENT dev)
+  install_libraries(ompl_certificates_sceneTargets ompl_certificates_scene ompl_certificates_pictures)
+  install(EXPORT ompl_certificates_sceneTargets NAMESPACE ompl_certificates:: DESTINATION "${package_dir}"
+    COMPONENT dev)
 endif()
 
 # The programs that serve users; they find the libraries next to them, wherever both are moved.
@@ -21,7 +31,8 @@ file(RELATIVE_PATH libraries_from_programs "${CMAKE_INSTALL_FULL_BINDIR}" "${CMA
 foreach(program plan_team benchmark_team generate_scene certificate_experiment)
   if(TARGET ${program})
     set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
-    install(TARGETS ${program})
+    install(TARGETS ${program} RUNTIME COMPONENT tools)
+    list(APPEND installed_programs ${program})
   endif()
 endforeach()
 
@@ -33,7 +44,10 @@ install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/ompl_certificatesConfig.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/ompl_certificatesConfigVersion.cmake"
   cmake/OmplTarget.cmake
-  DESTINATION "${package_dir}")
+  DESTINATION "${package_dir}" COMPONENT dev)
 
-install(FILES package.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/ompl_certificates")
-install(FILES LICENSE CITATION.cff CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES package.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/ompl_certificates" COMPONENT dev)
+install(FILES CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT dev)
+# Debian's packages have them under other names.
+install(FILES LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents)
+

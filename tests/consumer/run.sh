@@ -21,17 +21,38 @@ cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PR
 cmake --build "$work/build"
 "$work/build/consumer"
 
-mkdir "$work/readme"
-echo '#include <ompl_certificates/planning/TeamSetup.h>
-int main() { return ompl_certificates::allMethods().empty(); }' >"$work/readme/main.cpp"
+# What is wrong with a component is said.
+refused()
 {
-  printf 'cmake_minimum_required(VERSION 3.22)\nproject(readme LANGUAGES CXX)\nadd_executable(your_program main.cpp)\n'
-  sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$root/README.md"
-} >"$work/readme/CMakeLists.txt"
-grep -q '^target_link_libraries(your_program' "$work/readme/CMakeLists.txt"
-cmake -S "$work/readme" -B "$work/readme/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved"
-cmake --build "$work/readme/build"
-"$work/readme/build/your_program"
+  if cmake -S "$here" -B "$work/refused" -DCMAKE_PREFIX_PATH="$work/moved" "${@:2}" >"$work/refused.log" 2>&1 ||
+    ! tr -s '\n ' ' ' <"$work/refused.log" | grep -qF "$1"; then
+    cat "$work/refused.log"
+    echo "error: not refused because of: $1" >&2
+    exit 1
+  fi
+  rm -rf "$work/refused"
+}
+refused 'Component "scen": there is no such component' -DCOMPONENTS=scen
+refused 'Component "pictures": not found here: pugixml' "-DCOMPONENTS=octomap;pictures" -DCMAKE_DISABLE_FIND_PACKAGE_pugixml=ON
+
+for page in README docs/install; do
+  project="$work/$(basename "$page")"
+  mkdir "$project"
+  echo '#include <ompl_certificates/planning/TeamSetup.h>
+int main() { return ompl_certificates::allMethods().empty(); }' >"$project/main.cpp"
+  {
+    printf 'cmake_minimum_required(VERSION 3.22)\nproject(page LANGUAGES CXX)\nadd_executable(your_program main.cpp)\n'
+    sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$root/$page.md"
+  } >"$project/CMakeLists.txt"
+  grep -q '^target_link_libraries(your_program' "$project/CMakeLists.txt"
+  # The scene library is not in each build.
+  if [[ $page == docs/install && ! -x "$work/moved/bin/plan_team" ]]; then
+    continue
+  fi
+  cmake -S "$project" -B "$project/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved"
+  cmake --build "$project/build"
+  "$project/build/your_program"
+done
 
 if [[ -x "$work/moved/bin/plan_team" ]]; then
   for program in plan_team benchmark_team generate_scene certificate_experiment; do
