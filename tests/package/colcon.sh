@@ -4,7 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source=$(cd "$here/../.." && pwd)
-"$source/scripts/install_dependencies.sh" $([[ ${ROS_DISTRO:-} ]] || echo colcon ament-cmake)
+"$source/scripts/install_dependencies.sh" $([[ ${ROS_DISTRO:-} ]] || printf "%s " colcon python3-colcon-{bash,cmake,library-path,package-selection,recursive-crawl,ros} ament-cmake)
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
