@@ -1,14 +1,37 @@
 #!/usr/bin/env bash
-# Makes the API site with the pages of docs/ in it: docs.sh [FOLDER, out/docs]. Fails if Doxygen warns of anything.
+# Makes the site, the guide and the API with it: docs.sh [FOLDER, out/docs]. The folder is ready for any static server. Fails if
+# Doxygen warns of anything, or a link leads nowhere.
 set -euo pipefail
 folder=$(realpath -m "${1:-$(dirname "${BASH_SOURCE[0]}")/../out/docs}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-command -v doxygen >/dev/null || scripts/install_dependencies.sh doxygen
-mkdir -p "$folder"
+if ! command -v doxygen >/dev/null || ! command -v mkdocs >/dev/null; then
+  scripts/install_dependencies.sh doxygen mkdocs-material mkdocs-material-extensions
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+rm -rf "$folder"
+mkdir -p "$folder" "$work/api"
 {
   cat docs/Doxyfile
-  echo "OUTPUT_DIRECTORY = \"$folder\""
+  echo "OUTPUT_DIRECTORY = \"$work\""
+  echo "GENERATE_TAGFILE = \"$work/tags.xml\""
   echo "PROJECT_NUMBER = $(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' CMakeLists.txt)"
 } | doxygen -
+
+# Plans to look at, where the program that makes them is built and knows how.
+views=()
+if [[ -x build/bin/plan_team ]] && build/bin/plan_team --help | grep -q -- --view; then
+  views=("$work/views")
+  mkdir "$work/views"
+  for scene in paper_five_discs drones_3d sixteen_robots; do
+    build/bin/plan_team "demos/scenes/$scene.yaml" --time 2 --quiet --view "$work/views/$scene.html"
+  done
+fi
+
+/usr/bin/python3 scripts/docs_page.py "$work/docs" "$work/tags.xml" "${views[@]}"
+cp -r "$work/api" "${views[@]}" "$work/docs/"
+cp docs/mkdocs.yml "$work/"
+mkdocs build -f "$work/mkdocs.yml" -d "$folder" 2>&1 | { grep -E "WARNING|ERROR" || true; }
+/usr/bin/python3 scripts/check_links.py "$folder"
 echo "The site begins at $folder/index.html"

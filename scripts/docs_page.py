@@ -1,60 +1,105 @@
 #!/usr/bin/env python3
-"""Prints a page of Markdown as Doxygen needs it: headings have ids, links to pages and their headings name these ids, and
-other files, which are not part of the site, are named and not linked. Doxygen's filter for *.md; see docs/Doxyfile."""
+"""Prepares the pages for the generator of the site: docs_page.py FOLDER TAGFILE [VIEWS]
+
+Copies the pages and their pictures into FOLDER. Links to pages stay; files that are not part of the site are named and
+linked; names of classes lead to Doxygen's pages, as TAGFILE tells. VIEWS is a folder with viewer files, if there
+are any."""
 
 import os
+import pathlib
 import re
+import shutil
 import sys
+import xml.etree.ElementTree
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-
-
-def page_id(path):
-    """The id of the page at `path`, relative to the repository, or None if it is no page of the site."""
-    if path == "README.md":
-        return "mainpage"
-    if path == "CHANGELOG.md" or path == "benchmarks/README.md" or re.fullmatch(r"docs/[^/]+\.md", path):
-        return "page_" + re.sub(r"\W", "_", path[: -len(".md")])
-    return None
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+# Where pages go that are not at their place in the repository
+MOVED = {"docs/start.md": "index.md", "README.md": "overview.md"}
 
 
-def heading_id(page, heading):
-    """GitHub's anchor of a heading, made unique over all pages."""
-    slug = re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
-    return f"{page}_{slug}"
+def pages():
+    """All pages of the site, relative to the repository"""
+    docs = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs").glob("*.md"))
+    return ["README.md", "CHANGELOG.md", "benchmarks/README.md", *docs]
 
 
-def link(page, folder, text, target):
-    """A link of `page` in Doxygen's words."""
-    if re.match(r"\w+:", target):
-        return f"[{text}]({target})"
-    file, _, anchor = target.partition("#")
-    path = os.path.relpath(os.path.join(ROOT, folder, file), ROOT) if file else None
-    other = page_id(path) if file else page
-    if other is None:
-        if not os.path.exists(os.path.join(ROOT, path)):
-            return f"[{text}](@ref no_file_{target})"  # Doxygen warns of it.
+def classes(tagfile):
+    """The API pages of the library's classes, by their names"""
+    found = {}
+    for compound in xml.etree.ElementTree.parse(tagfile).getroot().iter("compound"):
+        name = compound.findtext("name", "")
+        if compound.get("kind") in ("class", "struct") and name.count("::") == 1 and "<" not in name:
+            found[name.split("::")[1]] = "api/" + compound.findtext("filename", "")
+    return found
+
+
+class Page:
+    """One page, with the place it goes to"""
+
+    def __init__(self, path, api):
+        self.path, self.api = path, api
+        self.place = MOVED.get(path, path)
+        self.linked = set()
+
+    def relative(self, place):
+        return os.path.relpath(place, os.path.dirname(self.place) or ".")
+
+    def link(self, match):
+        mark, text, target = match.groups()
+        if re.match(r"\w+:", target):
+            return match[0]
+        file, hash_mark, anchor = target.partition("#")
+        if target.startswith("../api/"):
+            return match[0]
+        path = os.path.normpath(os.path.join(os.path.dirname(self.path), file)) if file else self.path
+        if not (ROOT / path).exists():
+            sys.exit(f"{self.path}: there is no {path}")
+        if path in ALL or mark:
+            return f"{mark}[{text}]({self.relative(MOVED.get(path, path))}{hash_mark}{anchor})"
         return text if text.strip("`/").endswith(path) else f"{text} (`{path}`)"
-    name = heading_id(other, anchor) if anchor else "index" if other == "mainpage" else other
-    return f"[{text}](@ref {name})"
+
+    def name(self, match):
+        """The first mention of a class leads to its page"""
+        name = match[1]
+        if name not in self.api or name in self.linked:
+            return match[0]
+        self.linked.add(name)
+        return f"[`{name}`]({self.relative(self.api[name])})"
+
+    def names(self, line):
+        return re.sub(r"(?<!\[)`(\w+)`(?!\])", self.name, line[0])
+
+    def prepared(self):
+        """The page's text; what stands in fences is left as it is"""
+        text = (ROOT / self.path).read_text(encoding="utf-8")
+        parts = re.split(r"(^```.*?^```$)", text, flags=re.DOTALL | re.MULTILINE)
+        for i in range(0, len(parts), 2):
+            part = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", self.link, parts[i])
+            part = re.sub(r"^(?!#|    ).*", self.names, part, flags=re.MULTILINE)
+            # Lists need no empty line before them on GitHub.
+            parts[i] = re.sub(r"^(?![-# ]|\s*$)(.*)\n(?=- )", r"\1\n\n", part, flags=re.MULTILINE)
+        return "".join(parts)
+
+
+ALL = pages()
 
 
 def main():
-    path = os.path.relpath(os.path.abspath(sys.argv[1]), ROOT)
-    folder, page = os.path.dirname(path), page_id(path)
-    fenced = False
-    first = True
-    for line in open(sys.argv[1], encoding="utf-8"):
-        line = line.rstrip("\n")
-        if line.startswith("```"):
-            fenced = not fenced
-        elif not fenced:
-            if heading := re.fullmatch(r"(#+) (.*)", line):
-                name = page if first else heading_id(page, heading[2])
-                line, first = f"{line} {{#{name}}}", False
-            else:
-                line = re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", lambda m: link(page, folder, m[1], m[2]), line)
-        print(line)
+    folder, api = pathlib.Path(sys.argv[1]), classes(sys.argv[2])
+    shutil.rmtree(folder, ignore_errors=True)
+    for path in ALL:
+        page = Page(path, api)
+        text = page.prepared()
+        if path == "docs/examples.md" and len(sys.argv) > 3:
+            views = sorted(pathlib.Path(sys.argv[3]).glob("*.html"))
+            text += "\n## Plans to look at from all sides\n\n"
+            text += "".join(f"- [{view.stem.replace('_', ' ')}](../views/{view.name})\n" for view in views)
+        target = folder / page.place
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    for pictures in ("pictures", "experiments"):
+        shutil.copytree(ROOT / "docs" / pictures, folder / "docs" / pictures, ignore=shutil.ignore_patterns("*.csv"))
+    shutil.copy(ROOT / "docs" / "site.css", folder)
 
 
 main()
