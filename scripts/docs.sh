@@ -33,5 +33,7 @@ fi
 cp -r "$work/api" "${views[@]}" "$work/docs/"
 cp docs/mkdocs.yml "$work/"
 mkdocs build -f "$work/mkdocs.yml" -d "$folder" 2>&1 | { grep -E "WARNING|ERROR" || true; }
+# GitHub Pages would else leave out files whose names begin with an underscore.
+touch "$folder/.nojekyll"
 /usr/bin/python3 scripts/check_links.py "$folder"
 echo "The site begins at $folder/index.html"

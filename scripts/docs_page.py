@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Prepares the pages for the generator of the site: docs_page.py FOLDER TAGFILE [VIEWS]
 
-Copies the pages and their pictures into FOLDER. Links to pages stay; files that are not part of the site are named and
-linked; names of classes lead to Doxygen's pages, as TAGFILE tells. VIEWS is a folder with viewer files, if there
-are any."""
+Copies the pages and their pictures into FOLDER. Links to pages stay, and examples become pages. Other files, which are
+no part of the site, are named and not linked. Names of classes lead to Doxygen's pages, as TAGFILE tells. VIEWS is a
+folder with viewer files, if there are any."""
 
 import os
 import pathlib
@@ -21,6 +21,12 @@ def pages():
     """All pages of the site, relative to the repository"""
     docs = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs").glob("*.md"))
     return ["README.md", "CHANGELOG.md", "benchmarks/README.md", *docs]
+
+
+def examples():
+    """Programs that get a page, by their paths; pages are called as these, with .md"""
+    found = [*(ROOT / "demos").glob("[0-9]*.cpp"), *(ROOT / "python" / "examples").glob("[0-9]*.py")]
+    return {path.relative_to(ROOT).as_posix() for path in found}
 
 
 def classes(tagfile):
@@ -56,6 +62,8 @@ class Page:
             sys.exit(f"{self.path}: there is no {path}")
         if path in ALL or mark:
             return f"{mark}[{text}]({self.relative(MOVED.get(path, path))}{hash_mark}{anchor})"
+        if path in EXAMPLES:
+            return f"[{text}]({self.relative(path)}.md)"
         return text if text.strip("`/").endswith(path) else f"{text} (`{path}`)"
 
     def name(self, match):
@@ -82,6 +90,7 @@ class Page:
 
 
 ALL = pages()
+EXAMPLES = examples()
 
 
 def main():
@@ -97,6 +106,12 @@ def main():
         target = folder / page.place
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
+    for path in EXAMPLES:
+        target = folder / f"{path}.md"
+        target.parent.mkdir(parents=True, exist_ok=True)
+        language = "python" if path.endswith(".py") else "cpp"
+        code = (ROOT / path).read_text(encoding="utf-8")
+        target.write_text(f"# {target.stem}\n\n```{language}\n{code}```\n", encoding="utf-8")
     for pictures in ("pictures", "experiments"):
         shutil.copytree(ROOT / "docs" / pictures, folder / "docs" / pictures, ignore=shutil.ignore_patterns("*.csv"))
     shutil.copy(ROOT / "docs" / "site.css", folder)
