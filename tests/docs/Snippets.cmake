@@ -50,6 +50,8 @@ void snippet@number@()
 @body@
 }
 ")
+    # For a test that runs it: tests/scene/MoveItBridgeTest.cpp
+    file(CONFIGURE OUTPUT "${folder}/${stem}_${number}.inc" @ONLY CONTENT "#line @line@ \"@page@\"\n@body@\n")
     list(APPEND files "${file}")
     string(REGEX REPLACE "[^\n]" "" newlines "${block}")
     string(LENGTH "${newlines}" lines)
