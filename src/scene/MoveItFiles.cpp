@@ -1,6 +1,7 @@
 #include "ompl_certificates/scene/MoveItFiles.h"
 
 #include "MoveItMessages.h"
+#include "MoveItPlanes.h"
 #include "YamlText.h"
 #include "certificates/WholeFile.h"
 
@@ -45,6 +46,8 @@ namespace ompl_certificates
         {
             std::vector<PlacedBody> obstacles;
             std::vector<std::string> titles;
+            std::vector<Pose> planes;
+            std::vector<std::string> planeTitles;
             std::set<std::string> names;
         };
 
@@ -71,6 +74,11 @@ namespace ompl_certificates
                 {
                     world.obstacles.push_back({placed.shape.body, frame->second * placed.shape.pose});
                     world.titles.push_back(placed.node.getKey() + " of '" + object.name + "'");
+                }
+                for (const MoveItObject::Plane &plane : object.planes)
+                {
+                    world.planes.push_back(frame->second * plane.pose);
+                    world.planeTitles.push_back(plane.node.getKey() + " of '" + object.name + "'");
                 }
             }
             return world;
@@ -317,6 +325,10 @@ namespace ompl_certificates
                        {}};
         for (std::size_t i = 0; i < world.obstacles.size(); ++i)
             file.scene.addObstacle(world.obstacles[i], world.titles[i]);
+        const double reach = reachOf(arm, settings.jointValues);
+        for (std::size_t i = 0; i < world.planes.size(); ++i)
+            file.scene.addObstacle(planeWithin(world.planes[i], settings.base.translation(), reach),
+                                   world.planeTitles[i]);
         file.scene.addMember(member);
         file.scene.setResolution(RESOLUTION);
         for (const std::string &note : notes)

@@ -1,5 +1,6 @@
 #include "MoveItMessages.h"
 
+#include "MoveItPlanes.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <cmath>
@@ -159,20 +160,17 @@ namespace ompl_certificates
             return node.has("resource") ? readResource(node, folder) : readTriangles(node);
         }
 
-        /** Add the shapes of \e key, with their poses, which may be left out together, to \e object. */
-        template <typename Read>
+        /** Call \e add for each item of \e key with its pose. Poses may be left out together. */
+        template <typename Add>
         void addShapes(const YamlNode &node, const std::string &key, const std::string &poseKey, const Pose &origin,
-                       const Read &read, MoveItObject &object)
+                       const Add &add)
         {
             const auto shapes = moveItItems(node, key), poses = moveItItems(node, poseKey);
             if (!poses.empty() && poses.size() != shapes.size())
                 node.at(poseKey).fail("must have as many items as " + key + ", " + std::to_string(shapes.size()) +
                                       ", not " + std::to_string(poses.size()));
             for (std::size_t i = 0; i < shapes.size(); ++i)
-            {
-                const Pose pose = poses.empty() ? Pose::Identity() : readPose(poses[i], "position", "orientation");
-                object.shapes.push_back({shapes[i], {read(shapes[i]), origin * pose}});
-            }
+                add(shapes[i], poses.empty() ? origin : Pose(origin * readPose(poses[i], "position", "orientation")));
         }
 
         AttachedBody readAttached(const YamlNode &node, const KinematicTree &tree, const std::string &folder)
@@ -181,6 +179,7 @@ namespace ompl_certificates
             AttachedBody attached{"", node.at("link_name").text(), Body::sphere(0.0)};
             if (!tree.hasLink(attached.link))
                 node.at("link_name").fail("there is no link '" + attached.link + "'");
+            refuse(node.at("object"), {"planes", "plane_poses"});
             const MoveItObject object = readMoveItObject(node.at("object"), folder);
             if (object.frame != attached.link)
                 node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
@@ -282,17 +281,25 @@ namespace ompl_certificates
     {
         node.allow({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes", "mesh_poses", "planes",
                     "plane_poses", "subframe_names", "subframe_poses", "operation"});
-        refuse(node, {"planes", "plane_poses"});
         if (const std::string operation = moveItText(node, "operation");
             !operation.empty() && operation != "add" && operation != "0")
             node.at("operation").fail("must be add or 0, not '" + operation + "'");
-        MoveItObject object{node.at("id").text(), moveItFrame(node), {}};
+        MoveItObject object{node.at("id").text(), moveItFrame(node), {}, {}};
         const Pose pose =
             node.has("pose") ? readPose(node.at("pose"), "position", "orientation") : Pose(Pose::Identity());
-        addShapes(node, "primitives", "primitive_poses", pose, readPrimitive, object);
-        addShapes(
-            node, "meshes", "mesh_poses", pose, [&](const YamlNode &mesh) { return readMesh(mesh, folder); }, object);
-        if (object.shapes.empty())
+        addShapes(node, "primitives", "primitive_poses", pose,
+                  [&](const YamlNode &item, const Pose &at) {
+                      object.shapes.push_back({item, {readPrimitive(item), at}});
+                  });
+        addShapes(node, "meshes", "mesh_poses", pose,
+                  [&](const YamlNode &item, const Pose &at) {
+                      object.shapes.push_back({item, {readMesh(item, folder), at}});
+                  });
+        addShapes(node, "planes", "plane_poses", pose,
+                  [&](const YamlNode &item, const Pose &at) {
+                      object.planes.push_back({item, at * readMoveItPlane(item)});
+                  });
+        if (object.shapes.empty() && object.planes.empty())
             node.fail("object '" + object.name + "' has no shape");
         return object;
     }

@@ -25,7 +25,7 @@ namespace ompl_certificates
         std::vector<AttachedBody> attached;
     };
 
-    /** \brief An object of MoveIt: its shapes, each at its pose in the object's header frame */
+    /** \brief An object of MoveIt: its shapes and planes, each at its pose in the object's header frame */
     struct MoveItObject
     {
         /** \brief The node of a shape, and where it is */
@@ -35,8 +35,16 @@ namespace ompl_certificates
             PlacedBody shape;
         };
 
+        /** \brief The node of a plane, and the frame whose x and y axes span it */
+        struct Plane
+        {
+            YamlNode node;
+            Pose pose;
+        };
+
         std::string name, frame;
         std::vector<Placed> shapes;
+        std::vector<Plane> planes;
     };
 
     /** \brief The items of the list \e key of \e node; none if it is not there, or empty */

@@ -33,22 +33,6 @@ namespace ompl_certificates
                    joint.type == JointType::PRISMATIC;
         }
 
-        /** \e value, if the joint can have it; angles without limits are brought into [-pi, pi). */
-        double checked(const YamlNode &node, const Joint &joint, double value)
-        {
-            if (joint.type == JointType::CONTINUOUS)
-            {
-                if (value >= -M_PI && value < M_PI)
-                    return value;
-                value = std::remainder(value, 2.0 * M_PI);
-                return value < M_PI ? value : -M_PI;
-            }
-            if (value < joint.lower || value > joint.upper)
-                node.fail("joint '" + joint.name + "' must be from " + std::to_string(joint.lower) + " to " +
-                          std::to_string(joint.upper) + ", not " + std::to_string(value));
-            return value;
-        }
-
         const Joint &jointOf(const YamlNode &node, const KinematicTree &tree, const std::string &name)
         {
             if (!tree.hasJoint(name))
@@ -67,7 +51,7 @@ namespace ompl_certificates
                     node.at(name).fail("joint '" + name + "' has not one value");
                 if (joint.mimic)
                     node.at(name).fail("joint '" + name + "' follows joint '" + joint.mimic->joint + "'");
-                values[name] = checked(node.at(name), joint, node.at(name).number());
+                values[name] = checkedJointValue(node.at(name), joint, node.at(name).number());
             }
             return values;
         }
@@ -94,7 +78,7 @@ namespace ompl_certificates
                 for (const Joint *joint : joints)
                 {
                     if (hasOneValue(*joint))
-                        state[i] = checked(items[i], *joint, state[i]);
+                        state[i] = checkedJointValue(items[i], *joint, state[i]);
                     if (joint->type == JointType::PLANAR)
                         state[i + 2] = std::remainder(state[i + 2], 2.0 * M_PI);
                     if (joint->type == JointType::FLOATING)
@@ -126,7 +110,7 @@ namespace ompl_certificates
                 if (value == values.end())
                     node.fail("has no value of joint '" + joint->name + "'" +
                               (hasOneValue(*joint) ? "" : "; list all coordinates instead"));
-                state.push_back(checked(node, *joint, value->second));
+                state.push_back(checkedJointValue(node, *joint, value->second));
                 values.erase(value);
             }
             // A state may also tell of joints that follow others.
@@ -167,6 +151,21 @@ namespace ompl_certificates
                     body.touchLinks.push_back(link.text());
             return body;
         }
+    }
+
+    double checkedJointValue(const YamlNode &node, const KinematicTree::Joint &joint, double value)
+    {
+        if (joint.type == JointType::CONTINUOUS)
+        {
+            if (value >= -M_PI && value < M_PI)
+                return value;
+            value = std::remainder(value, 2.0 * M_PI);
+            return value < M_PI ? value : -M_PI;
+        }
+        if (value < joint.lower || value > joint.upper)
+            node.fail("joint '" + joint.name + "' must be from " + std::to_string(joint.lower) + " to " +
+                      std::to_string(joint.upper) + ", not " + std::to_string(value));
+        return value;
     }
 
     YamlArms::YamlArms(const std::string &source, std::vector<YamlNode> robots)

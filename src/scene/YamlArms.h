@@ -11,6 +11,10 @@
 
 namespace ompl_certificates
 {
+    /** \brief \e value, if \e joint can have it; the angle of a joint without limits is brought into [-pi, pi).
+        \throws ompl::Exception that names \e node if the value is beyond the joint's limits */
+    double checkedJointValue(const YamlNode &node, const KinematicTree::Joint &joint, double value);
+
     /** \brief Reads the robots of a scene that come from URDF files. Every file is read once: equal arms share their
         meshes, and whatever is made of them. Robots of one file on one base are parts of a mechanism. */
     class YamlArms

@@ -1,6 +1,7 @@
 #include "YamlRobots.h"
 
 #include "YamlDynamics.h"
+#include "YamlPlanarArm.h"
 #include "YamlShapes.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
@@ -150,7 +151,7 @@ namespace ompl_certificates
 
         [[noreturn]] void failOnType(const YamlNode &node)
         {
-            std::string known = "rigid, car_with_trailer, urdf";
+            std::string known = "rigid, car_with_trailer, arm, urdf";
             for (const KnownType &type : KNOWN_TYPES)
                 known += std::string(", ") + type.name;
             node.fail("unknown type '" + node.text() + "'; known are: " + known);
@@ -182,6 +183,8 @@ namespace ompl_certificates
         else if (type == "car_with_trailer")
             node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
                         "bounds"});
+        else if (type == "arm")
+            node.allow({"type", "name", "base", "links", "self_collision", "start", "goal", "weight"});
         else if (type == "urdf")
             node.allow({"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
                         "attached", "start", "goal", "weight", "bounds"});
@@ -208,8 +211,12 @@ namespace ompl_certificates
         }
 
         Scene::Member member;
+        if (type == "arm")
+            member = readPlanarArm(node, name, meshes);
         if (node.has("weight"))
             member.weight = node.at("weight").positive();
+        if (type == "arm")
+            return scene.addMember(member);
         if (type == "urdf")
         {
             arms.read(bounds, scene, meshes, member);

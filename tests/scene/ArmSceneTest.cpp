@@ -2,8 +2,8 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "support/ArmTexts.h"
+#include "support/FclVerdicts.h"
 #include "support/Folder.h"
-#include "support/Random.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -55,51 +55,6 @@ namespace ompl_certificates
             return armOf(scene)
                 ->getLinkPose(scene.makeStart(team)->as<ompl::base::CompoundState>()->components[0], "left_finger")
                 .translation();
-        }
-
-        /** Verdicts of all methods against FCL's, for random states, and for motions to a fifth of them */
-        void expectFclsVerdicts(const Scene &scene, unsigned int states)
-        {
-            const auto team = scene.makeTeam();
-            const auto si = std::make_shared<ompl::base::SpaceInformation>(team);
-            const auto obstacles = scene.makeObstacles();
-            std::vector<std::shared_ptr<TeamValidityChecker>> checkers{
-                std::make_shared<TeamValidityChecker>(si, obstacles, Method::FCL)};
-            for (const Method method : {Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
-            {
-                checkers.push_back(std::make_shared<TeamValidityChecker>(si, obstacles, method));
-                checkers.back()->setCertificatesAfter(0);
-            }
-            std::vector<CertificateMotionValidator> validators(checkers.begin(), checkers.end());
-            team->setup();
-            const auto sampler = team->allocStateSampler();
-            ompl::base::ScopedState<> state(team), near(team);
-            unsigned int free = 0, motions = 0, freeMotions = 0;
-            states = test::scaled(states);
-            for (unsigned int i = 0; i < states; ++i)
-            {
-                // Many states near each other, so that certificates are used.
-                if (i % 10 == 0)
-                    sampler->sampleUniform(near.get());
-                sampler->sampleUniformNear(state.get(), near.get(), 0.2);
-                const bool valid = checkers.front()->isValid(state.get());
-                free += valid;
-                for (const auto &checker : checkers)
-                    ASSERT_EQ(checker->isValid(state.get()), valid) << nameOf(checker->getMethod()) << ", state " << i;
-                // A validator takes the first state of a motion for free.
-                if (i % 5 != 4 || !checkers.front()->isValid(near.get()))
-                    continue;
-                const bool moves = validators.front().checkMotion(near.get(), state.get());
-                ++motions;
-                freeMotions += moves;
-                for (std::size_t k = 1; k < validators.size(); ++k)
-                    ASSERT_EQ(validators[k].checkMotion(near.get(), state.get()), moves)
-                        << nameOf(checkers[k]->getMethod()) << ", state " << i;
-            }
-            std::cout << states << " states, " << free << " free; " << motions << " motions, " << freeMotions
-                      << " free\n";
-            EXPECT_GT(free, states / 20);
-            EXPECT_LT(free, states - states / 20);
         }
     }
 
@@ -289,16 +244,16 @@ namespace ompl_certificates
     TEST(ArmScene, VerdictsAreThoseOfFcl)
     {
         ompl::RNG::setSeed(6);
-        expectFclsVerdicts(loadScene(ARMS + "shelf.yaml"), 3000);
-        expectFclsVerdicts(loadScene(ARMS + "two_arms.yaml"), 3000);
-        expectFclsVerdicts(loadScene(ARMS + "twin.yaml"), 3000);
+        test::expectFclsVerdicts(loadScene(ARMS + "shelf.yaml"), 3000);
+        test::expectFclsVerdicts(loadScene(ARMS + "two_arms.yaml"), 3000);
+        test::expectFclsVerdicts(loadScene(ARMS + "twin.yaml"), 3000);
     }
 
     TEST(ArmScene, VerdictsOfMeshesAreThoseOfFcl)
     {
         const auto expectVerdicts = [](const std::string &robot, const std::string &keys)
         {
-            expectFclsVerdicts(
+            test::expectFclsVerdicts(
                 sceneFromYaml("environment:\n  min: [-1, -1, 0]\n  max: [1, 1, 2]\n  obstacles:\n"
                               "    - {type: box, center: [0.5, 0, 0.4], size: [0.4, 1, 0.02]}\n"
                               "    - {type: box, center: [0.5, 0.5, 0.6], size: [0.4, 0.02, 0.6]}\n"
