@@ -14,6 +14,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <cstdio>
+#include <numeric>
 #include <ompl/base/PlannerData.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -72,7 +73,13 @@ namespace demos
         {
             ScenePicture picture(scene);
             if (setup.haveSolutionPath())
-                picture.setPath(setup.getSolutionPath().asGeometric());
+            {
+                // The states of equal steps are at equal times, however far they are from each other.
+                const auto path = setup.getSolutionPath().asGeometric();
+                std::vector<double> times(path.getStateCount());
+                std::iota(times.begin(), times.end(), 0.0);
+                picture.setPath(path, times);
+            }
             if (plan.pictureTree)
                 picture.setTree(tree);
             if (plan.pictureCertificates)

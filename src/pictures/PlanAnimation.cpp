@@ -155,7 +155,7 @@ namespace ompl_certificates
                 svg.endGroup();
             }
         };
-        return drawing.toSvg(draw, {SceneDrawing::goalSymbol()});
+        return drawing.toSvg(draw, {SceneDrawing::goalSymbol()}, false);
     }
 
     void PlanAnimation::write(const std::string &file) const

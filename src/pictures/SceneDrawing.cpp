@@ -1,5 +1,6 @@
 #include "SceneDrawing.h"
 
+#include "ViewAxes.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
@@ -17,7 +18,7 @@ namespace ompl_certificates
         /** Okabe and Ito's colors, which color-blind people can tell apart */
         constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
-        constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0;
+        constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0, TITLE_HEIGHT = 26.0;
 
         /** How many times occupied cells are drawn in space: all, then those nearer and nearer to the viewer */
         constexpr int CELL_LEVELS = 4;
@@ -43,6 +44,12 @@ namespace ompl_certificates
             }
         }
 
+        /** The id of what clips a view at its frame */
+        std::string clipOf(const SceneView &view)
+        {
+            return "frame" + std::to_string(static_cast<int>(view.getFrom()));
+        }
+
         std::string shortened(const std::string &name)
         {
             constexpr std::size_t longest = 26;
@@ -57,6 +64,11 @@ namespace ompl_certificates
     std::string SceneDrawing::colorOf(std::size_t robot)
     {
         return COLORS[robot % std::size(COLORS)];
+    }
+
+    std::string SceneDrawing::clipAtFrame(const SceneView &view)
+    {
+        return "clip-path='url(#" + clipOf(view) + ")'";
     }
 
     SceneDrawing::Symbol SceneDrawing::goalSymbol()
@@ -114,8 +126,8 @@ namespace ompl_certificates
     {
         // In space obstacles hide each other and the robots.
         const bool spatial = scene_.getDimension() == 3;
-        svg.beginGroup(spatial ? "fill='#777' fill-opacity='0.35' stroke='#444' stroke-width='0.8'"
-                               : "fill='#8A8A8A' stroke='#444' stroke-width='0.8'");
+        svg.beginGroup(clipAtFrame(view) + " stroke-width='0.8' " +
+                       (spatial ? "fill='#888' fill-opacity='0.28' stroke='#666'" : "fill='#8A8A8A' stroke='#444'"));
         const ZInterval zInterval = scene_.getZInterval();
         for (const PlacedBody &obstacle : scene_.getObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
@@ -151,7 +163,7 @@ namespace ompl_certificates
     {
         const double left = corner.x();
         double row = corner.y() + 0.5 * LEGEND_ROW;
-        std::size_t longest = 14;
+        std::size_t longest = 18;
         const auto write = [&](const std::string &text, const std::string &fill)
         {
             svg.text({left + 22.0, row + 4.5}, text, "fill='" + fill + "'");
@@ -170,39 +182,54 @@ namespace ompl_certificates
             draw(svg, {left + 7.0, row});
             write(text, "#555");
         }
+        svg.text({left, row + 4.5}, "axes in the scene's unit", "fill='#555' font-size='11'");
+        row += LEGEND_ROW;
         return {left + 30.0 + 8.0 * static_cast<double>(longest), row};
     }
 
-    std::string SceneDrawing::toSvg(const Content &content, const std::vector<Symbol> &symbols) const
+    std::vector<SceneView> SceneDrawing::placeViews(double top, bool oblique) const
     {
         const auto &bounds = scene_.getBounds();
         const auto extent = [&bounds](std::size_t axis) { return bounds.high[axis] - bounds.low[axis]; };
-        const bool spatial = scene_.getDimension() == 3;
-        const double scale = (spatial ? 560.0 : 720.0) / std::max({extent(0), extent(1), spatial ? extent(2) : 0.0});
+        const Eigen::Vector2d corner(AXIS_WIDTH, top);
+        if (scene_.getDimension() == 2)
+            return {SceneView(bounds, SceneView::From::ABOVE, corner, 720.0 / std::max(extent(0), extent(1)))};
+        // The view from the side is below that from above: both have the same x axis.
+        const double scale = 470.0 / std::max({extent(0), extent(1), extent(2)});
+        std::vector<SceneView> views{SceneView(bounds, SceneView::From::ABOVE, corner, scale)};
+        const Eigen::Vector2d size = views.front().getSize();
+        const double gap = AXIS_HEIGHT + TITLE_HEIGHT;
+        views.emplace_back(bounds, SceneView::From::SIDE, corner + Eigen::Vector2d(0.0, size.y() + gap), scale);
+        if (oblique)
+            views.emplace_back(bounds, SceneView::From::OBLIQUE,
+                               corner + Eigen::Vector2d(size.x() + MARGIN + AXIS_WIDTH, 0.0), 1.2 * scale);
+        return views;
+    }
 
+    std::string SceneDrawing::toSvg(const Content &content, const std::vector<Symbol> &symbols, bool oblique) const
+    {
+        const bool spatial = scene_.getDimension() == 3;
         SvgWriter svg;
         svg.text({MARGIN, MARGIN}, scene_.getName(), "font-size='18' font-weight='bold' fill='#222'");
-        Eigen::Vector2d corner(MARGIN, MARGIN + (spatial ? 38.0 : 16.0));
-        double bottom = 0.0;
-        for (const int up : spatial ? std::vector<int>{1, 2} : std::vector<int>{1})
+        Eigen::Vector2d end(0.0, 0.0);
+        const double top = MARGIN + (spatial ? TITLE_HEIGHT + 12.0 : 16.0);
+        for (const SceneView &view : placeViews(top, oblique))
         {
-            const SceneView view(bounds, up, corner, scale);
+            constexpr const char *titles[] = {"from above", "from the side", "from a corner"};
             if (spatial)
-                svg.text(corner - Eigen::Vector2d(0.0, 7.0),
-                         up == 1 ? "from above: x to the right, y up" : "from the side: x to the right, z up",
+                svg.text(view.getCorner() - Eigen::Vector2d(0.0, 7.0), titles[static_cast<int>(view.getFrom())],
                          "fill='#555'");
+            svg.clipArea(clipOf(view), view.getFrame());
             // Bodies may stick out of the bounds, which limit the robots' positions.
-            const Eigen::Vector2d edge(5.0, 5.0);
-            const std::string id = "view" + std::to_string(up);
-            svg.clipArea(id, view.getCorner() - edge, view.getSize() + 2.0 * edge);
-            svg.rectangle(view.getCorner(), view.getSize(), "fill='#FCFCFA' stroke='#555' stroke-width='1.2'");
-            svg.beginGroup("clip-path='url(#" + id + ")'");
+            svg.clipArea("around" + clipOf(view), view.getFrame(5.0));
+            svg.polygon(view.getFrame(), "fill='#FCFCFA' stroke='#555' stroke-width='1.2'");
+            drawAxes(svg, view);
+            svg.beginGroup("clip-path='url(#around" + clipOf(view) + ")'");
             content(svg, view);
             svg.endGroup();
-            bottom = std::max(bottom, corner.y() + view.getSize().y());
-            corner.x() += view.getSize().x() + MARGIN;
+            end = end.cwiseMax(view.getCorner() + view.getSize());
         }
-        const Eigen::Vector2d legend = drawLegend(svg, corner, symbols);
-        return svg.finish({legend.x(), std::max(bottom, legend.y()) + MARGIN}, scene_.getName());
+        const Eigen::Vector2d legend = drawLegend(svg, {end.x() + MARGIN, top}, symbols);
+        return svg.finish({legend.x(), std::max(end.y() + AXIS_HEIGHT, legend.y()) + 0.5 * MARGIN}, scene_.getName());
     }
 }

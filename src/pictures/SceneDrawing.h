@@ -14,7 +14,8 @@ namespace ompl_certificates
     using BodyPoses = std::vector<Pose>;
 
     /** \brief What all pictures of a scene have in common: views, obstacles, goals and a legend, and how a team's
-        states are read. Spatial scenes have two views, from above and from the side. */
+        states are read. Spatial scenes have views from above and from the side, and pictures that do not move an oblique
+        one. */
     class SceneDrawing
     {
     public:
@@ -34,6 +35,9 @@ namespace ompl_certificates
 
         /** \brief The symbol of goals */
         static Symbol goalSymbol();
+
+        /** \brief The attribute of a group that ends at the frame of \e view */
+        static std::string clipAtFrame(const SceneView &view);
 
         /** \brief Draw bodies that have their poses */
         static void drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses);
@@ -60,10 +64,14 @@ namespace ompl_certificates
         /** \brief Draw outlines and crosses at the goals */
         void drawGoals(SvgWriter &svg, const SceneView &view) const;
 
-        /** \brief The whole picture, as the text of an SVG file */
-        std::string toSvg(const Content &content, const std::vector<Symbol> &symbols) const;
+        /** \brief The whole picture, as the text of an SVG file
+            \param oblique whether a spatial scene has an oblique view, too */
+        std::string toSvg(const Content &content, const std::vector<Symbol> &symbols, bool oblique) const;
 
     private:
+        /** \brief The views of the scene, each at its position below \e top */
+        std::vector<SceneView> placeViews(double top, bool oblique) const;
+
         /** \brief Draw the legend, and return its lower right corner. */
         Eigen::Vector2d drawLegend(SvgWriter &svg, const Eigen::Vector2d &corner,
                                    const std::vector<Symbol> &symbols) const;

@@ -2,6 +2,7 @@
 
 #include "SceneDrawing.h"
 #include "certificates/WholeFile.h"
+#include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,77 @@ namespace ompl_certificates
         /** A color that no robot has */
         constexpr const char *CERTIFICATE_COLOR = "#9A9A2E";
 
-        constexpr std::size_t STATIONS = 24, MAX_EDGES = 20000, MAX_CERTIFICATES = 4000;
+        constexpr std::size_t MAX_EDGES = 20000, MAX_CERTIFICATES = 4000, MAX_SPATIAL_CERTIFICATES = 250;
+
+        /** How many equal times a path is divided into, and how many of them are between two bodies that are drawn */
+        constexpr std::size_t TIMES = 240, STATION = 10;
+
+        /** How many of the times are between two numbers: many robots have fewer numbers. */
+        std::size_t markStep(std::size_t robots)
+        {
+            return robots <= 8 ? 40 : robots <= 20 ? 60 : 120;
+        }
+
+        /** Where a path is at a time */
+        class TimedPath
+        {
+        public:
+            TimedPath(const ompl::geometric::PathGeometric &path, const std::vector<double> &times)
+              : path_(path), times_(times), state_(path.getSpaceInformation()->getStateSpace())
+            {
+            }
+
+            const ob::State *at(double time) const
+            {
+                const auto after = std::upper_bound(times_.begin(), times_.end(), time);
+                if (after == times_.begin() || after == times_.end())
+                    return path_.getState(after == times_.begin() ? 0 : static_cast<unsigned int>(times_.size()) - 1);
+                const auto i = static_cast<unsigned int>(after - times_.begin() - 1);
+                state_.getSpace()->interpolate(path_.getState(i), path_.getState(i + 1),
+                                               (time - times_[i]) / (times_[i + 1] - times_[i]), state_.get());
+                return state_.get();
+            }
+
+        private:
+            const ompl::geometric::PathGeometric &path_;
+            const std::vector<double> &times_;
+            mutable ob::ScopedState<> state_;
+        };
+
+        /** Draw the number of a time where a robot is then. */
+        void drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, const std::string &number,
+                        const std::string &color)
+        {
+            svg.circle(center, 6.5, "fill='white' stroke='" + color + "' stroke-width='1.4'");
+            svg.text(center + Eigen::Vector2d(0.0, 3.4), number,
+                     "font-size='9.5' font-weight='bold' text-anchor='middle' fill='" + color + "'");
+        }
+
+        /** Draw the tip of an arrow from \e from to \e to, in the middle. */
+        void drawArrow(SvgWriter &svg, const Eigen::Vector2d &from, const Eigen::Vector2d &to, const std::string &color)
+        {
+            const Eigen::Vector2d along = (to - from).normalized(), across(-along.y(), along.x());
+            const Eigen::Vector2d middle = 0.5 * (from + to);
+            svg.polygon(
+                {middle + 6.0 * along, middle - 4.0 * along + 4.5 * across, middle - 4.0 * along - 4.5 * across},
+                "fill='" + color + "' stroke='white' stroke-width='0.8'");
+        }
+
+        /** The largest certificates, and of the others those whose points are outside of the larger ones: balls in
+            front of each other hide everything. */
+        std::vector<Certificate> spread(std::vector<Certificate> certificates)
+        {
+            std::stable_sort(certificates.begin(), certificates.end(),
+                             [](const Certificate &a, const Certificate &b) { return a.clearance > b.clearance; });
+            std::vector<Certificate> chosen;
+            for (const Certificate &certificate : certificates)
+                if (chosen.size() < MAX_SPATIAL_CERTIFICATES &&
+                    std::none_of(chosen.begin(), chosen.end(),
+                                 [&](const Certificate &other)
+                                 { return (certificate.point - other.point).norm() < other.clearance; }))
+                    chosen.push_back(certificate);
+            return chosen;
+        }
 
         /** The radius of a ring about the traced body of \e robot, in pixels */
         double ringOf(const Robot &robot, const SceneView &view)
@@ -31,6 +102,23 @@ namespace ompl_certificates
                     {
                         svg.circle(center, 4.0, "fill='#555'");
                         svg.circle(center, 7.5, "fill='none' stroke='#555' stroke-width='1.5'");
+                    }};
+        }
+
+        SceneDrawing::Symbol timeSymbol()
+        {
+            return {"equal times",
+                    [](SvgWriter &svg, const Eigen::Vector2d &center) { drawNumber(svg, center, "1", "#555"); }};
+        }
+
+        SceneDrawing::Symbol treeSymbol()
+        {
+            return {"planner's tree", [](SvgWriter &svg, const Eigen::Vector2d &center)
+                    {
+                        const auto at = [&](double x, double y) -> Eigen::Vector2d
+                        { return center + Eigen::Vector2d(x, y); };
+                        svg.segments({{at(-8, 5), at(0, 1)}, {at(0, 1), at(7, 5)}, {at(0, 1), at(5, -6)}},
+                                     "stroke='#555' stroke-width='0.9' stroke-opacity='0.7'");
                     }};
         }
 
@@ -50,28 +138,39 @@ namespace ompl_certificates
 
     void ScenePicture::setPath(const ompl::geometric::PathGeometric &path)
     {
+        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
+        setPath(path, stateTimes(path));
+    }
+
+    void ScenePicture::setPath(const ompl::geometric::PathGeometric &path, const std::vector<double> &times)
+    {
         const SceneDrawing drawing(scene_);
         drawing.requireTeam(path.getSpaceInformation()->getStateSpace());
+        if (times.size() != path.getStateCount())
+            throw ompl::Exception(scene_.getSource(), "a path of " + std::to_string(path.getStateCount()) +
+                                                          " states has " + std::to_string(times.size()) + " times");
         lines_.assign(scene_.getMembers().size(), {});
-        stations_.assign(scene_.getMembers().size(), {});
-        if (path.getStateCount() == 0)
+        poses_.assign(scene_.getMembers().size(), {});
+        if (times.empty())
             return;
-        // Some spaces turn the shorter way round only between neighbors: a denser path shows the true motion.
-        ompl::geometric::PathGeometric dense(path);
-        const std::size_t states = std::max<std::size_t>(path.getStateCount(), 200);
-        if (path.getStateCount() > 1)
-            dense.interpolate(static_cast<unsigned int>(states));
-        const std::size_t last = dense.getStateCount() - 1;
-        for (std::size_t i = 0; i <= last; ++i)
+        const TimedPath timed(path, times);
+        // The line goes through the path's own states, too: there it has its corners.
+        std::vector<double> all(times);
+        for (std::size_t i = 0; i <= TIMES; ++i)
+            all.push_back(times.front() + (times.back() - times.front()) * static_cast<double>(i) / TIMES);
+        const auto equal = all.begin() + static_cast<std::ptrdiff_t>(times.size());
+        for (auto time = equal; time != all.end(); ++time)
         {
-            const auto poses = drawing.posesOf(dense.getState(static_cast<unsigned int>(i)));
-            const bool station = i * STATIONS / (last + 1) != (i + 1) * STATIONS / (last + 1);
+            const auto poses = drawing.posesOf(timed.at(*time));
             for (std::size_t robot = 0; robot < poses.size(); ++robot)
-            {
+                poses_[robot].push_back(poses[robot]);
+        }
+        std::sort(all.begin(), all.end());
+        for (const double time : all)
+        {
+            const auto poses = drawing.posesOf(timed.at(time));
+            for (std::size_t robot = 0; robot < poses.size(); ++robot)
                 lines_[robot].push_back(drawing.pointOf(robot, poses[robot]));
-                if (station)
-                    stations_[robot].push_back(poses[robot]);
-            }
         }
     }
 
@@ -108,7 +207,7 @@ namespace ompl_certificates
                 certificates_.push_back(certificates[i]);
     }
 
-    void ScenePicture::drawTreeAndPath(SvgWriter &svg, const SceneView &view) const
+    void ScenePicture::drawTree(SvgWriter &svg, const SceneView &view) const
     {
         for (std::size_t i = 0; i < edges_.size(); ++i)
         {
@@ -117,21 +216,55 @@ namespace ompl_certificates
                 lines.emplace_back(view.project(from), view.project(to));
             svg.segments(lines, "stroke='" + SceneDrawing::colorOf(i) + "' stroke-width='0.6' stroke-opacity='0.3'");
         }
-        for (std::size_t i = 0; i < stations_.size(); ++i)
-            for (const BodyPoses &poses : stations_[i])
+    }
+
+    void ScenePicture::drawBodies(SvgWriter &svg, const SceneView &view) const
+    {
+        const std::size_t mark = markStep(poses_.size());
+        for (std::size_t i = 0; i < poses_.size(); ++i)
+            for (std::size_t time = STATION; time < poses_[i].size(); time += STATION)
             {
-                svg.beginGroup("fill='" + SceneDrawing::colorOf(i) + "' stroke='" + SceneDrawing::colorOf(i) +
-                               "' stroke-width='0.7' opacity='0.22'");
-                SceneDrawing::drawBodies(svg, view, *scene_.getMembers()[i].robot, poses);
+                // Bodies at the times that have numbers stand out.
+                const std::string color = SceneDrawing::colorOf(i);
+                svg.beginGroup("fill='" + color + "' stroke='" + color +
+                               (time % mark == 0 ? "' stroke-width='1.1' fill-opacity='0.2' stroke-opacity='0.8'"
+                                                 : "' stroke-width='0.5' opacity='0.12'"));
+                SceneDrawing::drawBodies(svg, view, *scene_.getMembers()[i].robot, poses_[i][time]);
                 svg.endGroup();
             }
-        for (std::size_t i = 0; i < lines_.size(); ++i)
+    }
+
+    void ScenePicture::drawLines(SvgWriter &svg, const SceneView &view) const
+    {
+        // A white edge sets each line off from what is behind it.
+        for (const std::string &style : {std::string("white' stroke-width='3.6' stroke-opacity='0.7"), std::string()})
+            for (std::size_t i = 0; i < lines_.size(); ++i)
+            {
+                std::vector<Eigen::Vector2d> line;
+                for (const Eigen::Vector3d &point : lines_[i])
+                    line.push_back(view.project(point));
+                svg.line(line, "stroke='" + (style.empty() ? SceneDrawing::colorOf(i) + "' stroke-width='1.8" : style) +
+                                   "' stroke-linejoin='round'");
+            }
+    }
+
+    void ScenePicture::drawMarks(SvgWriter &svg, const SceneView &view) const
+    {
+        const SceneDrawing drawing(scene_);
+        const std::size_t step = markStep(poses_.size());
+        for (std::size_t i = 0; i < poses_.size(); ++i)
         {
-            std::vector<Eigen::Vector2d> line;
-            for (const Eigen::Vector3d &point : lines_[i])
-                line.push_back(view.project(point));
-            svg.line(line, "stroke='" + SceneDrawing::colorOf(i) + "' stroke-width='1.8' stroke-linejoin='round'");
+            const std::string color = SceneDrawing::colorOf(i);
+            const auto at = [&](std::size_t time) { return view.project(drawing.pointOf(i, poses_[i][time])); };
+            for (std::size_t time = step / 2; time < poses_[i].size(); time += step)
+                if ((at(time + 1) - at(time - 1)).norm() > 0.2)
+                    drawArrow(svg, at(time - 1), at(time + 1), color);
         }
+        // All numbers are above all arrows.
+        for (std::size_t i = 0; i < poses_.size(); ++i)
+            for (std::size_t time = step; time + 1 < poses_[i].size(); time += step)
+                drawNumber(svg, view.project(drawing.pointOf(i, poses_[i][time])), std::to_string(time / step),
+                           SceneDrawing::colorOf(i));
     }
 
     void ScenePicture::drawStarts(SvgWriter &svg, const SceneView &view) const
@@ -151,12 +284,13 @@ namespace ompl_certificates
 
     void ScenePicture::drawCertificates(SvgWriter &svg, const SceneView &view) const
     {
-        // In space many balls lie behind each other.
+        if (certificates_.empty())
+            return;
+        const bool spatial = scene_.getDimension() == 3;
         const std::string color = CERTIFICATE_COLOR;
-        svg.beginGroup("fill='" + color + "' stroke='" + color + "' stroke-width='0.6' " +
-                       (scene_.getDimension() == 3 ? "fill-opacity='0.015' stroke-opacity='0.12'"
-                                                   : "fill-opacity='0.07' stroke-opacity='0.4'"));
-        for (const Certificate &certificate : certificates_)
+        svg.beginGroup(SceneDrawing::clipAtFrame(view) + " stroke-width='0.6' fill='" + color + "' stroke='" + color +
+                       "' fill-opacity='" + (spatial ? "0.03" : "0.07") + "' stroke-opacity='0.45'");
+        for (const Certificate &certificate : spatial ? spread(certificates_) : certificates_)
             svg.circle(view.project(certificate.point), view.getScale() * certificate.clearance);
         svg.endGroup();
     }
@@ -165,18 +299,30 @@ namespace ompl_certificates
     {
         const SceneDrawing drawing(scene_);
         std::vector<SceneDrawing::Symbol> symbols{startSymbol(), SceneDrawing::goalSymbol()};
+        if (!poses_.empty() && !poses_.front().empty())
+            symbols.push_back(timeSymbol());
+        if (!edges_.empty())
+            symbols.push_back(treeSymbol());
         if (!certificates_.empty())
             symbols.push_back(certificateSymbol());
         return drawing.toSvg(
             [&](SvgWriter &svg, const SceneView &view)
             {
+                // In space obstacles would hide the balls among them.
+                const bool spatial = scene_.getDimension() == 3;
+                if (spatial)
+                    drawing.drawObstacles(svg, view);
                 drawCertificates(svg, view);
-                drawing.drawObstacles(svg, view);
-                drawTreeAndPath(svg, view);
+                if (!spatial)
+                    drawing.drawObstacles(svg, view);
+                drawTree(svg, view);
+                drawBodies(svg, view);
+                drawLines(svg, view);
                 drawStarts(svg, view);
                 drawing.drawGoals(svg, view);
+                drawMarks(svg, view);
             },
-            symbols);
+            symbols, true);
     }
 
     void ScenePicture::write(const std::string &file) const

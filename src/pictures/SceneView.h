@@ -5,20 +5,53 @@
 #include "SvgWriter.h"
 #include "ompl_certificates/geometry/Body.h"
 
+#include <array>
 #include <ompl/base/spaces/RealVectorBounds.h>
+#include <utility>
+#include <vector>
 
 namespace ompl_certificates
 {
     class CellObstacles;
+    struct CellBox;
 
-    /** \brief The workspace seen along one of its axes, at a position in a picture */
+    /** \brief The workspace seen from far away, at a position in a picture */
     class SceneView
     {
     public:
-        /** \brief A view of \e bounds with axis 0 to the right and axis \e up upwards
+        /** \brief Where it is seen from */
+        enum class From
+        {
+            /// x to the right, y up; the one view of a plane
+            ABOVE,
+            /// x to the right, z up
+            SIDE,
+            /// from above the corner where x is large and y is small
+            OBLIQUE
+        };
+
+        /** \brief A view of \e bounds
             \param corner where the view's upper left corner is in the picture
             \param scale pixels per unit of length */
-        SceneView(const ompl::base::RealVectorBounds &bounds, int up, const Eigen::Vector2d &corner, double scale);
+        SceneView(const ompl::base::RealVectorBounds &bounds, From from, const Eigen::Vector2d &corner, double scale);
+
+        /** \brief Where it is seen from */
+        From getFrom() const
+        {
+            return from_;
+        }
+
+        /** \brief The corners of the outline of the bounds, which are larger by \e edge pixels */
+        std::vector<Eigen::Vector2d> getFrame(double edge = 0.0) const;
+
+        /** \brief The edges of the bounds */
+        std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> getEdges() const;
+
+        /** \brief What is seen of the workspace */
+        const ompl::base::RealVectorBounds &getBounds() const
+        {
+            return bounds_;
+        }
 
         /** \brief The size of the view in pixels */
         const Eigen::Vector2d &getSize() const
@@ -66,7 +99,28 @@ namespace ompl_certificates
         /** \brief The outline of a shape that is not a mesh, hence convex */
         MeshOutline::Loop outlineOf(const Shape &shape, const Pose &pose) const;
 
-        int up_;
+        /** \brief Outlines of triangles, as of a mesh
+            \param seen the corners: x and y in the picture, and how near they are to the viewer */
+        std::vector<std::vector<MeshOutline::Loop>> outlinesOf(const std::vector<std::array<Eigen::Vector3d, 3>> &seen,
+                                                               int levels) const;
+
+        /** \brief Add the faces of a cell that look at the viewer to \e seen */
+        void addFaces(const CellBox &cell, double size, std::vector<std::array<Eigen::Vector3d, 3>> &seen) const;
+
+        /** \brief Draw the first of \e outlines, and lightly the others over it. */
+        static void drawLevels(SvgWriter &svg, const std::vector<std::vector<MeshOutline::Loop>> &outlines);
+
+        /** \brief Where \e point is in the picture, and how near it is to the viewer */
+        Eigen::Vector3d see(const Eigen::Vector3d &point) const;
+
+        /** \brief The eight corners of the bounds, those of a plane twice. Bit i of an index tells whether axis i is
+            high. */
+        std::array<Eigen::Vector3d, 8> cornersOf(double edge) const;
+
+        From from_;
+        ompl::base::RealVectorBounds bounds_;
+        /** Unit vectors to the right, upwards and towards the viewer, as rows */
+        Eigen::Matrix3d axes_;
         double left_, top_;
         Eigen::Vector2d corner_;
         double scale_;

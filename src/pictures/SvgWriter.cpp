@@ -163,10 +163,10 @@ namespace ompl_certificates
                  escaped(text) + "</text>\n";
     }
 
-    void SvgWriter::clipArea(const std::string &id, const Eigen::Vector2d &corner, const Eigen::Vector2d &size)
+    void SvgWriter::clipArea(const std::string &id, const std::vector<Eigen::Vector2d> &corners)
     {
         body_ += "<clipPath id='" + id + "'>";
-        rectangle(corner, size);
+        polygon(corners);
         body_ += "</clipPath>\n";
     }
 

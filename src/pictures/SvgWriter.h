@@ -58,8 +58,8 @@ namespace ompl_certificates
         /** \brief A text whose base line starts at \e position */
         void text(const Eigen::Vector2d &position, const std::string &text, const std::string &attributes = "");
 
-        /** \brief A rectangle to which a group can be clipped by "clip-path='url(#id)'" */
-        void clipArea(const std::string &id, const Eigen::Vector2d &corner, const Eigen::Vector2d &size);
+        /** \brief A polygon to which a group can be clipped by "clip-path='url(#id)'" */
+        void clipArea(const std::string &id, const std::vector<Eigen::Vector2d> &corners);
 
         /** \brief The whole file, for a picture of the given size
             \param title what viewers show as the picture's name */

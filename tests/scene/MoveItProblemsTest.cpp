@@ -89,7 +89,7 @@ namespace ompl_certificates
                 for (const Method method :
                      {Method::FCL, Method::STANDARD, Method::SHARED_PROJECTION, Method::SHARED_PROJECTION})
                     setups.push_back(scene.makeSetup(method));
-                setups.back()->getTeamChecker()->setCertificatesAfter(0);
+                setups.back()->getTeamChecker()->setAdaptive(false);
                 for (const TeamSetupPtr &setup : setups)
                     setup->setup();
                 const auto &space = setups.front()->getStateSpace();

@@ -1,0 +1,162 @@
+#include "ompl_certificates/pictures/ScenePicture.h"
+#include "ompl_certificates/scene/SceneFile.h"
+#include "support/Svg.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <ompl/util/Exception.h>
+#include <regex>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        namespace ob = ompl::base;
+
+        // One robot goes twice as far as the other one, in two motions of different lengths.
+        const std::string PLANE =
+            "environment: {min: [-10, 0], max: [90, 50], obstacles: [{type: box, center: [0, 0], size: [60, 10]}]}\n"
+            "robots:\n"
+            "  - {type: single_integrator, name: far, start: [0, 20], goal: [80, 20]}\n"
+            "  - {type: single_integrator, name: near, start: [0, 40], goal: [40, 40]}\n";
+        const std::string SPACE =
+            "environment: {min: [0, 0, 0], max: [8, 4, 2], obstacles: [{type: box, center: [4, 2, 0], size: [9, 9, "
+            "1]}]}\n"
+            "robots: [{type: rigid, name: ball, space: R3, shape: {type: sphere, radius: 0.1}, start: [1, 1, 1], goal: "
+            "[7, 3, 1]}]\n";
+
+        /** The scene and a path from its start over \e middle to its goal */
+        struct Planned
+        {
+            Planned(const std::string &text, std::vector<double> middle) : scene(sceneFromYaml(text, "scene"))
+            {
+                setup = scene.makeSetup();
+                setup->setup();
+                const auto team = std::dynamic_pointer_cast<TeamStateSpace>(setup->getStateSpace());
+                ob::ScopedState<> between(team);
+                between = middle;
+                path = std::make_unique<ompl::geometric::PathGeometric>(setup->getSpaceInformation());
+                path->append(scene.makeStart(team).get());
+                path->append(between.get());
+                path->append(scene.makeGoal(team).get());
+            }
+
+            Scene scene;
+            TeamSetupPtr setup;
+            std::unique_ptr<ompl::geometric::PathGeometric> path;
+        };
+
+        std::size_t countOf(const std::string &text, const std::string &part)
+        {
+            std::size_t count = 0;
+            for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+                ++count;
+            return count;
+        }
+
+        /** Where numbers are in the picture of PLANE, in the workspace: 7.2 pixels are a unit. */
+        std::vector<Eigen::Vector2d> placesOf(const std::string &svg, int number)
+        {
+            const std::regex frame("<clipPath id='frame0'><polygon points='([-0-9.]+),([-0-9.]+)");
+            std::smatch corner;
+            EXPECT_TRUE(std::regex_search(svg, corner, frame));
+            const double left = std::stod(corner[1]), top = std::stod(corner[2]);
+            // The number is in a circle before it; that of the legend has another color.
+            const std::regex mark(
+                "<circle cx='([-0-9.]+)' cy='([-0-9.]+)' r='6.50' fill='white' "
+                "stroke='#[0-9A-F]{6}' stroke-width='1.4'/>\n<text[^>]*>" +
+                std::to_string(number) + "<");
+            std::vector<Eigen::Vector2d> places;
+            for (std::sregex_iterator i(svg.begin(), svg.end(), mark), end; i != end; ++i)
+                places.emplace_back((std::stod((*i)[1]) - left) / 7.2 - 10.0, 50.0 - (std::stod((*i)[2]) - top) / 7.2);
+            return places;
+        }
+
+        TEST(ScenePicture, NumbersShowWhereRobotsAreAtEqualTimes)
+        {
+            // The motions take as long as the robot that goes farther: 30 for the near one, then 60 for the far one.
+            const Planned planned(PLANE, {20, 20, 30, 40});
+            ScenePicture picture(planned.scene);
+            picture.setPath(*planned.path);
+            const std::string svg = picture.toSvg();
+            for (int number = 1; number <= 5; ++number)
+            {
+                const double time = 15.0 * number, rest = time - 30.0, x = rest < 0.0 ? time / 1.5 : 20.0 + rest,
+                             other = rest < 0.0 ? time : 30.0 + rest / 6.0;
+                const auto places = placesOf(svg, number);
+                ASSERT_EQ(places.size(), 2u) << number;
+                EXPECT_LT((places[0] - Eigen::Vector2d(x, 20)).norm(), 0.01) << number;
+                EXPECT_LT((places[1] - Eigen::Vector2d(other, 40)).norm(), 0.01) << number;
+            }
+            EXPECT_TRUE(placesOf(svg, 6).empty());
+            EXPECT_NE(svg.find(">equal times<"), std::string::npos);
+            // The times may be others: here the last motion takes as long as the first one.
+            picture.setPath(*planned.path, {0.0, 3.0, 6.0});
+            EXPECT_LT((placesOf(picture.toSvg(), 3)[0] - Eigen::Vector2d(20, 20)).norm(), 0.01);
+            EXPECT_THROW(picture.setPath(*planned.path, {0.0, 1.0}), ompl::Exception);
+        }
+
+        TEST(ScenePicture, TheLegendTellsWhatIsDrawn)
+        {
+            const Planned planned(PLANE, {20, 20, 30, 40});
+            ScenePicture picture(planned.scene);
+            for (const std::string text : {">equal times<", ">planner's tree<", ">certified free<"})
+                EXPECT_EQ(picture.toSvg().find(text), std::string::npos) << text;
+            ob::PlannerData data(planned.setup->getSpaceInformation());
+            data.addEdge(ob::PlannerDataVertex(planned.path->getState(0)),
+                         ob::PlannerDataVertex(planned.path->getState(1)));
+            picture.setTree(data);
+            picture.setPath(*planned.path);
+            picture.setCertificates({{{1.0, 1.0, 0.0}, 2.0}});
+            for (const std::string text : {">equal times<", ">planner's tree<", ">certified free<"})
+                EXPECT_NE(picture.toSvg().find(text), std::string::npos) << text;
+        }
+
+        TEST(ScenePicture, AxesHaveTicksAtRoundNumbers)
+        {
+            const std::string svg = ScenePicture(Planned(PLANE, {20, 20, 30, 40}).scene).toSvg();
+            for (const char *number : {"-10", "0", "10", "90"})
+                EXPECT_EQ(countOf(svg, "text-anchor='middle'>" + std::string(number) + "<"), 1u) << number;
+            for (const char *number : {"0", "10", "50"})
+                EXPECT_EQ(countOf(svg, "text-anchor='end'>" + std::string(number) + "<"), 1u) << number;
+            EXPECT_EQ(countOf(svg, ">x<"), 1u);
+            EXPECT_EQ(countOf(svg, ">y<"), 1u);
+            EXPECT_EQ(countOf(svg, ">-0<"), 0u);
+        }
+
+        TEST(ScenePicture, SpaceIsSeenFromThreeSidesAndObstaclesEndAtTheFrames)
+        {
+            const std::string svg = ScenePicture(Planned(SPACE, {4, 2, 1.5}).scene).toSvg();
+            for (const std::string title : {"from above", "from the side", "from a corner"})
+                EXPECT_EQ(countOf(svg, ">" + title + "<"), 1u) << title;
+            for (const std::string axis : {">x<", ">y<", ">z<"})
+                EXPECT_EQ(countOf(svg, axis), axis == ">x<" ? 3u : 2u) << axis;
+            for (const std::string id : {"frame0", "frame1", "frame2"})
+                EXPECT_EQ(countOf(svg, "<g clip-path='url(#" + id + ")'"), 1u) << id;
+            // The box sticks out of the bounds, the frame does not: 470 pixels are 8 units.
+            EXPECT_NE(svg.find("<clipPath id='frame0'><polygon points='44.00,"), std::string::npos);
+            EXPECT_NE(svg.find("514.00,"), std::string::npos);
+            EXPECT_TRUE(test::isWellFormed(svg));
+        }
+
+        TEST(ScenePicture, OfManyCertificatesInSpaceThoseAreDrawnThatAddToLargerOnes)
+        {
+            const Planned planned(SPACE, {4, 2, 1.5});
+            ScenePicture picture(planned.scene);
+            picture.setCertificates(
+                {{{1.0, 1.0, 1.0}, 0.25}, {{1.0, 1.0, 1.0}, 0.5}, {{1.2, 1.0, 1.0}, 0.3}, {{3.0, 1.0, 1.0}, 0.125}});
+            const std::string svg = picture.toSvg();
+            const double scale = 470.0 / 8.0;
+            const auto circles = [&](double radius)
+            {
+                char text[32];
+                std::snprintf(text, sizeof(text), "r='%.2f'", radius);
+                return countOf(svg, text);
+            };
+            EXPECT_EQ(circles(0.5 * scale), 2u) << "from above and from the side";
+            EXPECT_EQ(circles(0.125 * scale), 2u);
+            EXPECT_EQ(circles(0.25 * scale) + circles(0.3 * scale), 0u);
+            EXPECT_EQ(circles(0.5 * 1.2 * scale), 1u) << "from a corner, where all is larger";
+        }
+    }
+}
