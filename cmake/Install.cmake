@@ -32,6 +32,8 @@ foreach(program plan_team benchmark_team generate_scene certificate_experiment)
   if(TARGET ${program})
     set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
     install(TARGETS ${program} RUNTIME COMPONENT tools)
+    install(FILES "${PROJECT_BINARY_DIR}/completions/${program}"
+      DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)
     list(APPEND installed_programs ${program})
   endif()
 endforeach()

@@ -52,7 +52,8 @@ namespace
         std::vector<std::string> parameters;
         std::string picture, animation, view, path, report, loadedCertificates, savedCertificates;
         double goalTolerance{0.5};
-        bool dynamics{false}, simplify{false}, pictureTree{false}, pictureCertificates{false}, quiet{false};
+        bool dynamics{false}, dryRun{false}, simplify{false}, pictureTree{false}, pictureCertificates{false},
+            quiet{false};
     };
 
     void declare(CLI::App &app, Options &options)
@@ -130,6 +131,20 @@ namespace
             ->capture_default_str()
             ->needs(dynamics);
         app.add_flag("--quiet", options.quiet, "Print errors only");
+        app.add_flag(
+               "--dry-run", options.dryRun,
+               "Read all, check start and goal and whether files can be written, print what would be planned, and "
+               "end")
+            ->excludes(dynamics);
+        demos::group(app, {{"Scenes of MoveIt", {"--request", "--urdf", "--srdf"}},
+                           {"Planning",
+                            {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations",
+                             "--seed", "--nearest", "--objective", "--simplify", "--dry-run"}},
+                           {"Checking", {"--method", "--motion", "--load-certificates", "--save-certificates"}},
+                           {"Output",
+                            {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--path",
+                             "--report", "--quiet"}},
+                           {"Robots that move by controls", {"--dynamics", "--goal-tolerance"}}});
         app.footer(
             "Of picture, animation, view, path and report one may be -, for standard output; all else is then printed to "
             "standard error.\n"
@@ -376,6 +391,34 @@ namespace
         return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf));
     }
 
+    /** What would be planned, for --dry-run */
+    void printTask(const Options &options, const Scene &scene, TeamSetup &setup)
+    {
+        std::printf("%s: start and goal are free\n", scene.getName().c_str());
+        std::printf("  workspace     dimensions %u, obstacles %zu, point clouds and maps %zu\n", scene.getDimension(),
+                    scene.getObstacles().size(), scene.getSensedObstacles().size());
+        for (const Scene::Member &member : scene.getMembers())
+            std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
+                        member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
+        std::printf("  resolution    %g of each robot's space, motions %s\n",
+                    setup.getStateSpace()->getLongestValidSegmentFraction(), options.motion.c_str());
+        std::printf("  planner       %s, method %s, objective %s, seed %u\n", setup.getPlanner()->getName().c_str(),
+                    options.method.c_str(), options.objective.c_str(), options.seed);
+        for (const auto &[key, parameter] : setup.getPlanner()->params().getParams())
+            std::printf("  %-13s %s = %s\n", "", key.c_str(), parameter->getValue().c_str());
+        if (options.iterations > 0)
+            std::printf("  limit         %llu iterations\n", static_cast<unsigned long long>(options.iterations));
+        else
+            std::printf("  limit         %g s\n", options.seconds);
+        for (const auto &[what, file] : {std::pair{"picture", options.picture},
+                                         {"animation", options.animation},
+                                         {"path", options.path},
+                                         {"report", options.report},
+                                         {"certificates", options.savedCertificates}})
+            if (!file.empty())
+                std::printf("  %-13s %s\n", what, file.c_str());
+    }
+
     int runDynamics(const Options &options)
     {
         demos::DynamicPlan plan;
@@ -441,6 +484,12 @@ namespace
         if (!options.quiet)
             for (const std::string &note : scene.getNotes())
                 std::cout << "note: " << note << std::endl;
+
+        if (options.dryRun)
+        {
+            printTask(options, scene, *setup);
+            return demos::SOLVED;
+        }
 
         PlanReport report;
         report.scene = scene.getName();

@@ -1,5 +1,7 @@
 #include "common/CommandLine.h"
 
+#include "common/Completion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -78,6 +80,14 @@ namespace demos
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work)
     {
         app.set_version_flag("--version", app.get_name() + " of ompl_certificates " OMPL_CERTIFICATES_VERSION);
+        // For those who install the programs, so --help does not tell of it.
+        app.add_flag_callback("--bash-completion",
+                              [&app]
+                              {
+                                  std::cout << bashCompletion(app);
+                                  throw CLI::Success();
+                              })
+            ->group("");
         try
         {
             app.parse(argc, argv);
@@ -93,6 +103,13 @@ namespace demos
         {
             return complain(app, e.what());
         }
+    }
+
+    void group(CLI::App &app, const std::vector<std::pair<std::string, std::vector<std::string>>> &groups)
+    {
+        for (const auto &[heading, options] : groups)
+            for (const std::string &option : options)
+                app.get_option(option)->group(heading);
     }
 
     CLI::Validator positiveNumber()

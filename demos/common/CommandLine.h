@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace demos
@@ -18,8 +19,11 @@ namespace demos
 
     /** \brief Parse the arguments with \e app and then do \e work, whose result is returned. Whatever is thrown is
         written to standard error as one line, and BAD_INPUT returned. For an option that does not exist the line
-        suggests a similar one. Adds the option --version. */
+        suggests a similar one. Adds the options --version and --bash-completion; see bashCompletion(). */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
+
+    /** \brief Show options under headings in --help. Those that are not named stay under "Options". */
+    void group(CLI::App &app, const std::vector<std::pair<std::string, std::vector<std::string>>> &groups);
 
     /** \brief Accepts finite numbers above zero */
     CLI::Validator positiveNumber();

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Console.h>
 #include <sstream>
 
 using namespace ompl_certificates;
@@ -20,11 +21,21 @@ namespace demos
         const auto space = std::make_shared<ob::RealVectorStateSpace>(2);
         space->setBounds(0.0, 1.0);
         const auto si = std::make_shared<ob::SpaceInformation>(space);
+        // Parameters that have no effect any more are told of, but not when they are asked for.
+        const ompl::msg::LogLevel level = ompl::msg::getLogLevel();
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         std::ostringstream text;
+        text << std::left;
         for (const std::string &name : plannerNames())
-            text << std::left << std::setw(23) << name << std::setw(12)
-                 << (makePlanner(name, si)->getSpecs().optimizingPaths ? "optimizing" : "") << plannerDescription(name)
-                 << '\n';
+        {
+            const ob::PlannerPtr planner = makePlanner(name, si);
+            text << std::setw(23) << name << std::setw(12) << (planner->getSpecs().optimizingPaths ? "optimizing" : "")
+                 << plannerDescription(name) << '\n';
+            for (const auto &[key, parameter] : planner->params().getParams())
+                text << "    " << std::setw(43) << key << std::setw(12) << parameter->getValue()
+                     << parameter->getRangeSuggestion() << '\n';
+        }
+        ompl::msg::setLogLevel(level);
         return text.str();
     }
 
@@ -37,7 +48,8 @@ namespace demos
                 std::cout << plannerList();
                 throw CLI::Success();
             },
-            "List the planners, a line each, and end. Optimizing are those that go on to improve a solution, as OMPL "
-            "tells");
+            "List the planners, each with its parameters, their values at first, and the ranges that OMPL suggests "
+            "(lowest:step:highest, or the choices); then end. Optimizing are those that go on to improve a solution, "
+            "as OMPL tells");
     }
 }

@@ -7,7 +7,8 @@
 namespace demos
 {
     /** \brief All planners of plannerNames(), a line each: the name, whether OMPL says that it optimizes, and what it
-        is */
+        is. Below it, indented, its parameters: the name, the value that it begins with, and the range that OMPL
+        suggests. */
     std::string plannerList();
 
     /** \brief Add the flag --list-planners, which prints plannerList() and ends the program */

@@ -2,9 +2,10 @@
 
 #include "ompl_certificates/planning/Planners.h"
 
+#include <map>
 #include <sstream>
 
-TEST(ListPlanners, tellsOfEachInALine)
+TEST(ListPlanners, tellsOfEachAndItsParametersInALine)
 {
     for (const std::string name : {"plan_team", "benchmark_team"})
     {
@@ -13,8 +14,14 @@ TEST(ListPlanners, tellsOfEachInALine)
         EXPECT_EQ(program.errors(), "");
         std::istringstream lines(program.output());
         std::vector<std::string> names;
+        std::map<std::string, std::vector<std::string>> parameters;
         for (std::string line; std::getline(lines, line);)
         {
+            if (line.front() == ' ')
+            {
+                parameters[names.back()].push_back(line);
+                continue;
+            }
             names.push_back(line.substr(0, line.find(' ')));
             EXPECT_GT(line.size(), 45u) << line;
             const bool optimizing = line.find(" optimizing ") != std::string::npos;
@@ -22,5 +29,9 @@ TEST(ListPlanners, tellsOfEachInALine)
             EXPECT_TRUE(names.back() != "RRTConnect" || !optimizing) << line;
         }
         EXPECT_EQ(names, ompl_certificates::plannerNames());
+        const auto &ofConnect = parameters["RRTConnect"];
+        ASSERT_EQ(ofConnect.size(), 2u) << "intermediate_states and range";
+        EXPECT_EQ(ofConnect[1], "    range                                      0           0.:1.:10000.");
+        EXPECT_GT(parameters["RRTstar"].size(), 10u);
     }
 }
