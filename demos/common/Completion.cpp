@@ -26,7 +26,7 @@ namespace demos
 
     std::string bashCompletion(const CLI::App &app)
     {
-        const std::string program = app.get_name();
+        const std::string &program = app.get_name();
         std::string options, cases;
         for (const CLI::Option *option : app.get_options([](const CLI::Option *o) { return !o->get_group().empty(); }))
             for (const std::string &name : option->get_lnames())
