@@ -55,7 +55,7 @@ namespace ompl_certificates
         }
 
         /** How many certificates are repaired, and how many new ones looked at, while all checks wait */
-        constexpr std::size_t REPAIR_STEP = 256, LOOK_STEP = 64;
+        constexpr std::size_t REPAIR_STEP = 128, LOOK_STEP = 64;
 
         /** If checks add certificates faster than they are looked at, they wait after so many attempts. */
         constexpr int MOST_ATTEMPTS = 20;
@@ -298,6 +298,7 @@ namespace ompl_certificates
             world.open();
             world.close();
         }
+        world.open();  // The repair's memory takes time to give back: when the checks go on.
     }
 
     void TeamCheck::ignoreAllButObstacles()
