@@ -142,7 +142,7 @@ namespace
                              "--seed", "--nearest", "--objective", "--simplify", "--dry-run"}},
                            {"Checking", {"--method", "--motion", "--load-certificates", "--save-certificates"}},
                            {"Output",
-                            {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--path",
+                            {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--view", "--path",
                              "--report", "--quiet"}},
                            {"Robots that move by controls", {"--dynamics", "--goal-tolerance"}}});
         app.footer(
