@@ -154,7 +154,7 @@ namespace ompl_certificates
         const oc::ControlSamplerPtr sampler = si->allocControlSampler();
         oc::Control *control = si->allocControl();
         ob::ScopedState<> state = scene.makeStart(team);
-        for (const unsigned int steps : {4, 1, 7})
+        for (const unsigned int steps : {4U, 1U, 7U})
         {
             sampler->sample(control);
             path.append(state.get(), control, steps * si->getPropagationStepSize());
