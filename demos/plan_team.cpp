@@ -10,15 +10,16 @@
 #include "common/Interrupt.h"
 #include "common/Limit.h"
 #include "common/Outputs.h"
+#include "common/PlanPage.h"
+#include "common/PlanTeamOptions.h"
+#include "common/PlanTeamSummary.h"
 #include "common/PlannerChoice.h"
 #include "common/PlannerFactory.h"
-#include "common/PlannerList.h"
 #include "common/ProgressBar.h"
 
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/pictures/PlanReport.h"
-#include "ompl_certificates/pictures/PlanViewer.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
@@ -32,159 +33,20 @@
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
+using demos::PlanTeamOptions;
 namespace ob = ompl::base;
 
 namespace
 {
-    struct Options
-    {
-        std::string scene;
-        std::string request, urdf, srdf;
-        std::string planner;
-        std::string method{"shared"};
-        std::string motion{"discrete"};
-        std::string nearest{"kdtree"};
-        std::string objective{"length"};
-        double seconds{0.0};
-        std::uint64_t iterations{0};
-        std::uint32_t seed{1};
-        std::string range;
-        std::vector<std::string> parameters;
-        std::string picture, animation, view, path, report, loadedCertificates, savedCertificates;
-        double goalTolerance{0.5};
-        bool dynamics{false}, dryRun{false}, simplify{false}, pictureTree{false}, pictureCertificates{false},
-            quiet{false};
-    };
-
-    void declare(CLI::App &app, Options &options)
-    {
-        app.add_option("SCENE", options.scene,
-                       "Scene file: YAML, a .cfg file of OMPL.app, or a planning scene of MoveIt (YAML)")
-            ->required();
-        app.add_option("--request", options.request, "For a planning scene of MoveIt: its motion plan request (YAML)");
-        app.add_option("--urdf", options.urdf, "For a planning scene of MoveIt: the robot's URDF file");
-        app.add_option("--srdf", options.srdf,
-                       "For a planning scene of MoveIt: the robot's SRDF file, with its groups");
-        app.add_option(
-               "--planner", options.planner,
-               "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters "
-               "are used")
-            ->default_str("the first of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
-        demos::addPlannerList(app);
-        app.add_option("--method", options.method, "How checks are saved")
-            ->check(demos::oneOf(demos::methodNames()))
-            ->capture_default_str();
-        app.add_option("--motion", options.motion, "How motions are checked")
-            ->check(demos::oneOf({"discrete", "continuous"}))
-            ->capture_default_str();
-        app.add_option("--nearest", options.nearest, "What the planner looks for near states in")
-            ->check(demos::oneOf(demos::nearestNames()))
-            ->capture_default_str();
-        app.add_option("--objective", options.objective,
-                       "What planners that optimize lower: the length of the path in the team's space, the sum of the "
-                       "robots' lengths, the makespan, or the sum of their arrival times")
-            ->check(demos::oneOf(objectiveNames()))
-            ->capture_default_str();
-        auto *time = app.add_option("--time", options.seconds, "Time to plan, in seconds")
-                         ->check(demos::positiveNumber())
-                         ->default_str("that of a .cfg file or of a request, else 10");
-        app.add_option(
-               "--iterations", options.iterations,
-               "Plan for that many evaluations of the termination condition instead: one per iteration for most "
-               "of OMPL's planners, more for some")
-            ->check(demos::countUpTo(1000000000000ull))
-            ->excludes(time);
-        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers; the same seed grows the same tree")
-            ->check(demos::countUpTo(4294967295ull))
-            ->capture_default_str();
-        app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")
-            ->check(demos::positiveNumber());
-        app.add_option("--planner-param", options.parameters, "Parameters of the planner: NAME=VALUE ...");
-        app.add_flag("--simplify", options.simplify,
-                     "Shorten the solution before it is written: with OMPL's simplifier, then robot by robot");
-        auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
-        app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
-        app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
-            ->needs(picture);
-        app.add_option("--animation", options.animation,
-                       "Write a picture in which the robots follow the solution (SVG, for browsers)");
-        app.add_option("--view", options.view,
-                       "Write a page to look at all of it in a browser, in 3-D where the scene is (HTML, needs no "
-                       "network)");
-        app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
-        app.add_option("--report", options.report, "Write a report (JSON)");
-        app.add_option("--load-certificates", options.loadedCertificates,
-                       "Begin with the certificates of a file, which --save-certificates wrote");
-        app.add_option("--save-certificates", options.savedCertificates,
-                       "Write what is known of the obstacles in the end, for a later run");
-        auto *dynamics =
-            app.add_flag("--dynamics", options.dynamics,
-                         "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
-                         "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
-                         "--motion continuous proves each step free between its ends");
-        for (const char *option : {"--request", "--urdf", "--srdf", "--simplify", "--nearest", "--objective",
-                                   "--animation", "--load-certificates", "--save-certificates"})
-            dynamics->excludes(app.get_option(option));
-        app.add_option("--goal-tolerance", options.goalTolerance,
-                       "With --dynamics: how far from the goal the team may end, in its space's distance")
-            ->check(demos::positiveNumber())
-            ->capture_default_str()
-            ->needs(dynamics);
-        app.add_flag("--quiet", options.quiet, "Print errors only");
-        app.add_flag(
-               "--dry-run", options.dryRun,
-               "Read all, check start and goal and whether files can be written, print what would be planned, and "
-               "end")
-            ->excludes(dynamics);
-        demos::group(app, {{"Scenes of MoveIt", {"--request", "--urdf", "--srdf"}},
-                           {"Planning",
-                            {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations",
-                             "--seed", "--nearest", "--objective", "--simplify", "--dry-run"}},
-                           {"Checking", {"--method", "--motion", "--load-certificates", "--save-certificates"}},
-                           {"Output",
-                            {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--view", "--path",
-                             "--report", "--quiet"}},
-                           {"Robots that move by controls", {"--dynamics", "--goal-tolerance"}}});
-        app.footer(
-            "Of picture, animation, view, path and report one may be -, for standard output; all else is then printed to "
-            "standard error.\n"
-            "Returns 0 if a solution was found, 1 if not (or only an approximate one), 2 for bad input or a file that "
-            "could not be written.");
-    }
-
-    void setParameters(const Options &options, ob::Planner &planner)
-    {
-        const auto set = [&planner](const std::string &option, const std::string &key, const std::string &value)
-        {
-            try
-            {
-                setParameter(planner, key, value);
-            }
-            catch (const std::exception &e)
-            {
-                throw ompl::Exception(option, e.what());
-            }
-        };
-        if (!options.range.empty())
-            set("--range", "range", options.range);
-        for (const std::string &parameter : options.parameters)
-        {
-            const std::size_t sign = parameter.find('=');
-            if (sign == 0 || sign == std::string::npos)
-                throw ompl::Exception("--planner-param", "'" + parameter + "' is not of the form NAME=VALUE");
-            set("--planner-param", parameter.substr(0, sign), parameter.substr(sign + 1));
-        }
-    }
-
-    ob::PlannerPtr makePlanner(const Options &options, const demos::PlannerChoice &choice,
+    ob::PlannerPtr makePlanner(const PlanTeamOptions &options, const demos::PlannerChoice &choice,
                                const ob::SpaceInformationPtr &si)
     {
         const ob::PlannerPtr planner = demos::makePlanner(choice, si);
-        setParameters(options, *planner);
+        demos::setParameters(options, *planner);
         return planner;
     }
 
-    void requireCertificates(const Options &options, const TeamSetup &setup)
+    void requireCertificates(const PlanTeamOptions &options, const TeamSetup &setup)
     {
         for (const auto &[option, file] : {std::pair{"--load-certificates", options.loadedCertificates},
                                            {"--save-certificates", options.savedCertificates}})
@@ -193,20 +55,20 @@ namespace
                                                   " has no certificates");
     }
 
-    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const Options &options)
+    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const PlanTeamOptions &options)
     {
         ob::ScopedState<> goal(setup.getStateSpace());
         goal = setup.getGoal()->as<ob::GoalState>()->getState();
         return makeObjective(options.objective, setup.getSpaceInformation(), goal);
     }
 
-    double costOf(TeamSetup &setup, const Options &options)
+    double costOf(TeamSetup &setup, const PlanTeamOptions &options)
     {
         return setup.getSolutionPath().cost(objectiveOf(setup, options)).value();
     }
 
     /** Plan, and fill in what of the report is known by then */
-    void plan(TeamSetup &setup, const Options &options, PlanReport &report)
+    void plan(TeamSetup &setup, const PlanTeamOptions &options, PlanReport &report)
     {
         const auto clock = std::make_shared<NearestClock>();
         const bool timed = timeNearest(*setup.getPlanner(), clock);
@@ -247,7 +109,7 @@ namespace
     }
 
     /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
-    void simplify(TeamSetup &setup, const Options &options, PlanReport &report)
+    void simplify(TeamSetup &setup, const PlanTeamOptions &options, PlanReport &report)
     {
         if (!report.solved)
             return;
@@ -256,63 +118,8 @@ namespace
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }
 
-    void printShare(const char *label, std::uint64_t part, std::uint64_t whole)
-    {
-        std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
-                    whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0);
-    }
-
-    void print(const PlanReport &report, const TeamSetup &setup)
-    {
-        const CheckCounts &checks = report.checks;
-        const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-        std::printf("%s: %s, method %s, seed %llu\n", report.scene.c_str(), report.planner.c_str(),
-                    report.method.c_str(), number(report.seed));
-        if (report.solved && report.simplifiedCost >= 0.0)
-            std::printf("  solved        cost %.6g, simplified %.6g in %.3f s, %zu states\n", report.cost,
-                        report.simplifiedCost, report.simplifyingSeconds, setup.getSolutionPath().getStateCount());
-        else if (report.solved)
-            std::printf("  solved        cost %.6g, %zu states\n", report.cost,
-                        setup.getSolutionPath().getStateCount());
-        else if (report.approximate)
-            std::printf("  not solved    an approximate solution ends %.6g from the goal\n",
-                        setup.getProblemDefinition()->getSolutionDifference());
-        else
-            std::printf("  not solved\n");
-        if (report.firstSolutionSeconds >= 0.0)
-            std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
-        std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
-                    number(report.treeEdges), number(report.iterations));
-        std::printf("  robot poses   %llu:", number(checks.robotPoses));
-        printShare(" certified free ", checks.certifiedFree, checks.robotPoses);
-        printShare(", certified colliding ", checks.certifiedColliding, checks.robotPoses);
-        if (checks.byClearances > 0)
-            printShare(", by clearances ", checks.byClearances, checks.robotPoses);
-        if (checks.contactTests > 0)
-            printShare(", by the contact test ", checks.byContact, checks.robotPoses);
-        printShare(", by FCL ", checks.exact, checks.robotPoses);
-        std::printf("\n  motions       %llu:", number(checks.motions));
-        printShare(" samples skipped ", checks.motionSamplesSkipped, checks.motionSamples);
-        std::printf("\n  robot pairs   %llu:", number(checks.pairPoses));
-        std::printf(" FCL called for %llu", number(checks.pairExact));
-        std::printf("\n  calls of FCL  %llu", number(checks.exactCalls + checks.pairExact));
-        std::printf("\n  certificates  %llu\n", number(report.certificates));
-        std::printf("  time          %.3f s", report.totalSeconds);
-        // Threads add up, and then there is no share of the whole.
-        const bool threads = setup.getPlanner()->getSpecs().multithreaded;
-        const auto printTime = [&](const char *label, double seconds)
-        {
-            std::printf(", %s %.3f s", label, seconds);
-            if (!threads)
-                std::printf(" (%.1f %%)", report.totalSeconds > 0.0 ? 100.0 * seconds / report.totalSeconds : 0.0);
-        };
-        printTime("in checking", report.checkingSeconds);
-        if (report.nearestSeconds >= 0.0)
-            printTime("in nearest neighbors", report.nearestSeconds);
-        std::puts(threads ? " over all threads" : "");
-    }
-
-    std::string drawn(const Options &options, const Scene &scene, const TeamSetup &setup, const ob::PlannerData &tree)
+    std::string drawn(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup,
+                      const ob::PlannerData &tree)
     {
         ScenePicture picture(scene);
         if (setup.haveSolutionPath())
@@ -324,20 +131,8 @@ namespace
         return picture.toSvg();
     }
 
-    std::string viewed(const Scene &scene, const TeamSetup &setup, const PlanReport &report,
-                       const ob::PlannerData &tree)
-    {
-        PlanViewer viewer(scene);
-        if (report.solved)
-            viewer.setPath(setup.getSolutionPath());
-        viewer.setTree(tree);
-        viewer.setCertificates(setup.getTeamChecker()->getCertificates());
-        viewer.setReport(report);
-        return viewer.toHtml();
-    }
-
     /** Write all files that are asked for; one that cannot be written does not keep the others from it. */
-    void write(const Options &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
+    void write(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
                const ob::PlannerData &tree)
     {
         std::string failures;
@@ -366,14 +161,14 @@ namespace
         }
         attempt(options.picture,
                 [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
-        attempt(options.view,
-                [&](const std::string &file) { demos::writeOutput(file, viewed(scene, setup, report, tree)); });
+        attempt(options.view, [&](const std::string &file)
+                { demos::writeOutput(file, demos::planPage(scene, setup, report, tree)); });
         if (!failures.empty())
             throw ompl::Exception(failures);
     }
 
     /** The scene; a planning scene of MoveIt needs the files of --request, --urdf and --srdf. */
-    SceneFile readScene(const Options &options)
+    SceneFile readScene(const PlanTeamOptions &options)
     {
         const std::pair<std::string, std::string> files[]{
             {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
@@ -391,60 +186,10 @@ namespace
         return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf));
     }
 
-    /** What would be planned, for --dry-run */
-    void printTask(const Options &options, const Scene &scene, TeamSetup &setup)
-    {
-        std::printf("%s: start and goal are free\n", scene.getName().c_str());
-        std::printf("  workspace     dimensions %u, obstacles %zu, point clouds and maps %zu\n", scene.getDimension(),
-                    scene.getObstacles().size(), scene.getSensedObstacles().size());
-        for (const Scene::Member &member : scene.getMembers())
-            std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
-                        member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
-        std::printf("  resolution    %g of each robot's space, motions %s\n",
-                    setup.getStateSpace()->getLongestValidSegmentFraction(), options.motion.c_str());
-        std::printf("  planner       %s, method %s, objective %s, seed %u\n", setup.getPlanner()->getName().c_str(),
-                    options.method.c_str(), options.objective.c_str(), options.seed);
-        for (const auto &[key, parameter] : setup.getPlanner()->params().getParams())
-            std::printf("  %-13s %s = %s\n", "", key.c_str(), parameter->getValue().c_str());
-        if (options.iterations > 0)
-            std::printf("  limit         %llu iterations\n", static_cast<unsigned long long>(options.iterations));
-        else
-            std::printf("  limit         %g s\n", options.seconds);
-        for (const auto &[what, file] : {std::pair{"picture", options.picture},
-                                         {"animation", options.animation},
-                                         {"path", options.path},
-                                         {"report", options.report},
-                                         {"certificates", options.savedCertificates}})
-            if (!file.empty())
-                std::printf("  %-13s %s\n", what, file.c_str());
-    }
-
-    int runDynamics(const Options &options)
-    {
-        demos::DynamicPlan plan;
-        plan.scene = options.scene;
-        plan.planner = options.planner.empty() ? "RRT" : options.planner;
-        plan.method = options.method;
-        plan.proven = options.motion == "continuous";
-        plan.seconds = options.seconds == 0.0 ? 10.0 : options.seconds;
-        plan.iterations = options.iterations;
-        plan.seed = options.seed;
-        plan.goalTolerance = options.goalTolerance;
-        plan.setParameters = [&options](ob::Planner &planner) { setParameters(options, planner); };
-        plan.picture = options.picture;
-        plan.view = options.view;
-        plan.pictureTree = options.pictureTree;
-        plan.pictureCertificates = options.pictureCertificates;
-        plan.path = options.path;
-        plan.report = options.report;
-        plan.quiet = options.quiet;
-        return demos::run(plan);
-    }
-
-    int run(Options options)
+    int run(PlanTeamOptions options)
     {
         if (options.dynamics)
-            return runDynamics(options);
+            return demos::runDynamics(options);
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
@@ -464,13 +209,7 @@ namespace
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
-        demos::prepareOutputs({{"--picture", options.picture},
-                               {"--animation", options.animation},
-                               {"--view", options.view},
-                               {"--path", options.path},
-                               {"--report", options.report},
-                               {"--save-certificates", options.savedCertificates}},
-                              {options.scene, options.request, options.urdf, options.srdf});
+        demos::prepareOutputs(demos::outputsOf(options), {options.scene, options.request, options.urdf, options.srdf});
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length")
             setup->setOptimizationObjective(objectiveOf(*setup, options));
@@ -487,7 +226,7 @@ namespace
 
         if (options.dryRun)
         {
-            printTask(options, scene, *setup);
+            demos::printTask(options, scene, *setup);
             return demos::SOLVED;
         }
 
@@ -513,7 +252,7 @@ namespace
         {
             if (stopped || demos::interrupted())
                 std::puts("interrupted: this is what was found so far");
-            print(report, *setup);
+            demos::print(report, *setup);
         }
         if (!options.quiet && !report.solved)
             for (const auto &[what, name] : {std::pair{"path", options.path}, {"animation", options.animation}})
@@ -528,7 +267,7 @@ namespace
 int main(int argc, char **argv)
 {
     CLI::App app("Plan for the team of a scene", "plan_team");
-    Options options;
-    declare(app, options);
+    demos::PlanTeamOptions options;
+    demos::declare(app, options);
     return demos::runProgram(app, argc, argv, [&options] { return run(options); });
 }

@@ -4,12 +4,12 @@
 #include "common/Interrupt.h"
 #include "common/Limit.h"
 #include "common/Outputs.h"
+#include "common/PlanPage.h"
 
 #include "ompl_certificates/control/ControlPlanners.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
-#include "ompl_certificates/pictures/PlanViewer.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
@@ -28,9 +28,9 @@ namespace demos
     namespace
     {
         /** Plan, and fill in the report */
-        void solve(TeamControlSetup &setup, const DynamicPlan &plan, PlanReport &report)
+        void solve(TeamControlSetup &setup, const PlanTeamOptions &options, PlanReport &report)
         {
-            Limit limit(plan.seconds, plan.iterations);
+            Limit limit(options.seconds == 0.0 ? 10.0 : options.seconds, options.iterations);
             const ob::PlannerStatus status = setup.solve(limit.condition());
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
@@ -68,7 +68,7 @@ namespace demos
             std::printf("  time          %.3f s, in checking %.3f s\n", report.totalSeconds, report.checkingSeconds);
         }
 
-        std::string drawn(const DynamicPlan &plan, const Scene &scene, const TeamControlSetup &setup,
+        std::string drawn(const PlanTeamOptions &options, const Scene &scene, const TeamControlSetup &setup,
                           const ob::PlannerData &tree)
         {
             ScenePicture picture(scene);
@@ -80,73 +80,60 @@ namespace demos
                 std::iota(times.begin(), times.end(), 0.0);
                 picture.setPath(path, times);
             }
-            if (plan.pictureTree)
+            if (options.pictureTree)
                 picture.setTree(tree);
-            if (plan.pictureCertificates)
+            if (options.pictureCertificates)
                 picture.setCertificates(setup.getTeamChecker()->getCertificates());
             return picture.toSvg();
         }
-
-        std::string viewed(const Scene &scene, const TeamControlSetup &setup, const PlanReport &report,
-                           const ob::PlannerData &tree)
-        {
-            PlanViewer viewer(scene);
-            if (report.solved)
-                viewer.setPath(setup.getSolutionPath());
-            viewer.setTree(tree);
-            viewer.setCertificates(setup.getTeamChecker()->getCertificates());
-            viewer.setReport(report);
-            return viewer.toHtml();
-        }
     }
 
-    int run(const DynamicPlan &plan)
+    int runDynamics(const PlanTeamOptions &options)
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        ompl::RNG::setSeed(plan.seed);
-        const Scene scene = loadScene(plan.scene, true);
+        ompl::RNG::setSeed(options.seed);
+        const std::string planner = options.planner.empty() ? "RRT" : options.planner;
+        const bool proven = options.motion == "continuous";
+        const Scene scene = loadScene(options.scene, true);
         scene.validate();
         const TeamStateSpacePtr team = scene.makeTeam();
-        TeamControlSetup setup(team, scene.makeObstacles(), methodOf(plan.method),
-                               plan.proven ? CertificateMotionValidator::CONTINUOUS
-                                           : CertificateMotionValidator::DISCRETE);
-        setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team), plan.goalTolerance);
-        setup.setPlanner(makeControlPlanner(plan.planner, setup.getSpaceInformation()));
-        plan.setParameters(*setup.getPlanner());
-        prepareOutputs(
-            {{"--picture", plan.picture}, {"--view", plan.view}, {"--path", plan.path}, {"--report", plan.report}},
-            {plan.scene});
+        TeamControlSetup setup(team, scene.makeObstacles(), methodOf(options.method),
+                               proven ? CertificateMotionValidator::CONTINUOUS : CertificateMotionValidator::DISCRETE);
+        setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team), options.goalTolerance);
+        setup.setPlanner(makeControlPlanner(planner, setup.getSpaceInformation()));
+        setParameters(options, *setup.getPlanner());
+        prepareOutputs(outputsOf(options), {options.scene});
         setup.setup();
         setup.getStatistics().reset();
-        ompl::msg::setLogLevel(plan.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
+        ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         catchInterrupts();
 
         PlanReport report;
         report.scene = scene.getName();
-        report.planner = plan.planner;
-        report.method = plan.method;
-        report.motion = plan.proven ? "continuous" : "discrete";
+        report.planner = planner;
+        report.method = options.method;
+        report.motion = options.motion;
         report.objective = "duration";
-        report.seed = plan.seed;
-        solve(setup, plan, report);
+        report.seed = options.seed;
+        solve(setup, options, report);
         ob::PlannerData tree(setup.getSpaceInformation());
         setup.getPlanner()->getPlannerData(tree);
         report.setTree(tree);
-        if (!plan.quiet)
+        if (!options.quiet)
         {
             print(report, setup);
-            if (!report.solved && !plan.path.empty())
-                std::printf("no path was written to %s\n", plan.path.c_str());
+            if (!report.solved && !options.path.empty())
+                std::printf("no path was written to %s\n", options.path.c_str());
         }
         std::fflush(stdout);
-        if (!plan.report.empty())
-            writeOutput(plan.report, report.toJson());
-        if (report.solved && !plan.path.empty())
-            writeOutput(plan.path, toCsv(setup.getSolutionPath()));
-        if (!plan.picture.empty())
-            writeOutput(plan.picture, drawn(plan, scene, setup, tree));
-        if (!plan.view.empty())
-            writeOutput(plan.view, viewed(scene, setup, report, tree));
+        if (!options.report.empty())
+            writeOutput(options.report, report.toJson());
+        if (report.solved && !options.path.empty())
+            writeOutput(options.path, toCsv(setup.getSolutionPath()));
+        if (!options.picture.empty())
+            writeOutput(options.picture, drawn(options, scene, setup, tree));
+        if (!options.view.empty())
+            writeOutput(options.view, planPage(scene, setup, report, tree));
         return report.solved ? SOLVED : NOT_SOLVED;
     }
 }

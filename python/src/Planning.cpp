@@ -32,8 +32,10 @@ namespace ompl_certificates_python
             Doubles path, times;
             std::string csv;
 
-            /** A page of what was planned. It gets its certificates, which take the longest, when it is asked for. */
-            std::shared_ptr<PlanViewer> viewer;
+            /** What a page shows. It is made when it is asked for: that takes longer than many a plan. */
+            std::shared_ptr<const Scene> scene;
+            std::shared_ptr<const ompl::geometric::PathGeometric> solution;
+            std::shared_ptr<const ob::PlannerData> tree;
             std::vector<Certificate> certificates;
         };
 
@@ -186,18 +188,19 @@ namespace ompl_certificates_python
         }
 
         /** Report the tree, and keep what a page shows of all this. */
-        void setTree(Plan &plan, const Checker &checker)
+        void keepAll(Plan &plan, const Checker &checker)
         {
-            TeamSetup &setup = checker.getSetup();
-            ob::PlannerData tree(setup.getSpaceInformation());
-            setup.getPlanner()->getPlannerData(tree);
-            plan.report.setTree(tree);
-            plan.viewer =
-                std::make_shared<PlanViewer>(checker.getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
+            const TeamSetup &setup = checker.getSetup();
+            const auto tree = std::make_shared<ob::PlannerData>(setup.getSpaceInformation());
+            setup.getPlanner()->getPlannerData(*tree);
+            plan.report.setTree(*tree);
+            // The next plan frees the planner's states.
+            tree->decoupleFromPlanner();
+            plan.tree = tree;
+            plan.scene =
+                std::make_shared<const Scene>(checker.getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
             if (plan.report.solved)
-                plan.viewer->setPath(setup.getSolutionPath());
-            plan.viewer->setTree(tree);
-            plan.viewer->setReport(plan.report);
+                plan.solution = std::make_shared<const ompl::geometric::PathGeometric>(setup.getSolutionPath());
             plan.certificates = setup.getTeamChecker()->getCertificates();
         }
 
@@ -206,8 +209,12 @@ namespace ompl_certificates_python
             std::string html;
             {
                 const py::gil_scoped_release release;
-                PlanViewer viewer(*plan.viewer);
+                PlanViewer viewer(*plan.scene);
+                if (plan.solution)
+                    viewer.setPath(*plan.solution);
+                viewer.setTree(*plan.tree);
                 viewer.setCertificates(plan.certificates);
+                viewer.setReport(plan.report);
                 html = viewer.toHtml();
             }
             py::object page = py::module_::import("ompl_certificates._view").attr("View")(html);
@@ -249,7 +256,7 @@ namespace ompl_certificates_python
                 simplify(setup, options, plan.report);
             if (plan.report.solved)
                 setPath(plan, setup.getSolutionPath());
-            setTree(plan, checker);
+            keepAll(plan, checker);
             return plan;
         }
 

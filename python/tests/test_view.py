@@ -57,6 +57,16 @@ def test_page_shows_the_world_and_the_goal_of_its_plan(room: oc.Scene) -> None:
         assert np.allclose(floats(robot["goal"])[:2] + shown["bounds"]["origin"][:2], goal.reshape(-1, 2)[i])
 
 
+def test_page_of_an_earlier_plan_stays(room: oc.Scene) -> None:
+    checker = oc.Checker(room)
+    first = oc.plan(checker, "RRT", time=5.0, seed=1)
+    before = first.view().html
+    oc.plan(checker, "RRT", time=5.0, seed=2)
+    assert first.view().html == before
+    del checker
+    assert first.view().html == before
+
+
 def test_without_a_solution_robots_stay_at_their_starts(room: oc.Scene) -> None:
     room.add_obstacle(oc.Body.box(0.2, 12), (7, 5))
     plan = oc.plan(room, "RRT", time=0.2)

@@ -1,5 +1,6 @@
 #include "ompl_certificates/pictures/PlanViewer.h"
 
+#include "CertificateChoice.h"
 #include "RobotMotion.h"
 #include "SceneDrawing.h"
 #include "ViewerData.h"
@@ -8,7 +9,6 @@
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
 
@@ -22,8 +22,8 @@ namespace ompl_certificates
         /** How far a body may be from where it is, as a fraction of the scene's extent: a tenth of a pixel */
         constexpr double TOLERANCE = 1e-4;
 
-        /** How many edges of a tree are looked at, and how many lines of all robots are shown */
-        constexpr std::size_t MAX_EDGES = 20000, MAX_SEGMENTS = 24000;
+        /** How many lines of a tree are shown, of all robots together */
+        constexpr std::size_t MAX_SEGMENTS = 24000;
 
         constexpr std::size_t MAX_CERTIFICATES = 600;
 
@@ -93,45 +93,12 @@ namespace ompl_certificates
 
     void PlanViewer::setTree(const ob::PlannerData &data)
     {
-        const SceneDrawing drawing(scene_);
-        drawing.requireTeam(data.getSpaceInformation()->getStateSpace());
-        edges_.assign(scene_.getMembers().size(), {});
-        const std::size_t step = data.numEdges() / MAX_EDGES + 1;
-        std::size_t count = 0;
-        std::vector<unsigned int> targets;
-        for (unsigned int v = 0; v < data.numVertices(); ++v)
-        {
-            data.getEdges(v, targets);
-            for (const unsigned int target : targets)
-            {
-                if (count++ % step != 0)
-                    continue;
-                const auto from = drawing.posesOf(data.getVertex(v).getState()),
-                           to = drawing.posesOf(data.getVertex(target).getState());
-                for (std::size_t robot = 0; robot < from.size(); ++robot)
-                    edges_[robot].emplace_back(drawing.pointOf(robot, from[robot]), drawing.pointOf(robot, to[robot]));
-            }
-        }
+        edges_ = SceneDrawing(scene_).edgesOf(data);
     }
 
     void PlanViewer::setCertificates(const std::vector<Certificate> &certificates)
     {
-        std::vector<Certificate> largest;
-        // Clearance is infinite without obstacles, and negative inside one.
-        std::copy_if(certificates.begin(), certificates.end(), std::back_inserter(largest),
-                     [](const Certificate &c) { return c.clearance > 0.0 && std::isfinite(c.clearance); });
-        std::sort(largest.begin(), largest.end(),
-                  [](const Certificate &a, const Certificate &b) { return a.clearance > b.clearance; });
-        certificates_.clear();
-        for (const Certificate &candidate : largest)
-        {
-            if (certificates_.size() == MAX_CERTIFICATES)
-                break;
-            if (std::none_of(certificates_.begin(), certificates_.end(),
-                             [&candidate](const Certificate &shown)
-                             { return (shown.point - candidate.point).norm() < SAME_PLACE * shown.clearance; }))
-                certificates_.push_back(candidate);
-        }
+        certificates_ = largestApart(certificates, MAX_CERTIFICATES, SAME_PLACE);
     }
 
     void PlanViewer::setReport(const PlanReport &report)

@@ -18,6 +18,9 @@ namespace ompl_certificates
         /** Okabe and Ito's colors, which color-blind people can tell apart */
         constexpr const char *COLORS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
+        /** How many edges of a tree are taken */
+        constexpr std::size_t MAX_EDGES = 20000;
+
         constexpr double MARGIN = 28.0, LEGEND_ROW = 24.0, TITLE_HEIGHT = 26.0;
 
         /** How many times occupied cells are drawn in space: all, then those nearer and nearer to the viewer */
@@ -108,6 +111,29 @@ namespace ompl_certificates
     Eigen::Vector3d SceneDrawing::pointOf(std::size_t robot, const BodyPoses &poses) const
     {
         return poses[scene_.getMembers()[robot].robot->getTracedBody()].translation();
+    }
+
+    std::vector<Segments> SceneDrawing::edgesOf(const ob::PlannerData &tree) const
+    {
+        requireTeam(tree.getSpaceInformation()->getStateSpace());
+        std::vector<Segments> edges(scene_.getMembers().size());
+        const std::size_t step = tree.numEdges() / MAX_EDGES + 1;
+        std::size_t count = 0;
+        std::vector<unsigned int> targets;
+        for (unsigned int v = 0; v < tree.numVertices(); ++v)
+        {
+            tree.getEdges(v, targets);
+            for (const unsigned int target : targets)
+            {
+                if (count++ % step != 0)
+                    continue;
+                const auto from = posesOf(tree.getVertex(v).getState()),
+                           to = posesOf(tree.getVertex(target).getState());
+                for (std::size_t robot = 0; robot < from.size(); ++robot)
+                    edges[robot].emplace_back(pointOf(robot, from[robot]), pointOf(robot, to[robot]));
+            }
+        }
+        return edges;
     }
 
     std::vector<BodyPoses> SceneDrawing::getStarts() const

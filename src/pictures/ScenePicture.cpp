@@ -1,5 +1,6 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 
+#include "CertificateChoice.h"
 #include "SceneDrawing.h"
 #include "certificates/WholeFile.h"
 #include "ompl_certificates/team/PathTimes.h"
@@ -18,7 +19,7 @@ namespace ompl_certificates
         /** A color that no robot has */
         constexpr const char *CERTIFICATE_COLOR = "#9A9A2E";
 
-        constexpr std::size_t MAX_EDGES = 20000, MAX_CERTIFICATES = 4000, MAX_SPATIAL_CERTIFICATES = 250;
+        constexpr std::size_t MAX_CERTIFICATES = 4000, MAX_SPATIAL_CERTIFICATES = 250;
 
         /** How many equal times a path is divided into, and how many of them are between two bodies that are drawn */
         constexpr std::size_t TIMES = 240, STATION = 10;
@@ -74,20 +75,14 @@ namespace ompl_certificates
                 "fill='" + color + "' stroke='white' stroke-width='0.8'");
         }
 
-        /** The largest certificates, and of the others those whose points are outside of the larger ones: balls in
-            front of each other hide everything. */
-        std::vector<Certificate> spread(std::vector<Certificate> certificates)
+        /** Every n-th of \e certificates, so that at most \e most are left */
+        std::vector<Certificate> someOf(const std::vector<Certificate> &certificates, std::size_t most)
         {
-            std::stable_sort(certificates.begin(), certificates.end(),
-                             [](const Certificate &a, const Certificate &b) { return a.clearance > b.clearance; });
-            std::vector<Certificate> chosen;
-            for (const Certificate &certificate : certificates)
-                if (chosen.size() < MAX_SPATIAL_CERTIFICATES &&
-                    std::none_of(chosen.begin(), chosen.end(),
-                                 [&](const Certificate &other)
-                                 { return (certificate.point - other.point).norm() < other.clearance; }))
-                    chosen.push_back(certificate);
-            return chosen;
+            const std::size_t step = certificates.size() / most + 1;
+            std::vector<Certificate> some;
+            for (std::size_t i = 0; i < certificates.size(); i += step)
+                some.push_back(certificates[i]);
+            return some;
         }
 
         /** The radius of a ring about the traced body of \e robot, in pixels */
@@ -176,35 +171,15 @@ namespace ompl_certificates
 
     void ScenePicture::setTree(const ob::PlannerData &data)
     {
-        const SceneDrawing drawing(scene_);
-        drawing.requireTeam(data.getSpaceInformation()->getStateSpace());
-        edges_.assign(scene_.getMembers().size(), {});
-        const std::size_t step = data.numEdges() / MAX_EDGES + 1;
-        std::size_t count = 0;
-        std::vector<unsigned int> targets;
-        for (unsigned int v = 0; v < data.numVertices(); ++v)
-        {
-            data.getEdges(v, targets);
-            for (const unsigned int target : targets)
-            {
-                if (count++ % step != 0)
-                    continue;
-                const auto from = drawing.posesOf(data.getVertex(v).getState()),
-                           to = drawing.posesOf(data.getVertex(target).getState());
-                for (std::size_t robot = 0; robot < from.size(); ++robot)
-                    edges_[robot].emplace_back(drawing.pointOf(robot, from[robot]), drawing.pointOf(robot, to[robot]));
-            }
-        }
+        edges_ = SceneDrawing(scene_).edgesOf(data);
     }
 
     void ScenePicture::setCertificates(const std::vector<Certificate> &certificates)
     {
-        certificates_.clear();
-        const std::size_t step = certificates.size() / MAX_CERTIFICATES + 1;
-        for (std::size_t i = 0; i < certificates.size(); i += step)
-            // Clearance is infinite without obstacles, and negative inside one.
-            if (certificates[i].clearance > 0.0 && std::isfinite(certificates[i].clearance))
-                certificates_.push_back(certificates[i]);
+        // In space, balls in front of each other hide everything.
+        const bool spatial = scene_.getDimension() == 3;
+        certificates_ = spatial ? largestApart(certificates, MAX_SPATIAL_CERTIFICATES, 1.0)
+                                : someOf(freeBalls(certificates), MAX_CERTIFICATES);
     }
 
     void ScenePicture::drawTree(SvgWriter &svg, const SceneView &view) const
@@ -290,7 +265,7 @@ namespace ompl_certificates
         const std::string color = CERTIFICATE_COLOR;
         svg.beginGroup(SceneDrawing::clipAtFrame(view) + " stroke-width='0.6' fill='" + color + "' stroke='" + color +
                        "' fill-opacity='" + (spatial ? "0.03" : "0.07") + "' stroke-opacity='0.45'");
-        for (const Certificate &certificate : spatial ? spread(certificates_) : certificates_)
+        for (const Certificate &certificate : certificates_)
             svg.circle(view.project(certificate.point), view.getScale() * certificate.clearance);
         svg.endGroup();
     }

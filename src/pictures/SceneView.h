@@ -22,11 +22,11 @@ namespace ompl_certificates
         /** \brief Where it is seen from */
         enum class From
         {
-            /// x to the right, y up; the one view of a plane
+            /// From above: x to the right, y up. Scenes of the plane have no other view.
             ABOVE,
-            /// x to the right, z up
+            /// From the side: x to the right, z up.
             SIDE,
-            /// from above the corner where x is large and y is small
+            /// From above the corner where x is large and y is small.
             OBLIQUE
         };
 

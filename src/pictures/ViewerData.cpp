@@ -1,7 +1,6 @@
 #include "ViewerData.h"
 
 #include "PackedArray.h"
-#include "SceneDrawing.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -131,11 +130,11 @@ namespace ompl_certificates
         return result;
     }
 
-    json ViewerData::segments(const std::vector<Segment> &segments, std::size_t most) const
+    json ViewerData::segments(const Segments &segments, std::size_t most) const
     {
         Eigen::AlignedBox3d box;
-        for (const Segment &segment : segments)
-            box.extend(segment.first).extend(segment.second);
+        for (const auto &[from, to] : segments)
+            box.extend(from).extend(to);
         if (segments.empty())
             box.extend(origin_);
         const Eigen::Vector3d step = (box.sizes() / 65535.0).cwiseMax(1e-30);
@@ -147,8 +146,8 @@ namespace ompl_certificates
                          static_cast<std::uint16_t>(cell.z())};
         };
         std::set<std::pair<Point, Point>> different;
-        for (const Segment &segment : segments)
-            if (const Point a = quantized(segment.first), b = quantized(segment.second); a != b)
+        for (const auto &[from, to] : segments)
+            if (const Point a = quantized(from), b = quantized(to); a != b)
                 different.emplace(std::min(a, b), std::max(a, b));
         std::vector<std::uint16_t> numbers;
         std::size_t count = 0;

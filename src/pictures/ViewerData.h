@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_SRC_PICTURES_VIEWER_DATA_
 
 #include "RobotMotion.h"
+#include "SceneDrawing.h"
 #include "ViewerShapes.h"
 #include "ompl_certificates/certificates/Certificate.h"
 #include "ompl_certificates/scene/Scene.h"
@@ -17,9 +18,6 @@ namespace ompl_certificates
     class ViewerData
     {
     public:
-        /** \brief The two ends of a line */
-        using Segment = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
-
         /** \brief \e scene must outlive this */
         explicit ViewerData(const Scene &scene);
 
@@ -46,7 +44,7 @@ namespace ompl_certificates
         nlohmann::json robot(std::size_t index, const RobotMotion &motion, const std::vector<Pose> &goal);
 
         /** \brief Lines, each of them once. Of more than \e most every n-th is left. */
-        nlohmann::json segments(const std::vector<Segment> &segments, std::size_t most) const;
+        nlohmann::json segments(const Segments &segments, std::size_t most) const;
 
         /** \brief Balls that certificates prove free */
         nlohmann::json certificates(const std::vector<Certificate> &certificates) const;

@@ -9,11 +9,12 @@ TEST(DryRun, tellsWhatWouldBePlannedAndPlansNothing)
 {
     const Folder folder;
     Program program("plan_team", {SCENES + "warehouse.yaml", "--dry-run", "--planner", "RRTstar", "--range", "0.5",
-                                  "--time", "1000", "--picture", folder / "plan.svg"});
+                                  "--time", "1000", "--picture", folder / "plan.svg", "--view", folder / "plan.html"});
     EXPECT_EQ(program.wait(), 0) << program.errors();
     const std::string output = program.output();
-    for (const std::string part : {"start and goal are free", "RRTstar", "range = 0.5", "1000 s",
-                                   "robot         tug: dimensions 4, bodies 2", "method shared", "plan.svg"})
+    for (const std::string part :
+         {"start and goal are free", "RRTstar", "range = 0.5", "1000 s", "robot         tug: dimensions 4, bodies 2",
+          "method shared", "plan.svg", "plan.html"})
         EXPECT_NE(output.find(part), std::string::npos) << part << " in " << output;
     EXPECT_TRUE(folder.list().empty()) << "nothing is written";
 }

@@ -1,6 +1,6 @@
 // Where the bodies of a robot are over time: positions change linearly from key to key, and rotations turn the shorter way
 // at a steady pace.
-import { Quaternion, Vector3 } from 'three'
+import { Quaternion } from 'three'
 import { POSE } from './data.js'
 
 /** The last key that is not after `time` */
@@ -39,15 +39,5 @@ export class Motion {
       position.z + fraction * (poses[to + 2] - position.z),
     )
     quaternion.slerp(this.turn.fromArray(poses, to + 3), fraction)
-  }
-
-  /** The line that the traced body follows: at least two points, and the time of each */
-  line() {
-    const { times, poses, traced } = this.robot
-    const points = []
-    for (let key = 0; key < times.length; ++key)
-      points.push(new Vector3().fromArray(poses, (key * this.bodies + traced) * POSE))
-    if (points.length === 1) points.push(points[0].clone())
-    return { points, times: times.length === 1 ? [times[0], times[0]] : times }
   }
 }

@@ -21,7 +21,7 @@ import { Line2 } from 'three/examples/jsm/lines/Line2.js'
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import { POSE } from './data.js'
-import { FLAT, isDark, look, ORDER } from './look.js'
+import { FLAT, isDark, ORDER } from './look.js'
 import { Motion } from './motion.js'
 
 /** Into how many parts the marks divide the time, and how many points a path is drawn with */

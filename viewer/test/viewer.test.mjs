@@ -109,23 +109,18 @@ test('arms', async () => {
   await opened.close()
 })
 
-test('drones in an octomap', async () => {
-  const made = plan('drones_octomap.yaml', '--iterations', '1000')
-  const opened = await open(browser, made.page)
-  await assertShowsPath(opened, made, spatial)
-  assert.ok((await opened.page.evaluate('viewer.plan.cells[0].low.length')) > 300)
-  await assertRobotsAreSeen(opened, 2)
-  await opened.close()
-})
-
-test('drones in a point cloud', async () => {
-  const made = plan('cloud.yaml', '--iterations', '1000')
-  const opened = await open(browser, made.page)
-  await assertShowsPath(opened, made, spatial)
-  assert.ok((await opened.page.evaluate('viewer.plan.clouds[0].points.length')) > 3000)
-  await assertRobotsAreSeen(opened, 2)
-  await opened.close()
-})
+for (const [world, scene, numbers, least] of [
+  ['an octomap', 'drones_octomap.yaml', 'cells[0].low', 300],
+  ['a point cloud', 'cloud.yaml', 'clouds[0].points', 3000],
+])
+  test(`drones in ${world}`, async () => {
+    const made = plan(scene, '--iterations', '1000')
+    const opened = await open(browser, made.page)
+    await assertShowsPath(opened, made, spatial)
+    assert.ok((await opened.page.evaluate(`viewer.plan.${numbers}.length`)) > least)
+    await assertRobotsAreSeen(opened, 2)
+    await opened.close()
+  })
 
 test('robots that move by controls', async () => {
   const made = plan('controls/doorway.yaml', '--dynamics', '--iterations', '20000')

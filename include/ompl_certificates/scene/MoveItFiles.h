@@ -24,8 +24,8 @@ namespace ompl_certificates
         Motions are checked as densely as MoveIt does by default: Scene::getResolution() is 0.005. The bounds of the
         scene are those of the request's workspace, enlarged to hold the obstacles and the arm's start and goal.
 
-        Reading is strict, as of other scenes. What would change the plan and is not supported is an error: cones,
-        planes, octomaps, padding, other constraints, links that may touch an obstacle.
+        Reading is strict, as of other scenes. What would change the plan and is not supported is an error: octomaps,
+        padding, planes of attached bodies, other constraints, links that may touch an obstacle.
         \param scene the file of the planning scene
         \param request the file of the motion plan request
         \param robot the robot; its name need not be that of the scene

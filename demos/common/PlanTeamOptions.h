@@ -1,0 +1,48 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <ompl/base/Planner.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace demos
+{
+    /** \brief What the command line of plan_team asks for; declare() says what each option means. Files are empty where
+        there are none. */
+    struct PlanTeamOptions
+    {
+        std::string scene;
+        std::string request, urdf, srdf;
+        std::string planner;
+        std::string method{"shared"};
+        std::string motion{"discrete"};
+        std::string nearest{"kdtree"};
+        std::string objective{"length"};
+        /** \brief 0 if it is not given */
+        double seconds{0.0};
+        /** \brief 0 if the time is the limit */
+        std::uint64_t iterations{0};
+        std::uint32_t seed{1};
+        std::string range;
+        std::vector<std::string> parameters;
+        std::string picture, animation, view, path, report, loadedCertificates, savedCertificates;
+        double goalTolerance{0.5};
+        bool dynamics{false}, dryRun{false}, simplify{false}, pictureTree{false}, pictureCertificates{false},
+            quiet{false};
+    };
+
+    /** \brief Add the options to \e app, which writes what it parses to \e options */
+    void declare(CLI::App &app, PlanTeamOptions &options);
+
+    /** \brief The options that name files to be written, and the files */
+    std::vector<std::pair<std::string, std::string>> outputsOf(const PlanTeamOptions &options);
+
+    /** \brief Set the parameters of \e planner
+        \throws ompl::Exception that names the option */
+    void setParameters(const PlanTeamOptions &options, ompl::base::Planner &planner);
+}
+
+#endif

@@ -1,0 +1,90 @@
+#include "common/PlanTeamSummary.h"
+
+#include <cstdio>
+
+using namespace ompl_certificates;
+
+namespace demos
+{
+    namespace
+    {
+        void printShare(const char *label, std::uint64_t part, std::uint64_t whole)
+        {
+            std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
+                        whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0);
+        }
+    }
+
+    void print(const PlanReport &report, const TeamSetup &setup)
+    {
+        const CheckCounts &checks = report.checks;
+        const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+        std::printf("%s: %s, method %s, seed %llu\n", report.scene.c_str(), report.planner.c_str(),
+                    report.method.c_str(), number(report.seed));
+        if (report.solved && report.simplifiedCost >= 0.0)
+            std::printf("  solved        cost %.6g, simplified %.6g in %.3f s, %zu states\n", report.cost,
+                        report.simplifiedCost, report.simplifyingSeconds, setup.getSolutionPath().getStateCount());
+        else if (report.solved)
+            std::printf("  solved        cost %.6g, %zu states\n", report.cost,
+                        setup.getSolutionPath().getStateCount());
+        else if (report.approximate)
+            std::printf("  not solved    an approximate solution ends %.6g from the goal\n",
+                        setup.getProblemDefinition()->getSolutionDifference());
+        else
+            std::printf("  not solved\n");
+        if (report.firstSolutionSeconds >= 0.0)
+            std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
+        std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
+                    number(report.treeEdges), number(report.iterations));
+        std::printf("  robot poses   %llu:", number(checks.robotPoses));
+        printShare(" certified free ", checks.certifiedFree, checks.robotPoses);
+        printShare(", certified colliding ", checks.certifiedColliding, checks.robotPoses);
+        if (checks.byClearances > 0)
+            printShare(", by clearances ", checks.byClearances, checks.robotPoses);
+        if (checks.contactTests > 0)
+            printShare(", by the contact test ", checks.byContact, checks.robotPoses);
+        printShare(", by FCL ", checks.exact, checks.robotPoses);
+        std::printf("\n  motions       %llu:", number(checks.motions));
+        printShare(" samples skipped ", checks.motionSamplesSkipped, checks.motionSamples);
+        std::printf("\n  robot pairs   %llu:", number(checks.pairPoses));
+        std::printf(" FCL called for %llu", number(checks.pairExact));
+        std::printf("\n  calls of FCL  %llu", number(checks.exactCalls + checks.pairExact));
+        std::printf("\n  certificates  %llu\n", number(report.certificates));
+        std::printf("  time          %.3f s", report.totalSeconds);
+        // Threads add up, and then there is no share of the whole.
+        const bool threads = setup.getPlanner()->getSpecs().multithreaded;
+        const auto printTime = [&](const char *label, double seconds)
+        {
+            std::printf(", %s %.3f s", label, seconds);
+            if (!threads)
+                std::printf(" (%.1f %%)", report.totalSeconds > 0.0 ? 100.0 * seconds / report.totalSeconds : 0.0);
+        };
+        printTime("in checking", report.checkingSeconds);
+        if (report.nearestSeconds >= 0.0)
+            printTime("in nearest neighbors", report.nearestSeconds);
+        std::puts(threads ? " over all threads" : "");
+    }
+
+    void printTask(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup)
+    {
+        std::printf("%s: start and goal are free\n", scene.getName().c_str());
+        std::printf("  workspace     dimensions %u, obstacles %zu, point clouds and maps %zu\n", scene.getDimension(),
+                    scene.getObstacles().size(), scene.getSensedObstacles().size());
+        for (const Scene::Member &member : scene.getMembers())
+            std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
+                        member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
+        std::printf("  resolution    %g of each robot's space, motions %s\n",
+                    setup.getStateSpace()->getLongestValidSegmentFraction(), options.motion.c_str());
+        std::printf("  planner       %s, method %s, objective %s, seed %u\n", setup.getPlanner()->getName().c_str(),
+                    options.method.c_str(), options.objective.c_str(), options.seed);
+        for (const auto &[key, parameter] : setup.getPlanner()->params().getParams())
+            std::printf("  %-13s %s = %s\n", "", key.c_str(), parameter->getValue().c_str());
+        if (options.iterations > 0)
+            std::printf("  limit         %llu iterations\n", static_cast<unsigned long long>(options.iterations));
+        else
+            std::printf("  limit         %g s\n", options.seconds);
+        for (const auto &[option, file] : outputsOf(options))
+            if (!file.empty())
+                std::printf("  %-13s %s\n", option.substr(2).c_str(), file.c_str());
+    }
+}

@@ -1,0 +1,20 @@
+#ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_SUMMARY_
+#define OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_SUMMARY_
+
+#include "common/PlanTeamOptions.h"
+
+#include "ompl_certificates/pictures/PlanReport.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/scene/Scene.h"
+
+namespace demos
+{
+    /** \brief Print what came of a plan, and how its checks were settled */
+    void print(const ompl_certificates::PlanReport &report, const ompl_certificates::TeamSetup &setup);
+
+    /** \brief Print what would be planned, for --dry-run */
+    void printTask(const PlanTeamOptions &options, const ompl_certificates::Scene &scene,
+                   const ompl_certificates::TeamSetup &setup);
+}
+
+#endif
