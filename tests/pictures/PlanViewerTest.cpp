@@ -252,6 +252,37 @@ namespace ompl_certificates
         EXPECT_EQ(shown, (std::vector<float>{-4, -3, -2, 3, 2, 1}));
     }
 
+    TEST(PlanViewerTest, TreesHaveEachEdgeOnceWhereItsStatesAre)
+    {
+        const Scene scene = loadScene(scenePath("paper_five_discs.yaml"));
+        const auto si = std::make_shared<ob::SpaceInformation>(scene.makeTeam());
+        const auto team = std::static_pointer_cast<TeamStateSpace>(si->getStateSpace());
+        const ob::ScopedState<> start = scene.makeStart(team), goal = scene.makeGoal(team);
+        ob::PlannerData tree(si);
+        tree.addEdge(ob::PlannerDataVertex(start.get()), ob::PlannerDataVertex(goal.get()));
+        tree.addEdge(ob::PlannerDataVertex(goal.get()), ob::PlannerDataVertex(start.get()));
+        PlanViewer viewer(scene);
+        viewer.setTree(tree);
+        const json page = json::parse(viewer.toJson());
+        for (std::size_t i = 0; i < scene.getMembers().size(); ++i)
+        {
+            const json &lines = page["robots"][i]["tree"];
+            const auto points = unpacked<std::uint16_t>(lines["points"]);
+            ASSERT_EQ(points.size(), 6u) << "robot " << i;
+            for (std::size_t axis = 0; axis < 2; ++axis)
+            {
+                const auto at = [&](std::size_t point)
+                {
+                    return lines["low"][axis].get<double>() + page["bounds"]["origin"][axis].get<double>() +
+                           lines["step"][axis].get<double>() * points[3 * point + axis];
+                };
+                const auto expected = std::minmax(scene.getMembers()[i].start[axis], scene.getMembers()[i].goal[axis]);
+                EXPECT_NEAR(std::min(at(0), at(1)), expected.first, 1e-9) << "robot " << i;
+                EXPECT_NEAR(std::max(at(0), at(1)), expected.second, 1e-9) << "robot " << i;
+            }
+        }
+    }
+
     TEST(PlanViewerTest, CertificatesAreTheLargestAndApart)
     {
         ob::RealVectorBounds bounds(2);

@@ -139,6 +139,23 @@ namespace ompl_certificates
             EXPECT_TRUE(test::isWellFormed(svg));
         }
 
+        TEST(ScenePicture, CertificatesInThePlaneAreAllDrawnUnlessThereAreVeryMany)
+        {
+            const Planned planned(PLANE, {20, 20, 30, 40});
+            ScenePicture picture(planned.scene);
+            const double scale = 7.2;  // pixels per unit of length
+            const auto drawn = [&](std::size_t count)
+            {
+                picture.setCertificates(std::vector<Certificate>(count, {{1.0, 1.0, 0.0}, 2.125}));
+                char text[32];
+                std::snprintf(text, sizeof(text), "r='%.2f'", 2.125 * scale);
+                return countOf(picture.toSvg(), text);
+            };
+            EXPECT_EQ(drawn(3000), 3000u);
+            EXPECT_GT(drawn(30000), 3000u);
+            EXPECT_LE(drawn(30000), 4000u);
+        }
+
         TEST(ScenePicture, OfManyCertificatesInSpaceThoseAreDrawnThatAddToLargerOnes)
         {
             const Planned planned(SPACE, {4, 2, 1.5});
