@@ -91,7 +91,7 @@ namespace ompl_certificates
             const SceneFile file = read(
                 OBJECTS +
                 "    - {id: floor, planes: [{coef: [0, 0, 1, 0.2]}]}\n"
-                "    - {id: wall, planes: [{coef: [0, 2, 0, 1.4]}]}\n"
+                "    - {id: wall, planes: [{coef: [0, 2, 0, 1.0]}]}\n"
                 "    - {id: far, header: {frame_id: base}, planes: [{coef: [1, 0, 0, 0]}], plane_poses: [{position: "
                 "[20, 0, 0]}]}\n");
             ASSERT_EQ(file.scene.getObstacles().size(), 3u);
