@@ -10,7 +10,16 @@ namespace ompl_certificates
       : change_(change)
     {
         for (CertificateStore *store : stores)
-            watched_.push_back({store, store->getEnd()});
+        {
+            store->setNotesAdded(true);
+            watched_.push_back({store, store->getAddedCount()});
+        }
+    }
+
+    CertificateRepair::~CertificateRepair()
+    {
+        for (const Watched &watched : watched_)
+            watched.store->setNotesAdded(false);
     }
 
     void CertificateRepair::look(CertificateStore &store, CertificateIndex index, const Certificate &certificate)
@@ -24,21 +33,19 @@ namespace ompl_certificates
 
     void CertificateRepair::find()
     {
-        for (auto &[store, end] : watched_)
+        for (auto &[store, count] : watched_)
         {
             CertificateStore &looked = *store;
-            const CertificateIndex newEnd = hasLooked_ ? looked.getEnd() : end;
             if (!hasLooked_)
-                looked.visitConcerned(change_,
-                                      [&, last = end](CertificateIndex index, const Certificate &certificate)
-                                      {
-                                          // Later ones come with the next call.
-                                          if (index < last)
-                                              look(looked, index, certificate);
-                                      });
-            for (CertificateIndex index = end; index < newEnd; ++index)
+            {
+                // Some that are added meanwhile may be visited. They are looked at again with the next call.
+                looked.visitConcerned(change_, [&](CertificateIndex index, const Certificate &certificate)
+                                      { look(looked, index, certificate); });
+                continue;
+            }
+            count = looked.getAddedCount();
+            for (const CertificateIndex index : looked.takeAdded())
                 look(looked, index, looked.getCertificate(index));
-            end = newEnd;
         }
         hasLooked_ = true;
     }
@@ -46,8 +53,8 @@ namespace ompl_certificates
     std::size_t CertificateRepair::countNew() const
     {
         std::size_t count = 0;
-        for (const auto &[store, end] : watched_)
-            count += store->getEnd() - end;
+        for (const auto &[store, looked] : watched_)
+            count += store->getAddedCount() - looked;
         return count;
     }
 

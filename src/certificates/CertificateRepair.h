@@ -16,8 +16,15 @@ namespace ompl_certificates
     public:
         virtual ~CertificateStore() = default;
 
-        /** \brief One more than the largest index. Others may add meanwhile. */
-        virtual CertificateIndex getEnd() const = 0;
+        /** \brief How many certificates were added, removed ones included. Others may add meanwhile. */
+        virtual std::uint32_t getAddedCount() const = 0;
+
+        /** \brief Sets whether the indices of new certificates are noted for takeAdded(). Not while others add. */
+        virtual void setNotesAdded(bool notes) = 0;
+
+        /** \brief The indices of the certificates that were added since setNotesAdded(true), or since the last call.
+            Others may add meanwhile. */
+        virtual std::vector<CertificateIndex> takeAdded() = 0;
 
         /** \brief A certificate; its clearance is not a number if it was removed. Others may add meanwhile. */
         virtual Certificate getCertificate(CertificateIndex index) const = 0;
@@ -44,6 +51,11 @@ namespace ompl_certificates
         /** \brief A repair of \e stores, which must not change meanwhile. Not while others add. */
         CertificateRepair(const std::vector<CertificateStore *> &stores, const ObstacleChange &change);
 
+        ~CertificateRepair();
+
+        CertificateRepair(const CertificateRepair &) = delete;
+        CertificateRepair &operator=(const CertificateRepair &) = delete;
+
         /** \brief Notes which certificates the change concerns. Called again, looks at those that were added since. Others
             may check and add meanwhile. */
         void find();
@@ -63,8 +75,8 @@ namespace ompl_certificates
         struct Watched
         {
             CertificateStore *store;
-            /** \brief Those before have been looked at */
-            CertificateIndex end;
+            /** \brief How many had been added when it was last looked at */
+            std::uint32_t count;
         };
 
         struct Found

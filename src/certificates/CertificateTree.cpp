@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -55,13 +56,13 @@ namespace ompl_certificates
     CertificateTree::~CertificateTree()
     {
         if (limit_)
-            limit_->give(stored_);
+            limit_->give(added_);
     }
 
     void CertificateTree::clear()
     {
         if (limit_)
-            limit_->give(stored_);
+            limit_->give(added_);
         reset();
     }
 
@@ -69,12 +70,13 @@ namespace ompl_certificates
     {
         buckets_.clear();
         innerNodes_.clear();
-        store_.clear();
+        noted_.clear();
         roots_.clear();
-        root_ = &roots_[roots_.append()];
-        root_.load()->subtree = Subtree(newBucket(nullptr));
-        stored_ = 0;
+        bucketCount_ = 0;
+        added_ = 0;
         live_ = 0;
+        root_ = &roots_[roots_.append()];
+        root_.load()->subtree = Subtree(newBucket(Link::toParent(nullptr)));
     }
 
     void CertificateTree::setDistanceFunction(const DistanceFunction & /*distFun*/)
@@ -82,11 +84,39 @@ namespace ompl_certificates
         throw ompl::Exception("A certificate tree measures Euclidean distance; it takes no other distance function");
     }
 
-    CertificateTree::Bucket *CertificateTree::newBucket(InnerNode *innerNode)
+    CertificateTree::Bucket *CertificateTree::newBucket(Link link)
     {
-        Bucket &bucket = buckets_[buckets_.append()];
-        bucket.innerNode.store(innerNode, std::memory_order_relaxed);
+        const std::uint32_t number = buckets_.append();
+        Bucket &bucket = buckets_[number];
+        bucket.number = number;
+        bucket.link.store(link, std::memory_order_relaxed);
+        bucketCount_.store(number + 1, std::memory_order_release);
         return &bucket;
+    }
+
+    CertificateTree::Bucket *CertificateTree::findBucket(CertificateIndex index) const
+    {
+        const std::uint32_t number = index / BUCKET_SIZE;
+        if (number >= bucketCount_.load(std::memory_order_acquire))
+            return nullptr;
+        Bucket &bucket = buckets_[number];
+        return index % BUCKET_SIZE < bucket.count.load(std::memory_order_acquire) ? &bucket : nullptr;
+    }
+
+    CertificateTree::Bucket &CertificateTree::lastBucket(Bucket &bucket)
+    {
+        Bucket *last = &bucket;
+        while (Bucket *next = last->next())
+            last = next;
+        return *last;
+    }
+
+    bool CertificateTree::isFull(Subtree subtree)
+    {
+        std::uint32_t count = 0;
+        for (const Bucket *at = subtree.bucket(); at && count < CELL_SIZE; at = at->next())
+            count += at->count.load(std::memory_order_relaxed);
+        return count >= CELL_SIZE;
     }
 
     CertificateTree::InnerNode *CertificateTree::newInnerNode(Bucket *bucket, InnerNode *parent)
@@ -132,9 +162,9 @@ namespace ompl_certificates
 
     void CertificateTree::extendBySubtree(InnerNode &innerNode, unsigned int child, Subtree subtree) const
     {
-        for (const Bucket *at = subtree.bucket(); at; at = at->next)
+        for (const Bucket *at = subtree.bucket(); at; at = at->next())
             for (std::uint32_t i = 0; i < at->count; ++i)
-                extend(innerNode, child, store_[at->index[i]].certificate);
+                extend(innerNode, child, at->certificate[i]);
         if (subtree.isInnerNode())
             for (int axis = 0; axis < dimension_; ++axis)
                 for (int which = 0; which < 4; ++which)
@@ -143,35 +173,28 @@ namespace ompl_certificates
                             raise(innerNode.bound[axis][which], child, value);
     }
 
-    void CertificateTree::append(Bucket *first, CertificateIndex index, const Certificate &certificate)
+    CertificateIndex CertificateTree::append(Bucket &first, const Certificate &certificate)
     {
-        Bucket *at = first;
-        while (at->count == BUCKET_SIZE && at->next)
-            at = at->next;
-        if (at->count == BUCKET_SIZE)
+        Bucket *last = &lastBucket(first);
+        if (last->count == BUCKET_SIZE)
         {
-            Bucket *next = newBucket(nullptr);
-            at->next.store(next, std::memory_order_release);
-            at = next;
+            Bucket *next = newBucket(last->link);
+            last->link.store(Link::toNext(next), std::memory_order_release);
+            last = next;
         }
-        Bucket &bucket = *at;
-        const std::uint32_t i = bucket.count.load(std::memory_order_relaxed);
-        bucket.x[i] = certificate.point.x();
-        bucket.y[i] = certificate.point.y();
-        bucket.z[i] = certificate.point.z();
-        bucket.clearance[i] = certificate.clearance;
-        bucket.index[i] = index;
-        bucket.count.store(i + 1, std::memory_order_release);
-        store_[index].bucket.store(first, std::memory_order_release);
+        const std::uint32_t i = last->count.load(std::memory_order_relaxed);
+        last->certificate[i] = certificate;
+        last->count.store(i + 1, std::memory_order_release);
+        return last->indexOf(i);
     }
 
     void CertificateTree::chooseFirstCell()
     {
         const Root &old = *root_.load();
-        const Bucket &bucket = *old.subtree.load().bucket();
         Eigen::AlignedBox3d box;
-        for (std::uint32_t i = 0; i < bucket.count; ++i)
-            box.extend(store_[bucket.index[i]].certificate.point);
+        for (const Bucket *at = old.subtree.load().bucket(); at; at = at->next())
+            for (std::uint32_t i = 0; i < at->count; ++i)
+                box.extend(at->certificate[i].point);
         if (box.sizes().maxCoeff() == 0.0)
             return;
         // The cell's faces must differ in floating point, however far from the origin they are.
@@ -207,9 +230,9 @@ namespace ompl_certificates
         {
             const Root &old = *root_.load();
             const Subtree subtree = old.subtree;
-            Bucket *bucket = newBucket(nullptr);
+            Bucket *bucket = newBucket(Link());
             InnerNode *innerNode = newInnerNode(bucket, nullptr);
-            bucket->innerNode.store(innerNode, std::memory_order_relaxed);
+            bucket->link.store(Link::toOwn(innerNode), std::memory_order_relaxed);
             Root &root = roots_[roots_.append()];
             root.low = old.low;
             root.high = old.high;
@@ -229,7 +252,7 @@ namespace ompl_certificates
             if (subtree.isInnerNode())
                 subtree.innerNode()->parent.store(innerNode, std::memory_order_release);
             else
-                subtree.bucket()->innerNode.store(innerNode, std::memory_order_release);
+                lastBucket(*subtree.bucket()).link.store(Link::toParent(innerNode), std::memory_order_release);
             root.subtree.store(Subtree(innerNode), std::memory_order_relaxed);
             root_.store(&root, std::memory_order_release);
         }
@@ -250,11 +273,6 @@ namespace ompl_certificates
     CertificateIndex CertificateTree::store(const Certificate &certificate)
     {
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        const CertificateIndex index = store_.append();
-        store_[index].certificate = certificate;
-        // Published before it is in the tree: a reader that finds it may ask for its index at once.
-        stored_.store(index + 1, std::memory_order_release);
-        const auto isFull = [](Subtree subtree) { return subtree.bucket()->count == BUCKET_SIZE; };
         if (root_.load()->cell().isEmpty() && isFull(root_.load()->subtree))
             chooseFirstCell();
         if (!root_.load()->cell().isEmpty())
@@ -265,20 +283,21 @@ namespace ompl_certificates
         const double smallest = cell.isEmpty() ? INF : smallestCell(cell);
         int axis = root.firstAxis;
         InnerNode *parent = nullptr;
+        CertificateIndex index = NO_CERTIFICATE;
         for (std::atomic<Subtree> *link = &root.subtree;;)
         {
             const Subtree subtree = *link;
             if (subtree.isNothing())
             {
-                Bucket *bucket = newBucket(parent);
-                append(bucket, index, certificate);
+                Bucket *bucket = newBucket(Link::toParent(parent));
+                index = append(*bucket, certificate);
                 link->store(Subtree(bucket), std::memory_order_release);
                 break;
             }
             const bool isTooSmall = cell.isEmpty() || cell.sizes().head(dimension_).minCoeff() <= smallest;
             if (!isFull(subtree) || (!subtree.isInnerNode() && isTooSmall))
             {
-                append(subtree.bucket(), index, certificate);
+                index = append(*subtree.bucket(), certificate);
                 break;
             }
             if (subtree.isInnerNode())
@@ -287,7 +306,7 @@ namespace ompl_certificates
             {
                 parent = newInnerNode(subtree.bucket(), parent);
                 link->store(Subtree(parent), std::memory_order_release);
-                subtree.bucket()->innerNode.store(parent, std::memory_order_release);
+                lastBucket(*subtree.bucket()).link.store(Link::toOwn(parent), std::memory_order_release);
             }
             unsigned int side = 0;
             for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)
@@ -301,29 +320,51 @@ namespace ompl_certificates
             extend(*parent, side, certificate);
             link = &parent->child[side];
         }
+        if (notesAdded_)
+            noted_.push_back(index);
+        added_.fetch_add(1, std::memory_order_release);
         live_.fetch_add(1, std::memory_order_relaxed);
         return index;
     }
 
     Certificate CertificateTree::operator[](CertificateIndex index) const
     {
-        if (index >= stored_.load(std::memory_order_acquire))
+        const Bucket *bucket = findBucket(index);
+        if (!bucket)
             throw ompl::Exception("There is no certificate " + std::to_string(index));
-        return store_[index].certificate;
+        return bucket->certificate[index % BUCKET_SIZE];
     }
 
     std::size_t CertificateTree::bytes() const
     {
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        return sizeof(*this) + buckets_.bytes() + innerNodes_.bytes() + store_.bytes();
+        return sizeof(*this) + buckets_.bytes() + innerNodes_.bytes() + roots_.bytes();
     }
 
     void CertificateTree::list(std::vector<Certificate> &data) const
     {
         data.clear();
-        const CertificateIndex count = stored_.load(std::memory_order_acquire);
-        for (CertificateIndex index = 0; index < count; ++index)
-            if (!std::isnan(store_[index].certificate.clearance))
-                data.push_back(store_[index].certificate);
+        const std::uint32_t buckets = bucketCount_.load(std::memory_order_acquire);
+        for (std::uint32_t number = 0; number < buckets; ++number)
+        {
+            const Bucket &bucket = buckets_[number];
+            const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
+            for (std::uint32_t i = 0; i < count; ++i)
+                if (!std::isnan(bucket.certificate[i].clearance))
+                    data.push_back(bucket.certificate[i]);
+        }
+    }
+
+    void CertificateTree::setNotesAdded(bool notes)
+    {
+        const std::lock_guard<std::mutex> lock(insertMutex_);
+        notesAdded_ = notes;
+        noted_.clear();
+    }
+
+    std::vector<CertificateIndex> CertificateTree::takeAdded()
+    {
+        const std::lock_guard<std::mutex> lock(insertMutex_);
+        return std::exchange(noted_, {});
     }
 }

@@ -120,18 +120,19 @@ namespace ompl_certificates
             LongFlags hits[BUCKET_SIZE / 2], any{0, 0};
             const auto measure = [&](std::uint32_t pair, std::uint32_t first, std::uint32_t second)
             {
-                const auto values = [&](const double *of) { return Doubles{of[first], of[second]}; };
-                const Doubles dx = values(bucket.x) - both(query.center.x()),
-                              dy = values(bucket.y) - both(query.center.y());
+                const Certificate &a = bucket.certificate[first], &b = bucket.certificate[second];
+                const Doubles dx = Doubles{a.point.x(), b.point.x()} - both(query.center.x()),
+                              dy = Doubles{a.point.y(), b.point.y()} - both(query.center.y());
                 squared[pair] = dx * dx + dy * dy;
                 if constexpr (DIMENSION == 3)
                 {
-                    const Doubles dz = values(bucket.z) - both(query.center.z());
+                    const Doubles dz = Doubles{a.point.z(), b.point.z()} - both(query.center.z());
                     squared[pair] += dz * dz;
                 }
+                const Doubles clearances{a.clearance, b.clearance};
                 // In this order: an infinite clearance less an infinite radius is not a number, and proves nothing.
-                const Doubles colliding = both(query.collidingRadius) - values(bucket.clearance);
-                const Doubles free = values(bucket.clearance) - both(query.freeRadius);
+                const Doubles colliding = both(query.collidingRadius) - clearances;
+                const Doubles free = clearances - both(query.freeRadius);
                 range[pair] = colliding > free ? colliding : free;
                 hits[pair] = (range[pair] > 0.0) & (squared[pair] < range[pair] * range[pair]);
                 any |= hits[pair];
@@ -151,8 +152,8 @@ namespace ompl_certificates
                 const double slack = range[i / 2][i % 2] - std::sqrt(squared[i / 2][i % 2]);
                 if (slack > found.slack)
                 {
-                    const bool free = bucket.clearance[i] - query.freeRadius == range[i / 2][i % 2];
-                    found = {free ? Covering::FREE : Covering::COLLIDING, bucket.index[i], slack};
+                    const bool free = bucket.certificate[i].clearance - query.freeRadius == range[i / 2][i % 2];
+                    found = {free ? Covering::FREE : Covering::COLLIDING, bucket.indexOf(i), slack};
                 }
             }
             return found.verdict != Covering::UNKNOWN;
@@ -176,9 +177,8 @@ namespace ompl_certificates
 
     Covering CertificateTree::coveringBy(CertificateIndex index, const BallQuery &query) const
     {
-        if (index >= stored_.load(std::memory_order_acquire))
-            return {};
-        return cover(store_[index].certificate, index, query);
+        const Bucket *bucket = findBucket(index);
+        return bucket ? cover(bucket->certificate[index % BUCKET_SIZE], index, query) : Covering();
     }
 
     Covering CertificateTree::covering(const BallQuery &query) const
@@ -188,10 +188,9 @@ namespace ompl_certificates
 
     Covering CertificateTree::covering(const BallQuery &query, CertificateIndex seed) const
     {
-        if (seed >= stored_.load(std::memory_order_acquire))
-            return covering(query);
-        const Bucket *bucket = store_[seed].bucket.load(std::memory_order_acquire);
-        InnerNode *innerNode = bucket ? bucket->innerNode.load(std::memory_order_acquire) : nullptr;
+        Bucket *bucket = findBucket(seed);
+        InnerNode *innerNode =
+            bucket ? lastBucket(*bucket).link.load(std::memory_order_acquire).innerNode() : nullptr;
         if (!innerNode)
             return covering(query);
         return dimension_ == 2 ? coveringFromNode<2>(query, innerNode) : coveringFromNode<3>(query, innerNode);
@@ -201,10 +200,9 @@ namespace ompl_certificates
     void CertificateTree::prefetch(const InnerNode &innerNode)
     {
         const Bucket &bucket = *innerNode.bucket.load(std::memory_order_acquire);
-        __builtin_prefetch(bucket.x);
-        __builtin_prefetch(bucket.clearance);
-        if constexpr (DIMENSION == 3)
-            __builtin_prefetch(bucket.z);
+        __builtin_prefetch(&bucket);
+        __builtin_prefetch(&bucket.certificate[1]);
+        __builtin_prefetch(&bucket.certificate[BUCKET_SIZE - 1]);
         for (int axis = 0; axis < DIMENSION; ++axis)
             __builtin_prefetch(&innerNode.bound[axis]);
     }
@@ -270,7 +268,7 @@ namespace ompl_certificates
     template <int DIMENSION>
     bool CertificateTree::searchBuckets(const Bucket *first, CoverSearch<DIMENSION> &search)
     {
-        for (const Bucket *at = first; at; at = at->next.load(std::memory_order_acquire))
+        for (const Bucket *at = first; at; at = at->next())
             if (search.isIn(*at))
                 return true;
         return false;

@@ -43,7 +43,7 @@ namespace ompl_certificates
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
         {
-            if (!(store_[index].certificate == data))
+            if (!((*this)[index] == data))
                 continue;
             // A NaN clearance proves nothing and is skipped by all searches. The certificate is gone, but its index
             // stays taken.
@@ -63,15 +63,12 @@ namespace ompl_certificates
 
     void CertificateTree::nearDown(Subtree subtree, const Eigen::AlignedBox3d &cell, int axis, NearSearch &search) const
     {
-        for (const Bucket *at = subtree.bucket(); at; at = at->next.load(std::memory_order_acquire))
+        for (const Bucket *at = subtree.bucket(); at; at = at->next())
         {
             const std::uint32_t count = at->count.load(std::memory_order_acquire);
             for (std::uint32_t i = 0; i < count; ++i)
-            {
-                const Eigen::Vector3d point(at->x[i], at->y[i], at->z[i]);
-                if (!std::isnan(at->clearance[i]))
-                    search.consider((point - search.center).squaredNorm(), at->index[i]);
-            }
+                if (const Certificate &certificate = at->certificate[i]; !std::isnan(certificate.clearance))
+                    search.consider((certificate.point - search.center).squaredNorm(), at->indexOf(i));
         }
         if (!subtree.isInnerNode())
             return;
@@ -103,7 +100,7 @@ namespace ompl_certificates
         nearFromRoot(search);
         if (search.heap.empty())
             throw ompl::Exception("No elements found in nearest neighbors data structure");
-        return store_[search.heap.front().second].certificate;
+        return (*this)[search.heap.front().second];
     }
 
     void CertificateTree::nearestK(const Certificate &data, std::size_t k, std::vector<Certificate> &nbh) const
@@ -114,7 +111,7 @@ namespace ompl_certificates
         NearSearch search{data.point, k, INF, {}};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
-            nbh.push_back(store_[index].certificate);
+            nbh.push_back((*this)[index]);
     }
 
     void CertificateTree::nearestR(const Certificate &data, double radius, std::vector<Certificate> &nbh) const
@@ -125,6 +122,6 @@ namespace ompl_certificates
         NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), radius * radius, {}};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
-            nbh.push_back(store_[index].certificate);
+            nbh.push_back((*this)[index]);
     }
 }

@@ -48,12 +48,12 @@ namespace ompl_certificates
         {
             const Subtree subtree = open.back();
             open.pop_back();
-            for (const Bucket *at = subtree.bucket(); at; at = at->next.load(std::memory_order_acquire))
+            for (const Bucket *at = subtree.bucket(); at; at = at->next())
             {
                 const std::uint32_t count = at->count.load(std::memory_order_acquire);
                 for (std::uint32_t i = 0; i < count; ++i)
-                    if (!std::isnan(at->clearance[i]))
-                        visit(at->index[i], {{at->x[i], at->y[i], at->z[i]}, at->clearance[i]});
+                    if (!std::isnan(at->certificate[i].clearance))
+                        visit(at->indexOf(i), at->certificate[i]);
             }
             if (!subtree.isInnerNode())
                 continue;
@@ -71,49 +71,57 @@ namespace ompl_certificates
 
     void CertificateTree::setClearance(CertificateIndex index, double clearance)
     {
-        if (index >= getEnd())
+        Bucket *bucket = findBucket(index);
+        if (!bucket)
             throw ompl::Exception("There is no certificate " + std::to_string(index));
-        Stored &stored = store_[index];
-        stored.certificate.clearance = clearance;
-        Bucket *const first = stored.bucket;
-        for (Bucket *at = first; at; at = at->next)
-            for (std::uint32_t i = 0; i < at->count; ++i)
-                if (at->index[i] == index)
-                    at->clearance[i] = clearance;
+        bucket->certificate[index % BUCKET_SIZE].clearance = clearance;
         // Bounds that are too wide cost time, but not truth.
         if (!std::isnan(clearance))
-            refit(first);
+            refit(*bucket);
     }
 
-    void CertificateTree::refit(Bucket *bucket)
+    bool CertificateTree::refitChild(InnerNode &innerNode, unsigned int child) const
     {
-        while (bucket)
+        std::uint64_t before[3][4]{};
+        for (int axis = 0; axis < dimension_; ++axis)
+            for (int which = 0; which < 4; ++which)
+            {
+                Bound &bound = innerNode.bound[axis][which];
+                before[axis][which] = bound[child / 2].load(std::memory_order_relaxed);
+                lower(bound, child);
+            }
+        extendBySubtree(innerNode, child, innerNode.child[child]);
+        bool hasChanged = false;
+        for (int axis = 0; axis < dimension_; ++axis)
+            for (int which = 0; which < 4; ++which)
+                hasChanged |=
+                    innerNode.bound[axis][which][child / 2].load(std::memory_order_relaxed) != before[axis][which];
+        return hasChanged;
+    }
+
+    void CertificateTree::refit(const Bucket &bucket)
+    {
+        const Bucket *last = &bucket;
+        while (const Bucket *next = last->next())
+            last = next;
+        const Link link = last->link;
+        InnerNode *below = link.innerNode();
+        if (!link.isToOwn() && below)
         {
-            InnerNode *const innerNode = bucket->innerNode;
-            const bool isDivided = innerNode && innerNode->bucket == bucket;
-            InnerNode *const parent = isDivided ? innerNode->parent.load() : innerNode;
-            if (!parent)
-                return;
+            // The last bucket is that of only one child.
             unsigned int child = 0;
-            while (parent->child[child].load().bucket() != bucket)
+            while (below->child[child].load().isNothing() || &lastBucket(*below->child[child].load().bucket()) != last)
                 ++child;
-            std::uint64_t before[3][4]{};
-            for (int axis = 0; axis < dimension_; ++axis)
-                for (int which = 0; which < 4; ++which)
-                {
-                    Bound &bound = parent->bound[axis][which];
-                    before[axis][which] = bound[child / 2].load(std::memory_order_relaxed);
-                    lower(bound, child);
-                }
-            extendBySubtree(*parent, child, parent->child[child]);
-            bool hasChanged = false;
-            for (int axis = 0; axis < dimension_; ++axis)
-                for (int which = 0; which < 4; ++which)
-                    hasChanged |=
-                        parent->bound[axis][which][child / 2].load(std::memory_order_relaxed) != before[axis][which];
-            if (!hasChanged)
+            if (!refitChild(*below, child))
                 return;
-            bucket = parent->bucket;
+        }
+        for (InnerNode *parent; below && (parent = below->parent); below = parent)
+        {
+            unsigned int child = 0;
+            while (!parent->child[child].load().isInnerNode() || parent->child[child].load().innerNode() != below)
+                ++child;
+            if (!refitChild(*parent, child))
+                return;
         }
     }
 }

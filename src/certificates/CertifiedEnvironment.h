@@ -91,9 +91,19 @@ namespace ompl_certificates
             return certificates_;
         }
 
-        CertificateIndex getEnd() const override
+        std::uint32_t getAddedCount() const override
         {
-            return certificates_.getEnd();
+            return certificates_.getAddedCount();
+        }
+
+        void setNotesAdded(bool notes) override
+        {
+            certificates_.setNotesAdded(notes);
+        }
+
+        std::vector<CertificateIndex> takeAdded() override
+        {
+            return certificates_.takeAdded();
         }
 
         Certificate getCertificate(CertificateIndex index) const override

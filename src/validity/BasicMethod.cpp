@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -32,9 +34,17 @@ namespace ompl_certificates
     void BasicMethod::visitConcerned(const ObstacleChange & /*change*/,
                                      const std::function<void(CertificateIndex, const Certificate &)> &visit) const
     {
-        const CertificateIndex end = getEnd();
+        const CertificateIndex end = getAddedCount();
         for (CertificateIndex i = 0; i < end; ++i)
             visit(i, certificates_[i]);
+    }
+
+    std::vector<CertificateIndex> BasicMethod::takeAdded()
+    {
+        const CertificateIndex first = std::exchange(taken_, getAddedCount());
+        std::vector<CertificateIndex> added(taken_ - first);
+        std::iota(added.begin(), added.end(), first);
+        return added;
     }
 
     std::vector<Certificate> BasicMethod::getCertificates() const

@@ -44,10 +44,17 @@ namespace ompl_certificates
             environment_.setObstacles(obstacles);
         }
 
-        CertificateIndex getEnd() const override
+        std::uint32_t getAddedCount() const override
         {
-            return static_cast<CertificateIndex>(getCertificateCount());
+            return static_cast<std::uint32_t>(getCertificateCount());
         }
+
+        void setNotesAdded(bool /*notes*/) override
+        {
+            taken_ = getAddedCount();
+        }
+
+        std::vector<CertificateIndex> takeAdded() override;
 
         Certificate getCertificate(CertificateIndex index) const override
         {
@@ -94,6 +101,8 @@ namespace ompl_certificates
         mutable ChunkedArray<Certificate> certificates_;
         /** \brief The number of complete team certificates */
         mutable std::atomic<CertificateIndex> teamCertificates_{0};
+        /** How many certificates takeAdded() has given */
+        CertificateIndex taken_{0};
     };
 }
 

@@ -1,6 +1,7 @@
 #include "RandomCertificates.h"
 
 #include <gtest/gtest.h>
+#include <set>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -63,8 +64,12 @@ TEST_P(RandomTree, FindsACoveringCertificateIfAndOnlyIfThereIsOne)
         Random random(seed);
         const auto certificates = randomCertificates(random, GetParam(), 1 + random.below(300));
         CertificateTree tree(GetParam());
-        for (std::size_t i = 0; i < certificates.size(); ++i)
-            ASSERT_EQ(tree.insert(certificates[i]), i);
+        std::vector<CertificateIndex> indices;
+        for (const Certificate &certificate : certificates)
+        {
+            indices.push_back(tree.insert(certificate));
+            ASSERT_EQ(tree[indices.back()], certificate);
+        }
         for (int k = 0; k < 50; ++k)
         {
             const BallQuery query = randomQuery(random, GetParam(), certificates);
@@ -78,9 +83,9 @@ TEST_P(RandomTree, FindsACoveringCertificateIfAndOnlyIfThereIsOne)
             ASSERT_NO_FATAL_FAILURE(expectTrue(tree, found, query));
             ++(exists ? covered : uncovered);
             // A seed may be near, far or of another tree.
-            const CertificateIndex stale = static_cast<CertificateIndex>(certificates.size()) + random.below(1000);
+            const CertificateIndex any = random.below(2000);
             for (const CertificateIndex start :
-                 {random.below(certificates.size()), random.below(certificates.size()), stale, NO_CERTIFICATE})
+                 {indices[random.below(indices.size())], indices[random.below(indices.size())], any, NO_CERTIFICATE})
             {
                 const Covering seeded = tree.covering(query, start);
                 ASSERT_EQ(seeded.verdict != Covering::UNKNOWN, exists) << "from " << start;
@@ -100,18 +105,27 @@ TEST_P(RandomTree, AsksOneCertificateAlone)
         Random random(seed);
         const auto certificates = randomCertificates(random, GetParam(), 20);
         CertificateTree tree(GetParam());
+        std::vector<CertificateIndex> indices;
         for (const auto &certificate : certificates)
-            tree.insert(certificate);
+            indices.push_back(tree.insert(certificate));
         const BallQuery query = randomQuery(random, GetParam(), certificates);
-        for (CertificateIndex i = 0; i < 20; ++i)
+        for (std::size_t i = 0; i < 20; ++i)
         {
-            const Covering covering = tree.coveringBy(i, query);
+            const Covering covering = tree.coveringBy(indices[i], query);
             ASSERT_NO_FATAL_FAILURE(expectTrue(tree, covering, query));
             EXPECT_EQ(covering.verdict == Covering::FREE, provesFree(certificates[i], query));
             EXPECT_EQ(covering.verdict != Covering::UNKNOWN,
                       provesFree(certificates[i], query) || provesColliding(certificates[i], query));
         }
-        EXPECT_EQ(tree.coveringBy(20, query).verdict, Covering::UNKNOWN);
+        std::set<CertificateIndex> taken(indices.begin(), indices.end());
+        for (CertificateIndex i = 0; i < 200; ++i)
+        {
+            if (taken.count(i) == 0)
+            {
+                EXPECT_EQ(tree.coveringBy(i, query).verdict, Covering::UNKNOWN);
+                EXPECT_THROW(tree[i], ompl::Exception);
+            }
+        }
         EXPECT_EQ(tree.coveringBy(NO_CERTIFICATE, query).verdict, Covering::UNKNOWN);
     }
 }
@@ -174,11 +188,11 @@ TEST(CertificateTree, GrowsFromATinyCellToFarPoints)
     CertificateTree tree(2);
     for (int i = 0; i < 20; ++i)
         tree.insert({{1e-12 * i, 1e7, 0.0}, 1.0});
-    tree.insert({{0.0, -1e7, 0.0}, 1.0});
-    tree.insert({{1e100, -1e100, 0.0}, 1.0});
+    const CertificateIndex far = tree.insert({{0.0, -1e7, 0.0}, 1.0}),
+                           farther = tree.insert({{1e100, -1e100, 0.0}, 1.0});
     tree.insert({{-1e140, 1e140, 0.0}, 1.0});
     EXPECT_EQ(tree.size(), 23U);
-    EXPECT_EQ(tree.covering({{0.0, -1e7, 0.0}, 0.5, 0.5}).certificate, 20U);
-    EXPECT_EQ(tree.covering({{1e100, -1e100, 0.0}, 0.5, 0.5}, 3).certificate, 21U);
+    EXPECT_EQ(tree.covering({{0.0, -1e7, 0.0}, 0.5, 0.5}).certificate, far);
+    EXPECT_EQ(tree.covering({{1e100, -1e100, 0.0}, 0.5, 0.5}, 3).certificate, farther);
     EXPECT_EQ(tree.nearest({{9e99, -9e99, 0.0}, 0.0}).point.x(), 1e100);
 }

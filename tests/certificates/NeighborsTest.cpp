@@ -138,14 +138,15 @@ TEST(CertificateTreeNeighbors, RemoveTakesTheOneWithTheSameClearance)
 TEST(CertificateTreeNeighbors, RemovedCertificatesProveNothing)
 {
     CertificateTree tree(2);
+    std::vector<CertificateIndex> indices;
     for (int i = 0; i < 100; ++i)
-        tree.add({{1.0 * i, 0, 0}, 0.4});
+        indices.push_back(tree.insert({{1.0 * i, 0, 0}, 0.4}));
     const BallQuery query{{50.0, 0, 0}, 0.1, 0.1};
-    ASSERT_EQ(tree.covering(query).certificate, 50U);
+    ASSERT_EQ(tree.covering(query).certificate, indices[50]);
     ASSERT_TRUE(tree.remove({{50.0, 0, 0}, 0.4}));
     EXPECT_EQ(tree.covering(query).verdict, Covering::UNKNOWN);
-    EXPECT_EQ(tree.covering(query, 50).verdict, Covering::UNKNOWN);
-    EXPECT_EQ(tree.coveringBy(50, query).verdict, Covering::UNKNOWN);
+    EXPECT_EQ(tree.covering(query, indices[50]).verdict, Covering::UNKNOWN);
+    EXPECT_EQ(tree.coveringBy(indices[50], query).verdict, Covering::UNKNOWN);
 }
 
 TEST(CertificateTreeNeighbors, ClearForgetsAllAndTheTreeGoesOn)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <set>
 #include <thread>
 
 using namespace ompl_certificates;
@@ -189,13 +190,11 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
         std::vector<Certificate> all;
         tree.nearestR({}, 1e9, all);
         EXPECT_EQ(all.size(), writers * count);
-        std::vector<bool> seen(writers * count, false);
+        std::set<CertificateIndex> seen;
         for (const auto &share : added)
             for (const auto &[index, certificate] : share)
             {
-                ASSERT_LT(index, seen.size());
-                ASSERT_FALSE(seen[index]);
-                seen[index] = true;
+                ASSERT_TRUE(seen.insert(index).second);
                 ASSERT_TRUE(tree[index] == certificate);
                 ASSERT_EQ(tree.nearest(certificate).point, certificate.point);
             }

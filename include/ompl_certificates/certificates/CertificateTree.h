@@ -63,8 +63,8 @@ namespace ompl_certificates
         that certificate is near the query.
 
         Cells are divided in the middle. So the ratio of the points' distances bounds the depth, in any order of
-        insertion. Insertion never rebuilds or moves anything. A cell keeps its first few certificates; later ones go
-        into the four cells it is divided into. The tree stores only certificates, not the states they prove. Each
+        insertion. Insertion never rebuilds or moves anything. A cell keeps its first eight certificates; later ones
+        go into the four cells it is divided into. A certificate takes some 60 bytes in all. The tree stores only certificates, not the states they prove. Each
         subtree keeps bounds of its certificates' balls, by which a search skips it.
 
         Threads: any number may search while others add. add() takes a lock; searches take none. remove(), setClearance() and
@@ -116,12 +116,17 @@ namespace ompl_certificates
             \throws ompl::Exception if there is no such certificate */
         void setClearance(CertificateIndex index, double clearance);
 
-        /** \brief One more than the largest index; certificates of smaller ones may be asked for. Some may have been
-            removed: their clearance is not a number. */
-        CertificateIndex getEnd() const
+        /** \brief How many certificates were added, those that were removed included */
+        std::uint32_t getAddedCount() const
         {
-            return stored_.load(std::memory_order_acquire);
+            return added_.load(std::memory_order_acquire);
         }
+
+        /** \brief Sets whether the indices of new certificates are noted for takeAdded() */
+        void setNotesAdded(bool notes);
+
+        /** \brief The indices of the certificates that were added since setNotesAdded(true), or since the last call */
+        std::vector<CertificateIndex> takeAdded();
 
         /** \brief The certificate of an index that insert() returned
             \throws ompl::Exception if there is no such certificate */
@@ -173,7 +178,8 @@ namespace ompl_certificates
         void list(std::vector<Certificate> &data) const override;
 
     private:
-        static constexpr std::uint32_t BUCKET_SIZE = 4;
+        /** \brief How many certificates a bucket has room for, and how many a cell keeps before it is divided */
+        static constexpr std::uint32_t BUCKET_SIZE = 4, CELL_SIZE = 8;
 
         struct Bucket;
         struct InnerNode;
@@ -221,19 +227,74 @@ namespace ompl_certificates
             std::uintptr_t word_{0};
         };
 
-        /** \brief The first certificates of a cell; later ones go into its child cells. Certificates never move.
-            Coordinates and clearances lie side by side for the search. */
-        struct alignas(64) Bucket
+        /** \brief What follows a bucket: the next one of its cell, or the inner node that the last one belongs to. That is
+            the cell's own, or its parent while the cell is undivided; null for an undivided root. A tagged pointer. */
+        class Link
         {
-            double x[BUCKET_SIZE], y[BUCKET_SIZE];
-            double clearance[BUCKET_SIZE];
-            CertificateIndex index[BUCKET_SIZE];
+        public:
+            Link() = default;
+
+            static Link toNext(Bucket *bucket)
+            {
+                return Link(reinterpret_cast<std::uintptr_t>(bucket));
+            }
+
+            static Link toOwn(InnerNode *innerNode)
+            {
+                return Link(reinterpret_cast<std::uintptr_t>(innerNode) | OWN);
+            }
+
+            static Link toParent(InnerNode *innerNode)
+            {
+                return Link(reinterpret_cast<std::uintptr_t>(innerNode) | PARENT);
+            }
+
+            /** \brief The next bucket of the cell, or null */
+            Bucket *next() const
+            {
+                return (word_ & TAG) == 0 ? reinterpret_cast<Bucket *>(word_) : nullptr;
+            }
+
+            /** \brief Whether innerNode() is the cell's own */
+            bool isToOwn() const
+            {
+                return (word_ & TAG) == OWN;
+            }
+
+            /** \brief The inner node; only if next() is null */
+            InnerNode *innerNode() const
+            {
+                return reinterpret_cast<InnerNode *>(word_ & ~TAG);
+            }
+
+        private:
+            static constexpr std::uintptr_t OWN = 1, PARENT = 2, TAG = 3;
+
+            explicit Link(std::uintptr_t word) : word_(word)
+            {
+            }
+
+            std::uintptr_t word_{PARENT};
+        };
+
+        /** \brief Some certificates of a cell. They never move: the index of a certificate is its place among all buckets'. */
+        struct alignas(16) Bucket
+        {
+            /** \brief How many of the certificates are there */
             std::atomic<std::uint32_t> count{0};
-            /** The next bucket of a cell that is too small to be divided */
-            std::atomic<Bucket *> next{nullptr};
-            double z[BUCKET_SIZE];
-            /** The cell's inner node, or its parent while the cell is undivided */
-            std::atomic<InnerNode *> innerNode{nullptr};
+            std::uint32_t number{0};
+            std::atomic<Link> link{};
+            Certificate certificate[BUCKET_SIZE];
+
+            Bucket *next() const
+            {
+                return link.load(std::memory_order_acquire).next();
+            }
+
+            CertificateIndex indexOf(std::uint32_t i) const
+            {
+                return BUCKET_SIZE * number + i;
+            }
         };
 
         /** \brief One float for each of four children. Two share an atomic, so that readers may load them while they
@@ -252,13 +313,6 @@ namespace ompl_certificates
                 -c - d. Here c is a point and d its clearance; all are rounded up. The first two bound balls that are
                 free, the other two balls that collide. */
             alignas(64) Bound bound[3][4];
-        };
-
-        struct Stored
-        {
-            Certificate certificate;
-            /** The bucket that holds it, or the first bucket of that chain */
-            std::atomic<Bucket *> bucket{nullptr};
         };
 
         /** \brief The whole tree. A new root replaces it when its cell must grow, so that readers load subtree and cell
@@ -288,19 +342,30 @@ namespace ompl_certificates
         /** \brief insert(), once the limit has granted the certificate */
         CertificateIndex store(const Certificate &certificate);
 
-        Bucket *newBucket(InnerNode *innerNode);
+        Bucket *newBucket(Link link);
         InnerNode *newInnerNode(Bucket *bucket, InnerNode *parent);
         static void raise(Bound &bound, unsigned int child, float value);
         static void lower(Bound &bound, unsigned int child);
         void extend(InnerNode &innerNode, unsigned int child, const Certificate &certificate) const;
         void extendBySubtree(InnerNode &innerNode, unsigned int child, Subtree subtree) const;
-        /** \brief Makes the bounds above a cell as tight as they can be, where its content has changed */
-        void refit(Bucket *bucket);
+        /** \brief Makes the bounds above a bucket as tight as they can be, where its content has changed */
+        void refit(const Bucket &bucket);
+
+        /** \brief The same for the bounds of one child; false if they are as before */
+        bool refitChild(InnerNode &innerNode, unsigned int child) const;
 
         /** \brief A box around the balls below a child, as center and radius; negative if there are none */
         std::pair<Eigen::Vector3d, double> ballsBelow(const InnerNode &innerNode, unsigned int child) const;
 
-        void append(Bucket *first, CertificateIndex index, const Certificate &certificate);
+        /** \brief The bucket of a certificate, or null if there is no such certificate */
+        Bucket *findBucket(CertificateIndex index) const;
+
+        /** \brief The last bucket of a cell from one of its buckets on */
+        static Bucket &lastBucket(Bucket &bucket);
+        static bool isFull(Subtree subtree);
+
+        /** \brief Adds a certificate to a cell and returns its index */
+        CertificateIndex append(Bucket &first, const Certificate &certificate);
         void chooseFirstCell();
         double smallestCell(const Eigen::AlignedBox3d &cell) const;
         void growRootTo(const Eigen::Vector3d &point);
@@ -321,13 +386,16 @@ namespace ompl_certificates
         const int dimension_;
         const std::shared_ptr<CertificateLimit> limit_;
         mutable std::mutex insertMutex_;
+        /** The indices of new certificates, if they are noted */
+        bool notesAdded_{false};
+        std::vector<CertificateIndex> noted_;
         ChunkedArray<Bucket> buckets_;
         ChunkedArray<InnerNode> innerNodes_;
-        ChunkedArray<Stored> store_;
         ChunkedArray<Root> roots_;
         std::atomic<Root *> root_{nullptr};
+        std::atomic<std::uint32_t> bucketCount_{0};
         /** How many certificates were added, and how many of them were not removed */
-        std::atomic<CertificateIndex> stored_{0}, live_{0};
+        std::atomic<std::uint32_t> added_{0}, live_{0};
     };
 }
 

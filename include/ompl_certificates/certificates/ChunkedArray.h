@@ -11,8 +11,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief An array that grows without moving its elements: chunks double in size. One thread may append while
-        others read elements whose index they know. Readers take no lock. */
+    /** \brief An array that grows without moving its elements: by chunks of at most an eighth of its size. One thread may
+        append while others read elements whose index they know. Readers take no lock. */
     template <typename T>
     class ChunkedArray
     {
@@ -39,9 +39,10 @@ namespace ompl_certificates
             if (offset == 0)
             {
                 // Raw memory: constructing all elements of a large chunk at once would pause for many milliseconds.
-                void *memory = ::operator new((FIRST_CHUNK << chunk) * sizeof(T), std::align_val_t(alignof(T)));
+                const std::size_t size = FIRST_CHUNK << (chunk / EQUAL_CHUNKS);
+                void *memory = ::operator new(size * sizeof(T), std::align_val_t(alignof(T)));
                 chunks_[chunk].store(static_cast<T *>(memory), std::memory_order_release);
-                allocated_ += FIRST_CHUNK << chunk;
+                allocated_ += size;
             }
             new (chunks_[chunk].load(std::memory_order_relaxed) + offset) T();
             ++size_;
@@ -80,8 +81,9 @@ namespace ompl_certificates
         }
 
     private:
-        static constexpr std::size_t FIRST_CHUNK = 64;
-        static constexpr std::size_t CHUNKS = 25;  // 2^31 elements
+        /** Eight chunks have 32 elements each, the next eight 64 each, and so on. */
+        static constexpr std::size_t FIRST_CHUNK = 32, EQUAL_CHUNKS = 8;
+        static constexpr std::size_t CHUNKS = 176;  // more than 2^29 elements
 
         struct Position
         {
@@ -89,12 +91,14 @@ namespace ompl_certificates
             std::size_t offset;
         };
 
-        /** Chunk k begins at FIRST_CHUNK * (2^k - 1). */
         static Position locate(std::uint32_t index)
         {
-            const std::uint64_t position = index / FIRST_CHUNK + 1;
-            const auto chunk = static_cast<std::size_t>(63 - __builtin_clzll(position));
-            return {chunk, index - FIRST_CHUNK * ((std::size_t(1) << chunk) - 1)};
+            // In units of the first chunk, and EQUAL_CHUNKS more, so that the highest bit tells the chunk's size.
+            const std::uint64_t position = index / FIRST_CHUNK + EQUAL_CHUNKS;
+            const auto doublings = static_cast<std::size_t>(60 - __builtin_clzll(position));
+            const std::uint64_t within = position & ((std::uint64_t(1) << doublings) - 1);
+            return {EQUAL_CHUNKS * doublings + (position >> doublings) % EQUAL_CHUNKS,
+                    FIRST_CHUNK * within + index % FIRST_CHUNK};
         }
 
         std::array<std::atomic<T *>, CHUNKS> chunks_{};
