@@ -164,7 +164,7 @@ namespace ompl_certificates
     {
         for (const Bucket *at = subtree.bucket(); at; at = at->next())
             for (std::uint32_t i = 0; i < at->count; ++i)
-                extend(innerNode, child, at->certificate[i]);
+                extend(innerNode, child, at->certificate(i));
         if (subtree.isInnerNode())
             for (int axis = 0; axis < dimension_; ++axis)
                 for (int which = 0; which < 4; ++which)
@@ -183,7 +183,10 @@ namespace ompl_certificates
             last = next;
         }
         const std::uint32_t i = last->count.load(std::memory_order_relaxed);
-        last->certificate[i] = certificate;
+        last->x[i] = certificate.point.x();
+        last->y[i] = certificate.point.y();
+        last->z[i] = certificate.point.z();
+        last->clearance[i] = certificate.clearance;
         last->count.store(i + 1, std::memory_order_release);
         return last->indexOf(i);
     }
@@ -194,7 +197,7 @@ namespace ompl_certificates
         Eigen::AlignedBox3d box;
         for (const Bucket *at = old.subtree.load().bucket(); at; at = at->next())
             for (std::uint32_t i = 0; i < at->count; ++i)
-                box.extend(at->certificate[i].point);
+                box.extend(at->certificate(i).point);
         if (box.sizes().maxCoeff() == 0.0)
             return;
         // The cell's faces must differ in floating point, however far from the origin they are.
@@ -332,7 +335,7 @@ namespace ompl_certificates
         const Bucket *bucket = findBucket(index);
         if (!bucket)
             throw ompl::Exception("There is no certificate " + std::to_string(index));
-        return bucket->certificate[index % BUCKET_SIZE];
+        return bucket->certificate(index % BUCKET_SIZE);
     }
 
     std::size_t CertificateTree::bytes() const
@@ -350,8 +353,8 @@ namespace ompl_certificates
             const Bucket &bucket = buckets_[number];
             const std::uint32_t count = bucket.count.load(std::memory_order_acquire);
             for (std::uint32_t i = 0; i < count; ++i)
-                if (!std::isnan(bucket.certificate[i].clearance))
-                    data.push_back(bucket.certificate[i]);
+                if (!std::isnan(bucket.clearance[i]))
+                    data.push_back(bucket.certificate(i));
         }
     }
 

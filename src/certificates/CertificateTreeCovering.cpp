@@ -120,16 +120,16 @@ namespace ompl_certificates
             LongFlags hits[BUCKET_SIZE / 2], any{0, 0};
             const auto measure = [&](std::uint32_t pair, std::uint32_t first, std::uint32_t second)
             {
-                const Certificate &a = bucket.certificate[first], &b = bucket.certificate[second];
-                const Doubles dx = Doubles{a.point.x(), b.point.x()} - both(query.center.x()),
-                              dy = Doubles{a.point.y(), b.point.y()} - both(query.center.y());
+                const auto values = [&](const double *of) { return Doubles{of[first], of[second]}; };
+                const Doubles dx = values(bucket.x) - both(query.center.x()),
+                              dy = values(bucket.y) - both(query.center.y());
                 squared[pair] = dx * dx + dy * dy;
                 if constexpr (DIMENSION == 3)
                 {
-                    const Doubles dz = Doubles{a.point.z(), b.point.z()} - both(query.center.z());
+                    const Doubles dz = values(bucket.z) - both(query.center.z());
                     squared[pair] += dz * dz;
                 }
-                const Doubles clearances{a.clearance, b.clearance};
+                const Doubles clearances = values(bucket.clearance);
                 // In this order: an infinite clearance less an infinite radius is not a number, and proves nothing.
                 const Doubles colliding = both(query.collidingRadius) - clearances;
                 const Doubles free = clearances - both(query.freeRadius);
@@ -152,7 +152,7 @@ namespace ompl_certificates
                 const double slack = range[i / 2][i % 2] - std::sqrt(squared[i / 2][i % 2]);
                 if (slack > found.slack)
                 {
-                    const bool free = bucket.certificate[i].clearance - query.freeRadius == range[i / 2][i % 2];
+                    const bool free = bucket.clearance[i] - query.freeRadius == range[i / 2][i % 2];
                     found = {free ? Covering::FREE : Covering::COLLIDING, bucket.indexOf(i), slack};
                 }
             }
@@ -178,7 +178,7 @@ namespace ompl_certificates
     Covering CertificateTree::coveringBy(CertificateIndex index, const BallQuery &query) const
     {
         const Bucket *bucket = findBucket(index);
-        return bucket ? cover(bucket->certificate[index % BUCKET_SIZE], index, query) : Covering();
+        return bucket ? cover(bucket->certificate(index % BUCKET_SIZE), index, query) : Covering();
     }
 
     Covering CertificateTree::covering(const BallQuery &query) const
@@ -201,8 +201,9 @@ namespace ompl_certificates
     {
         const Bucket &bucket = *innerNode.bucket.load(std::memory_order_acquire);
         __builtin_prefetch(&bucket);
-        __builtin_prefetch(&bucket.certificate[1]);
-        __builtin_prefetch(&bucket.certificate[BUCKET_SIZE - 1]);
+        __builtin_prefetch(bucket.clearance);
+        if constexpr (DIMENSION == 3)
+            __builtin_prefetch(&bucket.z[BUCKET_SIZE - 1]);
         for (int axis = 0; axis < DIMENSION; ++axis)
             __builtin_prefetch(&innerNode.bound[axis]);
     }
@@ -268,9 +269,20 @@ namespace ompl_certificates
     template <int DIMENSION>
     bool CertificateTree::searchBuckets(const Bucket *first, CoverSearch<DIMENSION> &search)
     {
-        for (const Bucket *at = first; at; at = at->next())
+        for (const Bucket *at = first; at;)
+        {
+            const Bucket *next = at->next();
+            if (next)
+            {
+                __builtin_prefetch(next);
+                __builtin_prefetch(next->clearance);
+                if constexpr (DIMENSION == 3)
+                    __builtin_prefetch(&next->z[BUCKET_SIZE - 1]);
+            }
             if (search.isIn(*at))
                 return true;
+            at = next;
+        }
         return false;
     }
 

@@ -67,7 +67,7 @@ namespace ompl_certificates
         {
             const std::uint32_t count = at->count.load(std::memory_order_acquire);
             for (std::uint32_t i = 0; i < count; ++i)
-                if (const Certificate &certificate = at->certificate[i]; !std::isnan(certificate.clearance))
+                if (const Certificate certificate = at->certificate(i); !std::isnan(certificate.clearance))
                     search.consider((certificate.point - search.center).squaredNorm(), at->indexOf(i));
         }
         if (!subtree.isInnerNode())

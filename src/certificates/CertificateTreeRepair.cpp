@@ -52,8 +52,8 @@ namespace ompl_certificates
             {
                 const std::uint32_t count = at->count.load(std::memory_order_acquire);
                 for (std::uint32_t i = 0; i < count; ++i)
-                    if (!std::isnan(at->certificate[i].clearance))
-                        visit(at->indexOf(i), at->certificate[i]);
+                    if (!std::isnan(at->clearance[i]))
+                        visit(at->indexOf(i), at->certificate(i));
             }
             if (!subtree.isInnerNode())
                 continue;
@@ -74,7 +74,7 @@ namespace ompl_certificates
         Bucket *bucket = findBucket(index);
         if (!bucket)
             throw ompl::Exception("There is no certificate " + std::to_string(index));
-        bucket->certificate[index % BUCKET_SIZE].clearance = clearance;
+        bucket->clearance[index % BUCKET_SIZE] = clearance;
         // Bounds that are too wide cost time, but not truth.
         if (!std::isnan(clearance))
             refit(*bucket);

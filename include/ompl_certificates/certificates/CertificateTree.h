@@ -284,7 +284,13 @@ namespace ompl_certificates
             std::atomic<std::uint32_t> count{0};
             std::uint32_t number{0};
             std::atomic<Link> link{};
-            Certificate certificate[BUCKET_SIZE];
+            /** Side by side for the search, which reads no z in the plane */
+            double x[BUCKET_SIZE], y[BUCKET_SIZE], clearance[BUCKET_SIZE], z[BUCKET_SIZE];
+
+            Certificate certificate(std::uint32_t i) const
+            {
+                return {{x[i], y[i], z[i]}, clearance[i]};
+            }
 
             Bucket *next() const
             {
