@@ -2,6 +2,8 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 
+#include "geometry/WideRegisters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -181,7 +183,7 @@ namespace ompl_certificates
         return bucket ? cover(bucket->certificate(index % BUCKET_SIZE), index, query) : Covering();
     }
 
-    Covering CertificateTree::covering(const BallQuery &query) const
+    OMPL_CERTIFICATES_WIDE_WHOLE Covering CertificateTree::covering(const BallQuery &query) const
     {
         return dimension_ == 2 ? coveringFromRoot<2>(query) : coveringFromRoot<3>(query);
     }
@@ -189,8 +191,7 @@ namespace ompl_certificates
     Covering CertificateTree::covering(const BallQuery &query, CertificateIndex seed) const
     {
         Bucket *bucket = findBucket(seed);
-        InnerNode *innerNode =
-            bucket ? lastBucket(*bucket).link.load(std::memory_order_acquire).innerNode() : nullptr;
+        InnerNode *innerNode = bucket ? lastBucket(*bucket).link.load(std::memory_order_acquire).innerNode() : nullptr;
         if (!innerNode)
             return covering(query);
         return dimension_ == 2 ? coveringFromNode<2>(query, innerNode) : coveringFromNode<3>(query, innerNode);

@@ -1,6 +1,7 @@
 #include "FlatMetric.h"
 
 #include "SpaceClass.h"
+#include "geometry/WideRegisters.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,15 +11,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SO2StateSpace.h>
 #include <ompl/base/spaces/SO3StateSpace.h>
-
-// The loop that takes nearly all the time is compiled for wider registers too, and the loader picks. Sanitizers are not
-// ready yet when it does.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&                           \
-    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define OMPL_CERTIFICATES_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define OMPL_CERTIFICATES_WIDE
-#endif
 
 namespace ompl_certificates
 {
@@ -33,6 +25,7 @@ namespace ompl_certificates
         constexpr double LENGTH_ERROR = 1e-6;
         constexpr float CHORD_ERROR = 5e-6F;
 
+        // It takes nearly all the time.
         OMPL_CERTIFICATES_WIDE void addSquares(const float *row, const float *columns, std::size_t stride,
                                                std::size_t count, unsigned int dimension, float *squares)
         {

@@ -1,5 +1,6 @@
 #include "RandomCertificates.h"
 
+#include <iostream>
 #include <gtest/gtest.h>
 #include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/util/Exception.h>
@@ -180,4 +181,30 @@ TEST(CertificateTreeNeighbors, TakeManyCopiesOfOneCertificate)
     tree.nearestR({{1.0, 2.0, 0.0}, 0.0}, 0.1, found);
     EXPECT_EQ(found.size(), 10000U);
     EXPECT_EQ(tree.covering({{4.0, 2.0, 0.0}, 0.1, 0.1}, 17).certificate, 5000U);
+}
+
+/** Scattered points, and points about paths through the workspace, as a planner's are */
+TEST(CertificateTreeNeighbors, TakeAtMost64BytesEachIfThereAreAMillion)
+{
+    for (const unsigned int dimension : {2U, 3U})
+        for (const bool onPaths : {false, true})
+        {
+            Random random(dimension);
+            CertificateTree tree(dimension);
+            Eigen::Vector3d start = Eigen::Vector3d::Zero(), end = start;
+            for (unsigned int i = 0; i < 1000000; ++i)
+            {
+                if (i % 1000 == 0)
+                {
+                    start = end;
+                    end = random.point(dimension, 10.0);
+                }
+                tree.add({onPaths ? start + i % 1000 * 1e-3 * (end - start) + random.point(dimension, 0.3)
+                                  : random.point(dimension, 10.0),
+                          random.uniform(0.0, 0.5)});
+            }
+            const auto bytes = static_cast<double>(tree.bytes());
+            EXPECT_LE(bytes, 64e6) << dimension << (onPaths ? " on paths" : "");
+            std::cout << bytes / 1e6 << " bytes, dimension " << dimension << (onPaths ? ", on paths\n" : "\n");
+        }
 }

@@ -63,12 +63,13 @@ namespace ompl_certificates
         that certificate is near the query.
 
         Cells are divided in the middle. So the ratio of the points' distances bounds the depth, in any order of
-        insertion. Insertion never rebuilds or moves anything. A cell keeps its first eight certificates; later ones
-        go into the four cells it is divided into. A certificate takes some 60 bytes in all. The tree stores only certificates, not the states they prove. Each
-        subtree keeps bounds of its certificates' balls, by which a search skips it.
+        insertion. Insertion never rebuilds or moves anything. A cell keeps its first twelve certificates; later
+        ones go into the four cells it is divided into. A certificate takes some 50 to 60 bytes in all. The tree stores
+        only certificates, not the states they prove. Each subtree keeps bounds of its certificates' balls, by which a
+        search skips it.
 
-        Threads: any number may search while others add. add() takes a lock; searches take none. remove(), setClearance() and
-        clear() need exclusive use of the tree.
+        Threads: any number may search while others add. add() takes a lock; searches take none. remove(), setClearance()
+        and clear() need exclusive use of the tree.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
@@ -179,7 +180,7 @@ namespace ompl_certificates
 
     private:
         /** \brief How many certificates a bucket has room for, and how many a cell keeps before it is divided */
-        static constexpr std::uint32_t BUCKET_SIZE = 4, CELL_SIZE = 8;
+        static constexpr std::uint32_t BUCKET_SIZE = 4, CELL_SIZE = 12;
 
         struct Bucket;
         struct InnerNode;
