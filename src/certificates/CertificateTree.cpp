@@ -113,9 +113,13 @@ namespace ompl_certificates
 
     bool CertificateTree::isFull(Subtree subtree)
     {
+        if (subtree.isInnerNode() && subtree.innerNode()->isFull)
+            return true;
         std::uint32_t count = 0;
         for (const Bucket *at = subtree.bucket(); at && count < CELL_SIZE; at = at->next())
             count += at->count.load(std::memory_order_relaxed);
+        if (subtree.isInnerNode())
+            subtree.innerNode()->isFull = count >= CELL_SIZE;
         return count >= CELL_SIZE;
     }
 

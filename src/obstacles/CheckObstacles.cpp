@@ -122,7 +122,18 @@ namespace ompl_certificates
                 require(nearest == clearance || std::abs(nearest - clearance) <= slack_,
                         "findNearest() says " + textOf(nearest) + " at " + textOf(point) + ", clearance() " +
                             textOf(clearance));
+                for (const double most : {clearance - 0.1 * size_, clearance, clearance + 0.1 * size_})
+                    tryLimit(point, clearance, most);
                 return clearance;
+            }
+
+            void tryLimit(const Eigen::Vector3d &point, double clearance, double most) const
+            {
+                const double limited = obstacles_.clearanceUpTo(point, most);
+                require(limited == clearance || (clearance < most - slack_ ? std::abs(limited - clearance) <= slack_
+                                                                           : limited >= most - slack_),
+                        "clearanceUpTo() says " + textOf(limited) + " at " + textOf(point) + " with the limit " +
+                            textOf(most) + ", clearance() " + textOf(clearance));
             }
 
             void tryLipschitz(const Eigen::Vector3d &point)

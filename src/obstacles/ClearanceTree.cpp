@@ -1,7 +1,6 @@
 #include "ClearanceTree.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace ompl_certificates
 {
@@ -62,9 +61,9 @@ namespace ompl_certificates
         return index;
     }
 
-    double ClearanceTree::signedDistance(const Eigen::Vector3d &point) const
+    double ClearanceTree::signedDistance(const Eigen::Vector3d &point, double most) const
     {
-        double nearest = std::numeric_limits<double>::infinity();
+        double nearest = most;
         if (!nodes_.empty())
             search(0, point, nearest);
         return nearest;

@@ -5,6 +5,7 @@
 #include "ompl_certificates/geometry/Shape.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace ompl_certificates
@@ -19,9 +20,10 @@ namespace ompl_certificates
         /** \brief Build the tree. Cost: n log² n for n shapes. */
         void build();
 
-        /** \brief The smallest signed distance of \e point to any of the shapes; infinite if there are none. Cost:
+        /** \brief The smallest signed distance of \e point to any of the shapes; \e most if none is nearer. Cost:
             logarithmic in the number of shapes, unless many are about equally far. */
-        double signedDistance(const Eigen::Vector3d &point) const;
+        double signedDistance(const Eigen::Vector3d &point,
+                              double most = std::numeric_limits<double>::infinity()) const;
 
         /** \brief The number of shapes */
         std::size_t size() const

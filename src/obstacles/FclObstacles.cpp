@@ -111,6 +111,11 @@ namespace ompl_certificates
         return surface_->distance(point, clearances_->signedDistance(point));
     }
 
+    double FclObstacles::clearanceUpTo(const Eigen::Vector3d &point, double most) const
+    {
+        return surface_->distance(point, clearances_->signedDistance(point, most));
+    }
+
     double FclObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
         return surface_->findNearest(point, clearances_->signedDistance(point), part);

@@ -3,6 +3,7 @@
 #include "Fingerprint.h"
 
 #include <algorithm>
+#include <limits>
 #include <ompl/util/Exception.h>
 #include <string>
 
@@ -39,9 +40,14 @@ namespace ompl_certificates
 
     double MixedObstacles::clearance(const Eigen::Vector3d &point) const
     {
-        double least = members_.front()->clearance(point);
-        for (std::size_t i = 1; i < members_.size(); ++i)
-            least = std::min(least, members_[i]->clearance(point));
+        return clearanceUpTo(point, std::numeric_limits<double>::infinity());
+    }
+
+    double MixedObstacles::clearanceUpTo(const Eigen::Vector3d &point, double most) const
+    {
+        double least = most;
+        for (const ObstaclesPtr &member : members_)
+            least = std::min(least, member->clearanceUpTo(point, least));
         return least;
     }
 

@@ -148,6 +148,11 @@ namespace ompl_certificates
         return forest_->signedDistance(point, nullptr);
     }
 
+    double PointCloudObstacles::clearanceUpTo(const Eigen::Vector3d &point, double most) const
+    {
+        return forest_->signedDistance(point, nullptr, most);
+    }
+
     double PointCloudObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
         std::uint32_t nearest;

@@ -52,9 +52,10 @@ namespace ompl_certificates
         }
 
         /** \brief See PointTree::signedDistance() */
-        double signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest) const
+        double signedDistance(const Eigen::Vector3d &point, std::uint32_t *nearest,
+                              double most = std::numeric_limits<double>::infinity()) const
         {
-            double least = std::numeric_limits<double>::infinity();
+            double least = most;
             if (nearest)
                 *nearest = PointTree::NONE;
             for (const Layer &layer : layers_)

@@ -174,6 +174,12 @@ namespace
             return factor * truth->clearance(point) + offset;
         }
 
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override
+        {
+            const double limited = factor * truth->clearanceUpTo(point, (most - offset) / factor) + offset;
+            return limited + (limited < most - 1e-9 ? nearLimitOffset : beyondLimitOffset);
+        }
+
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override
         {
             part = partSaid;
@@ -207,6 +213,7 @@ namespace
 
         ObstaclesPtr truth;
         double factor{1.0}, offset{0.0}, nearestOffset{0.0}, gapOffset{0.0}, tolerance{-1.0};
+        double nearLimitOffset{0.0}, beyondLimitOffset{0.0};
         ObstaclePart partSaid{NO_PART};
         bool hits{false}, proves{true};
         std::function<bool(const Body &, const Pose &)> collision;
@@ -392,6 +399,17 @@ TEST_P(ToldObstacles, AreFoundToNameOtherClearancesAsNearest)
 {
     told_->nearestOffset = 1e-3;
     expectComplaint({"findNearest() says ", " at (", "clearance() "});
+}
+
+TEST_P(ToldObstacles, AreFoundToGiveOtherClearancesBelowALimit)
+{
+    told_->nearLimitOffset = 1e-3;
+    expectComplaint({"clearanceUpTo() says ", " at (", " with the limit ", "clearance() "});
+    told_->nearLimitOffset = 0.0;
+    told_->beyondLimitOffset = -1e-3;
+    expectComplaint({"clearanceUpTo() says ", " at (", " with the limit ", "clearance() "});
+    told_->beyondLimitOffset = 1e-3;
+    EXPECT_EQ(complaint(), "");
 }
 
 TEST_P(ToldObstacles, AreFoundToContradictThemselvesAboutBodies)

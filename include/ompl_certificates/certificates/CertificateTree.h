@@ -315,6 +315,8 @@ namespace ompl_certificates
             std::atomic<Subtree> child[4]{};
             std::atomic<Bucket *> bucket{nullptr};
             std::atomic<InnerNode *> parent{nullptr};
+            /** For insertion alone: its buckets were seen to be full */
+            bool isFull{false};
 
             /** Bounds of the certificates below each child. For each axis they are the largest c + d, d - c, c - d and
                 -c - d. Here c is a point and d its clearance; all are rounded up. The first two bound balls that are

@@ -62,6 +62,8 @@ namespace ompl_certificates
 
         double clearance(const Eigen::Vector3d &point) const override;
 
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
+
         /** \brief A part is a triangle or a primitive; here NO_PART where a primitive is nearest. */
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 

@@ -30,6 +30,8 @@ namespace ompl_certificates
 
         double clearance(const Eigen::Vector3d &point) const override;
 
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
+
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;

@@ -4,6 +4,8 @@
 #include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ompl_certificates
 {
@@ -24,10 +26,9 @@ namespace ompl_certificates
             one was nearest. */
         double clearance(const Eigen::Vector3d &point, double before) const
         {
-            if (removed &&
-                removed->clearance(point) <= before + std::max(removed->getTolerance(), after->getTolerance()))
+            if (removed && isWithin(*removed, point, before + std::max(removed->getTolerance(), after->getTolerance())))
                 return after->clearance(point);
-            return added ? std::min(before, added->clearance(point)) : before;
+            return added ? std::min(before, added->clearanceUpTo(point, before)) : before;
         }
 
         /** \brief Whether something was added or removed within \e radius of \e center, or almost. If not, a certificate
@@ -35,8 +36,15 @@ namespace ompl_certificates
         bool concerns(const Eigen::Vector3d &center, double radius) const
         {
             const double most = radius + 2.0 * after->getTolerance();
-            return (added && added->clearance(center) <= most) ||
-                   (removed && removed->clearance(center) <= most + removed->getTolerance());
+            return (added && isWithin(*added, center, most)) ||
+                   (removed && isWithin(*removed, center, most + removed->getTolerance()));
+        }
+
+    private:
+        static bool isWithin(const Obstacles &obstacles, const Eigen::Vector3d &point, double distance)
+        {
+            const double beyond = std::nextafter(distance, std::numeric_limits<double>::infinity());
+            return obstacles.clearanceUpTo(point, beyond) <= distance;
         }
     };
 }

@@ -46,6 +46,13 @@ namespace ompl_certificates
             It must be 1-Lipschitz: the clearances of two points differ by no more than their distance. */
         virtual double clearance(const Eigen::Vector3d &point) const = 0;
 
+        /** \brief clearance() of \e point if that is less than \e most; else a number that is not less than \e most. A
+            search that knows this limit may end early. */
+        virtual double clearanceUpTo(const Eigen::Vector3d &point, double /*most*/) const
+        {
+            return clearance(point);
+        }
+
         /** \brief clearance(), and which part of the obstacles is nearest
             \param part set to that part, or to NO_PART if unknown */
         virtual double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const

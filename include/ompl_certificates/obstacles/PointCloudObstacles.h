@@ -49,6 +49,8 @@ namespace ompl_certificates
         /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 3 µs. */
         double clearance(const Eigen::Vector3d &point) const override;
 
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
+
         /** \brief A part is a point; getBall() tells which. */
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
