@@ -1,7 +1,6 @@
 #include "ompl_certificates/obstacles/CellObstacles.h"
 
-#include "CellTree.h"
-#include "FclTolerance.h"
+#include "CellForest.h"
 #include "Fingerprint.h"
 #include "JoinCells.h"
 #include "PlanarCheck.h"
@@ -12,42 +11,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     namespace
     {
-        /** The most cells of a box along an axis. Longer boxes make no check quicker, and FCL's tolerance grows with
-            their size. */
-        constexpr std::int32_t MOST_CELLS = 16;
-
         /** After so many boxes that a body may just touch, the exact check decides. */
         constexpr unsigned int MOST_UNKNOWN = 32;
 
-        void requireCells(const std::vector<CellBox> &cells, unsigned int dimension)
+        /** A forest of one block */
+        std::unique_ptr<const CellForest> forestOf(double cellSize, const std::vector<CellBox> &cells,
+                                                   unsigned int dimension)
         {
-            for (const CellBox &box : cells)
-                for (std::size_t axis = 0; axis < dimension; ++axis)
-                {
-                    if (box.low[axis] >= box.high[axis])
-                        throw ompl::Exception("A box of cells must not be empty");
-                    if (box.low[axis] < -CellBox::FARTHEST || box.high[axis] > CellBox::FARTHEST)
-                        throw ompl::Exception("The index of a cell must be from " + std::to_string(-CellBox::FARTHEST) +
-                                              " to " + std::to_string(CellBox::FARTHEST - 1));
-                }
-        }
-
-        std::vector<CellBox> joined(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension)
-        {
-            if (dimension != 2 && dimension != 3)
-                throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
-            if (!(cellSize > 0.0) || !std::isfinite(cellSize))
-                throw ompl::Exception("The size of a cell must be positive and finite, not " +
-                                      std::to_string(cellSize));
+            requireGrid(cellSize, dimension);
             requireCells(cells, dimension);
-            return joinCells(dimension == 2 ? flattenCells(cells) : cells, MOST_CELLS);
+            std::vector<CellBox> boxes = joinCells(dimension == 2 ? flattenCells(cells) : cells, MOST_CELLS);
+            return std::make_unique<const CellForest>(std::vector<std::shared_ptr<const CellBlock>>{
+                std::make_shared<const CellBlock>(cellSize, std::move(boxes), dimension)});
         }
 
         /** Whether a mesh, seen from above, touches a rectangle. \e pose is from the mesh's frame to the rectangle's. */
@@ -73,51 +54,35 @@ namespace ompl_certificates
     }
 
     CellObstacles::CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension)
-      : cellSize_(cellSize)
-      , dimension_(dimension)
-      , tree_(std::make_unique<CellTree>(joined(cellSize, cells, dimension)))
+      : CellObstacles(forestOf(cellSize, cells, dimension), cellSize, dimension)
     {
-        makeShapes();
+    }
+
+    CellObstacles::CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension)
+      : cellSize_(cellSize), dimension_(dimension), forest_(std::move(forest)), tolerance_(forest_->getTolerance())
+    {
     }
 
     CellObstacles::~CellObstacles() = default;
 
-    void CellObstacles::makeShapes()
+    std::vector<CellBox> CellObstacles::getBoxes() const
     {
-        std::map<std::array<std::int32_t, 3>, std::uint32_t> known;
-        shapeOfBox_.reserve(getBoxes().size());
-        Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
-        for (std::uint32_t i = 0; i < getBoxes().size(); ++i)
-        {
-            const auto &[low, high] = getBoxes()[i];
-            const std::array<std::int32_t, 3> cells{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-            const auto [entry, isNew] = known.emplace(cells, static_cast<std::uint32_t>(shapes_.size()));
-            const Eigen::AlignedBox3d bounds = getBounds(i);
-            if (isNew)
-            {
-                const Eigen::Vector3d size = cellSize_ * Eigen::Vector3d(cells[0], cells[1], cells[2]);
-                shapes_.push_back(dimension_ == 2 ? Shape::box(Eigen::Vector2d(size.head<2>())) : Shape::box(size));
-            }
-            shapeOfBox_.push_back(entry->second);
-            if (bounds.center().norm() > farthest.norm())
-                farthest = bounds.center();
-        }
-        PlacedShapes placed;
-        for (const Shape &shape : shapes_)
-            placed.push_back({shape, poseAt(farthest)});
-        tolerance_ = fclTolerance(placed, 0.0);
+        std::vector<CellBox> boxes;
+        boxes.reserve(forest_->size());
+        for (std::uint32_t i = 0; i < forest_->size(); ++i)
+            boxes.push_back(forest_->at(i).getCells());
+        return boxes;
     }
 
-    const std::vector<CellBox> &CellObstacles::getBoxes() const
+    Eigen::AlignedBox3d CellObstacles::boundsOf(const CellBox &box) const
     {
-        return tree_->getBoxes();
+        return {cellSize_ * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
+                cellSize_ * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
     }
 
     Eigen::AlignedBox3d CellObstacles::getBounds(ObstaclePart part) const
     {
-        const auto &[low, high] = getBoxes()[part];
-        return {cellSize_ * Eigen::Vector3d(low[0], low[1], low[2]),
-                cellSize_ * Eigen::Vector3d(high[0], high[1], high[2])};
+        return boundsOf(forest_->at(part).getCells());
     }
 
     double CellObstacles::clearance(const Eigen::Vector3d &point) const
@@ -126,21 +91,30 @@ namespace ompl_certificates
         return findNearest(point, part);
     }
 
-    double CellObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
+    double CellObstacles::clearanceUpTo(const Eigen::Vector3d &point, double most) const
     {
-        return cellSize_ * tree_->signedDistance(point / cellSize_, part);
+        // Within a cell, the depth must be known.
+        if (!(most > 0.0))
+            return clearance(point);
+        ObstaclePart part;
+        return cellSize_ * forest_->signedDistance(point / cellSize_, part, most / cellSize_);
     }
 
-    Touching CellObstacles::touchesBox(const Shape &shape, const Pose &pose, ObstaclePart box, double margin) const
+    double CellObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
-        const Shape &obstacle = shapes_[shapeOfBox_[box]];
+        return cellSize_ * forest_->signedDistance(point / cellSize_, part);
+    }
+
+    Touching CellObstacles::touchesBox(const Shape &shape, const Pose &pose, const Shape &box,
+                                       const Eigen::Vector3d &center, double margin) const
+    {
         Pose toBox = pose;
-        toBox.translation() -= getBounds(box).center();
+        toBox.translation() -= center;
         const TriangleMesh *mesh = shape.getMesh();
         if (!mesh)
-            return touching(shape, obstacle, toBox, margin);
-        return dimension_ == 2 ? planarTouching(mesh->getTree(), obstacle, toBox, margin)
-                               : mesh->getTree().touches(obstacle, toBox, margin);
+            return touching(shape, box, toBox, margin);
+        return dimension_ == 2 ? planarTouching(mesh->getTree(), box, toBox, margin)
+                               : mesh->getTree().touches(box, toBox, margin);
     }
 
     template <typename Visit>
@@ -157,12 +131,13 @@ namespace ompl_certificates
         }
         bounds.min() /= cellSize_;
         bounds.max() /= cellSize_;
-        tree_->visitNear(bounds, inCells, margin / cellSize_,
-                         [&](ObstaclePart box)
-                         {
-                             const Touching answer = touchesBox(shape, pose, box, margin);
-                             return answer != Touching::NO && visit(box, answer);
-                         });
+        forest_->visitNear(bounds, inCells, margin / cellSize_,
+                           [&](const CellForest::Place &place, ObstaclePart part)
+                           {
+                               const Touching answer = touchesBox(shape, pose, place.block->getShape(place.box),
+                                                                  boundsOf(place.getCells()).center(), margin);
+                               return answer != Touching::NO && visit(part, answer);
+                           });
     }
 
     bool CellObstacles::collides(const Body &body, const Pose &pose) const
@@ -206,17 +181,22 @@ namespace ompl_certificates
 
     bool CellObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
-        if (part >= getBoxes().size())
+        if (part >= forest_->size())
             return false;
         const double margin = marginOf(body);
-        return std::any_of(body.getParts().begin(), body.getParts().end(),
-                           [&](const Body::Part &bodyPart)
-                           { return touchesBox(bodyPart.shape, pose * bodyPart.pose, part, margin) == Touching::YES; });
+        const CellForest::Place place = forest_->at(part);
+        const Shape &box = place.block->getShape(place.box);
+        const Eigen::Vector3d center = boundsOf(place.getCells()).center();
+        return std::any_of(
+            body.getParts().begin(), body.getParts().end(),
+            [&](const Body::Part &bodyPart)
+            { return touchesBox(bodyPart.shape, pose * bodyPart.pose, box, center, margin) == Touching::YES; });
     }
 
-    bool CellObstacles::fclCollides(const Body &body, const Pose &pose, ObstaclePart box) const
+    bool CellObstacles::fclCollides(const Body &body, const Pose &pose, ObstaclePart part) const
     {
-        const PlacedShapes placed{{shapes_[shapeOfBox_[box]], poseAt(getBounds(box).center())}};
+        const CellForest::Place place = forest_->at(part);
+        const PlacedShapes placed{{place.block->getShape(place.box), poseAt(boundsOf(place.getCells()).center())}};
         if (dimension_ == 3)
             return SpatialCheck(placed).collides(body, pose);
         // There is no mesh among the cells.

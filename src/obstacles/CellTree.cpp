@@ -7,19 +7,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Pays for the rounding of squared distances in single precision */
-        constexpr float SHRINK = 1.0F - 2e-6F;
-
-        /** The squares of larger coordinates do not fit into single precision. */
-        constexpr double FARTHEST_POINT = 1e18;
-
-        /** The square of how far a coordinate is outside an interval */
-        double squaredOutside(double low, double high, double coordinate)
-        {
-            const double outside = std::max(std::max(low - coordinate, coordinate - high), 0.0);
-            return outside * outside;
-        }
-
         /** Orders the boxes from \e begin to \e end so that each \e size of them, one group after the other, are close
             together */
         void group(std::vector<CellBox>::iterator begin, std::vector<CellBox>::iterator end, std::ptrdiff_t size)
@@ -98,95 +85,5 @@ namespace ompl_certificates
                 deepest = std::max({deepest, boxes_[box].low[axis] - coordinate, coordinate - boxes_[box].high[axis]});
             }
         return deepest;
-    }
-
-    double CellTree::signedDistance(const Eigen::Vector3d &point, std::uint32_t &nearest) const
-    {
-        double lowest = std::numeric_limits<double>::infinity();
-        nearest = point.cwiseAbs().maxCoeff() < FARTHEST_POINT ? search(point, lowest) : searchAll(point, lowest);
-        // The boxes do not overlap: within one, no other is nearer.
-        return lowest == 0.0 && nearest != NONE ? depth(nearest, point) : std::sqrt(lowest);
-    }
-
-    std::uint32_t CellTree::searchAll(const Eigen::Vector3d &point, double &lowest) const
-    {
-        std::uint32_t found = NONE;
-        for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-        {
-            double squared = 0.0;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                squared += squaredOutside(boxes_[i].low[axis], boxes_[i].high[axis], point[Eigen::Index(axis)]);
-            if (squared < lowest)
-            {
-                lowest = squared;
-                found = i;
-            }
-        }
-        return found;
-    }
-
-    std::uint32_t CellTree::search(const Eigen::Vector3d &point, double &lowest) const
-    {
-        std::uint32_t found = NONE;
-        if (nodes_.empty())
-            return found;
-        // In single precision the point is somewhere between these.
-        const auto rounding = static_cast<float>(1.5e-7 * point.cwiseAbs().maxCoeff());
-        const Eigen::Vector3f least = point.cast<float>().array() - rounding,
-                              most = point.cast<float>().array() + rounding;
-        struct Open
-        {
-            float bound;
-            std::uint32_t node;
-        };
-        Open stack[STACK_SIZE];
-        std::size_t open = 0;
-        std::uint32_t current = 0;
-        for (;;)
-        {
-            const Node &node = nodes_[current];
-            const FloatNode boxes(node);
-            FourFloats bounds = {0.0F, 0.0F, 0.0F, 0.0F};
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const FourFloats below = boxes.low[axis] - most[axis], above = least[axis] - boxes.high[axis],
-                                 farther = below > above ? below : above, none = {0.0F, 0.0F, 0.0F, 0.0F},
-                                 outside = farther > none ? farther : none;
-                bounds += outside * outside;
-            }
-            bounds *= SHRINK;
-            // The nearest child goes on top of the stack.
-            Open *const begin = stack + open;
-            for (int k = 0; k < 4; ++k)
-            {
-                const float bound = bounds[k];
-                const std::uint32_t child = node.child[k];
-                if (!(bound < lowest) || child == NONE)
-                    continue;
-                if (isLeaf(child))
-                {
-                    double squared = 0.0;
-                    for (int axis = 0; axis < 3; ++axis)
-                        squared += squaredOutside(boxes.low[axis][k], boxes.high[axis][k], point[axis]);
-                    if (squared < lowest)
-                    {
-                        lowest = squared;
-                        found = child & ~LEAF;
-                    }
-                    continue;
-                }
-                Open *slot = stack + open++;
-                for (; slot != begin && slot[-1].bound < bound; --slot)
-                    *slot = slot[-1];
-                *slot = {bound, child};
-            }
-            do
-            {
-                if (open == 0)
-                    return found;
-                --open;
-            } while (!(stack[open].bound < lowest));
-            current = stack[open].node;
-        }
     }
 }

@@ -6,6 +6,8 @@
 
 #include "geometry/BoxOverlap.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -29,11 +31,27 @@ namespace ompl_certificates
             return boxes_;
         }
 
-        /** \brief The distance of \e point to the nearest box; infinite if there is none. Within a box, minus the
-            distance to its surface. A flat box has its surface in its plane. Cost: logarithmic in the number of boxes,
-            unless many are about equally far.
-            \param nearest set to the position of the nearest box, or to NONE */
-        double signedDistance(const Eigen::Vector3d &point, std::uint32_t &nearest) const;
+        /** \brief The box nearest to \e point if its squared distance is less than \e lowest, which is lowered to that;
+            else NONE. Cost: logarithmic in the number of boxes, unless many are about equally far. */
+        std::uint32_t findNearest(const Eigen::Vector3d &point, double &lowest) const
+        {
+            std::uint32_t found = NONE;
+            visitByDistance(point, lowest,
+                            [&](std::uint32_t box, double squared)
+                            {
+                                lowest = squared;
+                                found = box;
+                            });
+            return found;
+        }
+
+        /** \brief Minus the distance of a point within a box to its surface. A flat box has its surface in its plane. */
+        double depth(std::uint32_t box, const Eigen::Vector3d &point) const;
+
+        /** \brief Call \e visit with the position of each box whose squared distance from \e point is less than
+            \e lowest, and with that distance. The nearer ones mostly come first; \e visit may lower \e lowest. */
+        template <typename Visit>
+        void visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const;
 
         /** \brief Call \e visit with the position of each box that is nearer to a turned box than \e margin, and of
             some others, until it returns true
@@ -70,6 +88,12 @@ namespace ompl_certificates
     private:
         /** Pays for the rounding in single precision, relative to the largest coordinate */
         static constexpr double ROUNDING = 1e-6;
+
+        /** Pays for the rounding of squared distances in single precision */
+        static constexpr float SHRINK = 1.0F - 2e-6F;
+
+        /** The squares of larger coordinates do not fit into single precision. */
+        static constexpr double FARTHEST_POINT = 1e18;
 
         /** Three open children for each of at most 16 levels */
         static constexpr std::size_t STACK_SIZE = 64;
@@ -126,13 +150,20 @@ namespace ompl_certificates
         /** \brief Makes the node of \e count boxes from \e first on, and those below it */
         std::uint32_t build(std::uint32_t first, std::uint32_t count);
 
-        /** \brief Minus the distance of a point within a box to its surface */
-        double depth(std::uint32_t box, const Eigen::Vector3d &point) const;
+        /** \brief The square of how far a coordinate is outside an interval */
+        static double squaredOutside(double low, double high, double coordinate)
+        {
+            const double outside = std::max(std::max(low - coordinate, coordinate - high), 0.0);
+            return outside * outside;
+        }
 
-        /** \brief The nearest box, and its squared distance; looks at all of them */
-        std::uint32_t searchAll(const Eigen::Vector3d &point, double &lowest) const;
-
-        std::uint32_t search(const Eigen::Vector3d &point, double &lowest) const;
+        double squaredDistance(std::uint32_t box, const Eigen::Vector3d &point) const
+        {
+            double squared = 0.0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                squared += squaredOutside(boxes_[box].low[axis], boxes_[box].high[axis], point[Eigen::Index(axis)]);
+            return squared;
+        }
 
         std::vector<Node> nodes_;
         std::vector<CellBox> boxes_;
@@ -140,6 +171,75 @@ namespace ompl_certificates
         /** \brief The largest coordinate of a box */
         double extent_{0.0};
     };
+
+    template <typename Visit>
+    void CellTree::visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const
+    {
+        if (nodes_.empty())
+            return;
+        if (!(point.cwiseAbs().maxCoeff() < FARTHEST_POINT))
+        {
+            for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+                if (const double squared = squaredDistance(i, point); squared < lowest)
+                    visit(i, squared);
+            return;
+        }
+        // In single precision the point is somewhere between these.
+        const auto rounding = static_cast<float>(1.5e-7 * point.cwiseAbs().maxCoeff());
+        const Eigen::Vector3f least = point.cast<float>().array() - rounding,
+                              most = point.cast<float>().array() + rounding;
+        struct Open
+        {
+            float bound;
+            std::uint32_t node;
+        };
+        Open stack[STACK_SIZE];
+        std::size_t open = 0;
+        std::uint32_t current = 0;
+        for (;;)
+        {
+            const Node &node = nodes_[current];
+            const FloatNode boxes(node);
+            FourFloats bounds = {0.0F, 0.0F, 0.0F, 0.0F};
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const FourFloats below = boxes.low[axis] - most[axis], above = least[axis] - boxes.high[axis],
+                                 farther = below > above ? below : above, none = {0.0F, 0.0F, 0.0F, 0.0F},
+                                 outside = farther > none ? farther : none;
+                bounds += outside * outside;
+            }
+            bounds *= SHRINK;
+            // The nearest child goes on top of the stack.
+            Open *const begin = stack + open;
+            for (int k = 0; k < 4; ++k)
+            {
+                const float bound = bounds[k];
+                const std::uint32_t child = node.child[k];
+                if (!(bound < lowest) || child == NONE)
+                    continue;
+                if (isLeaf(child))
+                {
+                    double squared = 0.0;
+                    for (int axis = 0; axis < 3; ++axis)
+                        squared += squaredOutside(boxes.low[axis][k], boxes.high[axis][k], point[axis]);
+                    if (squared < lowest)
+                        visit(child & ~LEAF, squared);
+                    continue;
+                }
+                Open *slot = stack + open++;
+                for (; slot != begin && slot[-1].bound < bound; --slot)
+                    *slot = slot[-1];
+                *slot = {bound, child};
+            }
+            do
+            {
+                if (open == 0)
+                    return;
+                --open;
+            } while (!(stack[open].bound < lowest));
+            current = stack[open].node;
+        }
+    }
 }
 
 #endif

@@ -1,7 +1,10 @@
 #include "JoinCells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <ompl/util/Exception.h>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -43,6 +46,27 @@ namespace ompl_certificates
             }
             boxes.resize(kept);
         }
+    }
+
+    void requireGrid(double cellSize, unsigned int dimension)
+    {
+        if (dimension != 2 && dimension != 3)
+            throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
+        if (!(cellSize > 0.0) || !std::isfinite(cellSize))
+            throw ompl::Exception("The size of a cell must be positive and finite, not " + std::to_string(cellSize));
+    }
+
+    void requireCells(const std::vector<CellBox> &cells, unsigned int dimension)
+    {
+        for (const CellBox &box : cells)
+            for (std::size_t axis = 0; axis < dimension; ++axis)
+            {
+                if (box.low[axis] >= box.high[axis])
+                    throw ompl::Exception("A box of cells must not be empty");
+                if (box.low[axis] < -CellBox::FARTHEST || box.high[axis] > CellBox::FARTHEST)
+                    throw ompl::Exception("The index of a cell must be from " + std::to_string(-CellBox::FARTHEST) +
+                                          " to " + std::to_string(CellBox::FARTHEST - 1));
+            }
     }
 
     std::vector<CellBox> joinCells(std::vector<CellBox> boxes, std::int32_t most)

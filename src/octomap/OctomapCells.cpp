@@ -33,16 +33,17 @@ namespace ompl_certificates
         class MapWalk
         {
         public:
-            MapWalk(const octomap::OcTree &map, const OctomapOptions &options) : map_(map), options_(options)
+            MapWalk(const octomap::OcTree &map, const OctomapOptions &options, const CellBox &region)
+              : map_(map), options_(options), region_(region)
             {
                 if (options.unknownIsOccupied && map.getRoot())
-                    extend(map.getRoot(), whole());
+                    extend(map.getRoot(), WHOLE_OCTOMAP);
             }
 
             std::vector<CellBox> getCells()
             {
                 if (map_.getRoot())
-                    collect(map_.getRoot(), whole(), 0);
+                    collect(map_.getRoot(), WHOLE_OCTOMAP, 0);
                 return std::move(cells_);
             }
 
@@ -53,12 +54,6 @@ namespace ompl_certificates
                 bool occupied{false};
                 bool unknown{false};
             };
-
-            static CellBox whole()
-            {
-                constexpr std::int32_t half = 1 << (DEEPEST - 1);
-                return {{-half, -half, -half}, {half, half, half}};
-            }
 
             static CellBox childOf(const CellBox &cube, unsigned int i)
             {
@@ -97,6 +92,8 @@ namespace ompl_certificates
             /** Notes the obstacles in a cube; \e node is null where nothing is known. */
             void collect(const octomap::OcTreeNode *node, const CellBox &cube, unsigned int depth)
             {
+                if (isEmpty(intersection(cube, region_)))
+                    return;
                 if (node && map_.nodeHasChildren(node) && depth < options_.depth)
                 {
                     for (unsigned int i = 0; i < 8; ++i)
@@ -105,9 +102,9 @@ namespace ompl_certificates
                 }
                 const Content content = contentOf(node, cube);
                 if (content.occupied)
-                    cells_.push_back(cube);
+                    cells_.push_back(intersection(cube, region_));
                 else if (content.unknown)
-                    cells_.push_back(intersection(cube, known_));
+                    cells_.push_back(intersection(intersection(cube, known_), region_));
             }
 
             Content contentOf(const octomap::OcTreeNode *node, const CellBox &cube) const
@@ -128,24 +125,30 @@ namespace ompl_certificates
 
             const octomap::OcTree &map_;
             const OctomapOptions &options_;
+            const CellBox &region_;
 
             /** The smallest box that contains all known cells */
-            CellBox known_{whole().high, whole().low};
+            CellBox known_{WHOLE_OCTOMAP.high, WHOLE_OCTOMAP.low};
             std::vector<CellBox> cells_;
         };
     }
 
-    std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options)
+    void requireValid(const OctomapOptions &options)
     {
         if (options.depth < 1 || options.depth > DEEPEST)
             throw ompl::Exception("The depth of an octomap's cells must be from 1 to " + std::to_string(DEEPEST) +
                                   ", not " + std::to_string(options.depth));
-        std::vector<CellBox> cells = MapWalk(map, options).getCells();
+        if (options.slice && !(options.slice->low < options.slice->high))
+            throw ompl::Exception("The slice of an octomap must have its low end below its high one");
+    }
+
+    std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options, const CellBox &region)
+    {
+        requireValid(options);
+        std::vector<CellBox> cells = MapWalk(map, options, region).getCells();
         if (!options.slice)
             return cells;
         const auto &[low, high] = *options.slice;
-        if (!(low < high))
-            throw ompl::Exception("The slice of an octomap must have its low end below its high one");
         const double lowest = low / map.getResolution() + ROUNDING, highest = high / map.getResolution() - ROUNDING;
         const auto isOutside = [&](const CellBox &box) { return box.high[2] <= lowest || box.low[2] >= highest; };
         cells.erase(std::remove_if(cells.begin(), cells.end(), isOutside), cells.end());

@@ -7,9 +7,22 @@
 
 namespace ompl_certificates
 {
-    /** \brief The cells of \e map that \e options make obstacles, in cells of the map's resolution; they do not overlap
+    /** \brief How many cells of the greatest depth an octomap has along an axis */
+    constexpr std::int32_t OCTOMAP_CELLS = 1 << 16;
+
+    /** \brief All of an octomap's cells */
+    constexpr CellBox WHOLE_OCTOMAP{{-OCTOMAP_CELLS / 2, -OCTOMAP_CELLS / 2, -OCTOMAP_CELLS / 2},
+                                    {OCTOMAP_CELLS / 2, OCTOMAP_CELLS / 2, OCTOMAP_CELLS / 2}};
+
+    /** \brief Refuses options that make no sense
         \throws ompl::Exception if the depth or the slice is not valid */
-    std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options);
+    void requireValid(const OctomapOptions &options);
+
+    /** \brief The cells of \e map that \e options make obstacles, in cells of the map's resolution; they do not overlap
+        \param region only the cells within it
+        \throws ompl::Exception if the depth or the slice is not valid */
+    std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options,
+                                 const CellBox &region = WHOLE_OCTOMAP);
 }
 
 #endif

@@ -36,12 +36,12 @@ namespace
         return {bodies, dimension};
     }
 
-    using CellSet = std::set<std::array<std::int32_t, 3>>;
+    using CellIndices = std::set<std::array<std::int32_t, 3>>;
 
     /** The cells of boxes, of which each must be in one box only */
-    CellSet cellsOf(const std::vector<CellBox> &boxes)
+    CellIndices cellsOf(const std::vector<CellBox> &boxes)
     {
-        CellSet cells;
+        CellIndices cells;
         for (const auto &[low, high] : boxes)
             for (std::int32_t x = low[0]; x < high[0]; ++x)
                 for (std::int32_t y = low[1]; y < high[1]; ++y)

@@ -9,7 +9,8 @@
 
 namespace ompl_certificates
 {
-    class CellTree;
+    class CellForest;
+    class CellSet;
 
     /** \brief Obstacles that are the occupied cells of a grid or of an octree: solid cubes of space, or squares of the
         plane.
@@ -43,6 +44,8 @@ namespace ompl_certificates
         /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its box */
         double clearance(const Eigen::Vector3d &point) const override;
 
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
+
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
@@ -63,14 +66,16 @@ namespace ompl_certificates
             return cellSize_;
         }
 
-        /** \brief The boxes that the cells were joined into; an ObstaclePart is an index of one */
-        const std::vector<CellBox> &getBoxes() const;
+        /** \brief The boxes that the cells were joined into; an ObstaclePart is an index of one. Cost: linear. */
+        std::vector<CellBox> getBoxes() const;
 
         /** \brief The box of a part, in the workspace; in the plane at z = 0 */
         Eigen::AlignedBox3d getBounds(ObstaclePart part) const;
 
     private:
-        void makeShapes();
+        friend class CellSet;
+
+        CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension);
 
         /** \brief How near a contact must be for FCL to decide it */
         double marginOf(const Body &body) const
@@ -83,18 +88,17 @@ namespace ompl_certificates
         void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
 
         /** \brief Whether a part of a body touches a box */
-        Touching touchesBox(const Shape &shape, const Pose &pose, ObstaclePart box, double margin) const;
+        Touching touchesBox(const Shape &shape, const Pose &pose, const Shape &box, const Eigen::Vector3d &center,
+                            double margin) const;
 
         /** \brief FCL's verdict on a body and one box */
-        bool fclCollides(const Body &body, const Pose &pose, ObstaclePart box) const;
+        bool fclCollides(const Body &body, const Pose &pose, ObstaclePart part) const;
+
+        Eigen::AlignedBox3d boundsOf(const CellBox &box) const;
 
         double cellSize_;
         unsigned int dimension_;
-        std::unique_ptr<CellTree> tree_;
-
-        /** \brief The shapes of boxes, one for each size, and which of them each box has */
-        std::vector<Shape> shapes_;
-        std::vector<std::uint32_t> shapeOfBox_;
+        std::unique_ptr<const CellForest> forest_;
         double tolerance_{0.0};
     };
 }

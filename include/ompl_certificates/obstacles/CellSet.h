@@ -1,0 +1,97 @@
+#ifndef OMPL_CERTIFICATES_OBSTACLES_CELL_SET_
+#define OMPL_CERTIFICATES_OBSTACLES_CELL_SET_
+
+#include "ompl_certificates/obstacles/CellBox.h"
+#include "ompl_certificates/obstacles/ObstacleChange.h"
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    class CellBlock;
+
+    /** \brief Occupied cells of a grid that come and go, such as those of a map that a robot makes.
+
+        The obstacles that a checker uses never change themselves: each change makes new ones, which share with the old
+        ones what is in both.
+        @code
+        CellSet set(0.05);
+        set.insert(occupied);
+        TeamSetup setup(team, set.takeChange().after);
+        ...
+        set.remove(seenFree);
+        set.insert(seenOccupied);
+        setup.getTeamChecker()->changeObstacles(set.takeChange());
+        @endcode
+        The grid is divided into blocks of 16 cells along each axis. Those in which something changes are built anew.
+        Not for several threads at once. The obstacles made of it are. */
+    class CellSet
+    {
+    public:
+        /** \brief An empty set of cells with the edge length \e cellSize, in a workspace of \e dimension 2 or 3
+            \throws ompl::Exception for another dimension, or if the size is not positive and finite */
+        explicit CellSet(double cellSize, unsigned int dimension = 3);
+
+        ~CellSet();
+
+        /** \brief Takes over the cells of another set, which is then of no use */
+        CellSet(CellSet &&) noexcept;
+
+        /** \brief Takes over the cells of another set, which is then of no use */
+        CellSet &operator=(CellSet &&) noexcept;
+
+        /** \brief Add all cells of some boxes; those that are there stay. In the plane a cell stands for an endless
+            prism, and its place along z does not count. Cost: linear in the cells, and in the blocks that the boxes
+            reach into.
+            \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST. Then none is added. */
+        void insert(const std::vector<CellBox> &boxes);
+
+        /** \brief Remove all cells of some boxes that are there. Cost: as insert(), but blocks without cells cost
+            nothing.
+            \throws ompl::Exception as insert(). Then none is removed. */
+        void remove(const std::vector<CellBox> &boxes);
+
+        /** \brief The number of cells. Cost: linear in the number of boxes that they are joined into. */
+        std::size_t size() const;
+
+        /** \brief The obstacles now, and what was added and removed since the last call: the boxes that cells are joined
+            into, as far as they have changed. Cells that came and went between are in neither. Cost: some tens of µs for each block in which a cell came or went, and some 0.1 µs
+            for each other block. */
+        ObstacleChange takeChange();
+
+    private:
+        /** \brief How many cells a block has along an axis: as many as a box may have, so that blocks take apart few */
+        static constexpr std::int32_t BLOCK = 16;
+
+        /** \brief The cells of a block: which of them are occupied */
+        using Cells = std::bitset<std::size_t(BLOCK) * BLOCK * BLOCK>;
+
+        /** \brief The first cell of a block, divided by BLOCK */
+        using Place = std::array<std::int32_t, 3>;
+
+        Cells cellsOf(const Place &place) const;
+
+        /** \brief Sets the cells of some boxes to \e occupied */
+        void set(const std::vector<CellBox> &boxes, bool occupied);
+
+        /** \brief Sets those cells of a box that are in a block */
+        void setWithin(const Place &place, const CellBox &box, bool occupied);
+
+        /** \brief The cells of a block as boxes, joined */
+        std::vector<CellBox> boxesOf(const Place &place, const Cells &cells) const;
+
+        double cellSize_;
+        unsigned int dimension_;
+        /** \brief The blocks that are not empty, as they were at the last takeChange() */
+        std::map<Place, std::shared_ptr<const CellBlock>> blocks_;
+        /** \brief The cells now of those blocks in which one may have come or gone since */
+        std::map<Place, Cells> edited_;
+    };
+}
+
+#endif

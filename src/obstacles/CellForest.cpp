@@ -1,0 +1,108 @@
+#include "CellForest.h"
+
+#include "FclTolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace ompl_certificates
+{
+    CellBlock::CellBlock(double cellSize, std::vector<CellBox> boxes, unsigned int dimension) : tree_(std::move(boxes))
+    {
+        std::map<std::array<std::int32_t, 3>, std::uint32_t> known;
+        shapeOfBox_.reserve(tree_.getBoxes().size());
+        Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
+        if (!tree_.getBoxes().empty())
+            bounds_ = tree_.getBoxes().front();
+        for (const auto &[low, high] : tree_.getBoxes())
+        {
+            const std::array<std::int32_t, 3> cells{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+            const auto [entry, isNew] = known.emplace(cells, static_cast<std::uint32_t>(shapes_.size()));
+            if (isNew)
+            {
+                const Eigen::Vector3d size = cellSize * Eigen::Vector3d(cells[0], cells[1], cells[2]);
+                shapes_.push_back(dimension == 2 ? Shape::box(Eigen::Vector2d(size.head<2>())) : Shape::box(size));
+            }
+            shapeOfBox_.push_back(entry->second);
+            const Eigen::Vector3d center =
+                0.5 * cellSize * Eigen::Vector3d(low[0] + high[0], low[1] + high[1], low[2] + high[2]);
+            if (center.norm() > farthest.norm())
+                farthest = center;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                bounds_.low[axis] = std::min(bounds_.low[axis], low[axis]);
+                bounds_.high[axis] = std::max(bounds_.high[axis], high[axis]);
+            }
+        }
+        PlacedShapes placed;
+        for (const Shape &shape : shapes_)
+            placed.push_back({shape, poseAt(farthest)});
+        tolerance_ = fclTolerance(placed, 0.0);
+    }
+
+    CellForest::CellForest(std::vector<std::shared_ptr<const CellBlock>> blocks)
+      : blocks_(std::move(blocks))
+      , places_(
+            [this]
+            {
+                std::vector<CellBox> bounds;
+                for (const auto &block : blocks_)
+                    if (!block->getTree().getBoxes().empty())
+                        bounds.push_back(block->getBounds());
+                return bounds;
+            }())
+    {
+        std::map<std::array<std::int32_t, 3>, std::uint32_t> blockAt;
+        std::uint32_t first = 0;
+        for (std::uint32_t i = 0; i < blocks_.size(); ++i)
+        {
+            blockAt[blocks_[i]->getBounds().low] = i;
+            first_.push_back(first);
+            first += static_cast<std::uint32_t>(blocks_[i]->getTree().getBoxes().size());
+        }
+        first_.push_back(first);
+        for (const CellBox &place : places_.getBoxes())
+            blockOfPlace_.push_back(blockAt.at(place.low));
+    }
+
+    CellForest::Place CellForest::at(std::uint32_t position) const
+    {
+        const auto next = std::upper_bound(first_.begin(), first_.end(), position);
+        const auto block = static_cast<std::size_t>(next - first_.begin()) - 1;
+        return {blocks_[block].get(), position - first_[block]};
+    }
+
+    double CellForest::getTolerance() const
+    {
+        double tolerance = fclTolerance({}, 0.0);
+        for (const auto &block : blocks_)
+            tolerance = std::max(tolerance, block->getTolerance());
+        return tolerance;
+    }
+
+    double CellForest::signedDistance(const Eigen::Vector3d &point, std::uint32_t &nearest, double most) const
+    {
+        double lowest = most * most;
+        Place found{nullptr, CellTree::NONE};
+        nearest = CellTree::NONE;
+        const auto visitBlock = [&](std::uint32_t block)
+        {
+            const std::uint32_t box = blocks_[block]->getTree().findNearest(point, lowest);
+            if (box == CellTree::NONE)
+                return;
+            found = {blocks_[block].get(), box};
+            nearest = first_[block] + box;
+        };
+        if (blocks_.size() == 1)
+            visitBlock(0);
+        else
+            places_.visitByDistance(point, lowest,
+                                    [&](std::uint32_t place, double) { visitBlock(blockOfPlace_[place]); });
+        if (!found.block)
+            return most;
+        // The boxes do not overlap: within one, no other is nearer.
+        return lowest == 0.0 ? found.block->getTree().depth(found.box, point) : std::sqrt(lowest);
+    }
+}

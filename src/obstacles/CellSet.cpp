@@ -1,0 +1,185 @@
+#include "ompl_certificates/obstacles/CellSet.h"
+
+#include "CellForest.h"
+#include "JoinCells.h"
+
+#include "ompl_certificates/obstacles/CellObstacles.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** The quotient, rounded down */
+        std::int32_t divided(std::int32_t number, std::int32_t divisor)
+        {
+            return number >= 0 ? number / divisor : -((divisor - 1 - number) / divisor);
+        }
+
+        bool isBefore(const CellBox &a, const CellBox &b)
+        {
+            return a.low != b.low ? a.low < b.low : a.high < b.high;
+        }
+
+        std::size_t countCells(const CellBox &box)
+        {
+            std::size_t count = 1;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                // In the plane boxes are flat.
+                count *= static_cast<std::size_t>(std::max(box.high[axis] - box.low[axis], axis == 2 ? 1 : 0));
+            return count;
+        }
+    }
+
+    CellSet::CellSet(double cellSize, unsigned int dimension) : cellSize_(cellSize), dimension_(dimension)
+    {
+        static_assert(BLOCK == MOST_CELLS, "Blocks should take apart no more boxes than need be");
+        requireGrid(cellSize, dimension);
+    }
+
+    CellSet::~CellSet() = default;
+    CellSet::CellSet(CellSet &&) noexcept = default;
+    CellSet &CellSet::operator=(CellSet &&) noexcept = default;
+
+    void CellSet::insert(const std::vector<CellBox> &boxes)
+    {
+        requireCells(boxes, dimension_);
+        set(boxes, true);
+    }
+
+    void CellSet::remove(const std::vector<CellBox> &boxes)
+    {
+        requireCells(boxes, dimension_);
+        set(boxes, false);
+    }
+
+    CellSet::Cells CellSet::cellsOf(const Place &place) const
+    {
+        Cells cells;
+        if (const auto block = blocks_.find(place); block != blocks_.end())
+            for (const CellBox &box : block->second->getTree().getBoxes())
+                for (std::int32_t x = box.low[0]; x < box.high[0]; ++x)
+                    for (std::int32_t y = box.low[1]; y < box.high[1]; ++y)
+                        for (std::int32_t z = box.low[2]; z < std::max(box.high[2], box.low[2] + 1); ++z)
+                            cells.set(static_cast<std::size_t>(
+                                (x - BLOCK * place[0]) +
+                                BLOCK * ((y - BLOCK * place[1]) + BLOCK * (z - BLOCK * place[2]))));
+        return cells;
+    }
+
+    void CellSet::set(const std::vector<CellBox> &boxes, bool occupied)
+    {
+        for (CellBox box : boxes)
+        {
+            if (dimension_ == 2)
+            {
+                box.low[2] = 0;
+                box.high[2] = 1;
+            }
+            Place first, last;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                first[axis] = divided(box.low[axis], BLOCK);
+                last[axis] = divided(box.high[axis] - 1, BLOCK);
+            }
+            for (Place place = first; place[0] <= last[0]; ++place[0])
+                for (place[1] = first[1]; place[1] <= last[1]; ++place[1])
+                    for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
+                        setWithin(place, box, occupied);
+        }
+    }
+
+    void CellSet::setWithin(const Place &place, const CellBox &box, bool occupied)
+    {
+        auto edited = edited_.find(place);
+        if (edited == edited_.end())
+        {
+            if (!occupied && blocks_.count(place) == 0)
+                return;
+            edited = edited_.emplace(place, cellsOf(place)).first;
+        }
+        std::array<std::int32_t, 3> low, high;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            low[axis] = std::max(box.low[axis] - BLOCK * place[axis], 0);
+            high[axis] = std::min(box.high[axis] - BLOCK * place[axis], BLOCK);
+        }
+        for (std::int32_t z = low[2]; z < high[2]; ++z)
+            for (std::int32_t y = low[1]; y < high[1]; ++y)
+                for (std::int32_t x = low[0]; x < high[0]; ++x)
+                    edited->second.set(static_cast<std::size_t>(x + BLOCK * (y + BLOCK * z)), occupied);
+    }
+
+    std::vector<CellBox> CellSet::boxesOf(const Place &place, const Cells &cells) const
+    {
+        std::vector<CellBox> boxes;
+        const std::int32_t thickness = dimension_ == 2 ? 0 : 1;
+        std::int32_t index = 0;
+        for (std::int32_t z = 0; z < BLOCK; ++z)
+            for (std::int32_t y = 0; y < BLOCK; ++y)
+                for (std::int32_t x = 0; x < BLOCK; ++x)
+                    if (cells.test(static_cast<std::size_t>(index++)))
+                    {
+                        const std::array<std::int32_t, 3> low{x + BLOCK * place[0], y + BLOCK * place[1],
+                                                              z + BLOCK * place[2]};
+                        boxes.push_back({low, {low[0] + 1, low[1] + 1, low[2] + thickness}});
+                    }
+        return joinCells(std::move(boxes), MOST_CELLS);
+    }
+
+    std::size_t CellSet::size() const
+    {
+        std::size_t count = 0;
+        for (const auto &[place, block] : blocks_)
+            if (edited_.count(place) == 0)
+                for (const CellBox &box : block->getTree().getBoxes())
+                    count += countCells(box);
+        for (const auto &[place, cells] : edited_)
+            count += cells.count();
+        return count;
+    }
+
+    ObstacleChange CellSet::takeChange()
+    {
+        std::vector<CellBox> added, removed;
+        for (const auto &[place, cells] : edited_)
+        {
+            if (cells == cellsOf(place))
+                continue;
+            // What a certificate says of a point within a box is true of the whole box. So boxes come and go, not cells.
+            std::vector<CellBox> old, now = boxesOf(place, cells);
+            if (const auto block = blocks_.find(place); block != blocks_.end())
+                old = block->second->getTree().getBoxes();
+            std::sort(old.begin(), old.end(), isBefore);
+            std::sort(now.begin(), now.end(), isBefore);
+            std::set_difference(now.begin(), now.end(), old.begin(), old.end(), std::back_inserter(added), isBefore);
+            std::set_difference(old.begin(), old.end(), now.begin(), now.end(), std::back_inserter(removed), isBefore);
+            if (now.empty())
+                blocks_.erase(place);
+            else
+                blocks_[place] = std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_);
+        }
+        edited_.clear();
+        const auto obstaclesOf = [this](std::vector<CellBox> boxes) -> ObstaclesPtr
+        {
+            if (boxes.empty())
+                return nullptr;
+            auto block = std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_);
+            auto forest = std::make_unique<const CellForest>(std::vector{std::move(block)});
+            return ObstaclesPtr(new CellObstacles(std::move(forest), cellSize_, dimension_));
+        };
+        std::vector<std::shared_ptr<const CellBlock>> blocks;
+        blocks.reserve(blocks_.size());
+        for (const auto &[place, block] : blocks_)
+            blocks.push_back(block);
+        ObstacleChange change;
+        change.after.reset(
+            new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
+        change.added = obstaclesOf(std::move(added));
+        change.removed = obstaclesOf(std::move(removed));
+        return change;
+    }
+}

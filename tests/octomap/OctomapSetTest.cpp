@@ -1,0 +1,160 @@
+#include "MapTeams.h"
+#include "RandomMaps.h"
+#include "ompl_certificates/octomap/OctomapSet.h"
+#include "support/Quiet.h"
+
+#include <gtest/gtest.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+
+namespace
+{
+    constexpr double RESOLUTION = 0.25;
+
+    struct Case
+    {
+        const char *name;
+        unsigned int depth;
+        std::optional<ZInterval> slice;
+    };
+
+    std::ostream &operator<<(std::ostream &out, const Case &options)
+    {
+        return out << options.name;
+    }
+
+    class OctomapSets : public testing::TestWithParam<Case>
+    {
+    protected:
+        OctomapOptions options() const
+        {
+            OctomapOptions options;
+            options.depth = GetParam().depth;
+            options.slice = GetParam().slice;
+            return options;
+        }
+    };
+
+    using Cells = std::set<std::array<std::int32_t, 3>>;
+
+    Cells cellsOf(const Obstacles &obstacles)
+    {
+        Cells cells;
+        for (const auto &[low, high] : dynamic_cast<const CellObstacles &>(obstacles).getBoxes())
+            for (std::int32_t x = low[0]; x < high[0]; ++x)
+                for (std::int32_t y = low[1]; y < high[1]; ++y)
+                    for (std::int32_t z = low[2]; z < std::max(high[2], low[2] + 1); ++z)
+                        cells.insert({x, y, z});
+        return cells;
+    }
+
+    /** Inserts a scan of a wall or of nothing, as a sensor in free space sees it */
+    void scan(Random &random, octomap::OcTree &map)
+    {
+        octomap::Pointcloud points;
+        const Eigen::Vector3d sensor = random.point(3, 3.0), middle = random.point(3, 3.0);
+        for (int i = 0; i < 40; ++i)
+        {
+            const Eigen::Vector3d point = middle + random.point(3, 0.8);
+            points.push_back(static_cast<float>(point.x()), static_cast<float>(point.y()),
+                             static_cast<float>(point.z()));
+        }
+        map.insertPointCloud(points, octomap::point3d(static_cast<float>(sensor.x()), static_cast<float>(sensor.y()),
+                                                      static_cast<float>(sensor.z())));
+    }
+}
+
+TEST_P(OctomapSets, FollowTheMap)
+{
+    unsigned int changes = 0;
+    for (unsigned int seed = 1; seed <= scaled(20); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto map = randomMap(random, RESOLUTION);
+        OctomapSet set(*map, options());
+        for (int round = 0; round < 10; ++round)
+        {
+            const ObstacleChange change = set.takeChange();
+            ASSERT_EQ(cellsOf(*change.after), cellsOf(OctomapObstacles(*map, options())));
+            ASSERT_EQ(change.after->getDimension(), GetParam().slice ? 2U : 3U);
+            changes += change.added || change.removed;
+            if (random.chance(0.7))
+                scan(random, *map);
+            if (random.chance(0.3))
+                map->prune();
+            if (random.chance(0.3))
+                map->updateNode(octomap::OcTreeKey(32768, 32770, 32767), random.chance(0.5));
+        }
+        set.takeChange();
+        const ObstacleChange none = set.takeChange();
+        ASSERT_TRUE(!none.added && !none.removed);
+    }
+    EXPECT_GT(changes, 2 * scaled(20));
+}
+
+TEST_P(OctomapSets, LeaveVerdictsOfFreshCheckers)
+{
+    const Quiet quiet;
+    const auto team = teamFor(GetParam().slice ? 2 : 3);
+    for (unsigned int seed = 1; seed <= scaled(3); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto map = randomMap(random, RESOLUTION);
+        OctomapSet set(*map, options());
+        Checkers changed(team, set.takeChange().after);
+        std::vector<ob::ScopedState<>> states;
+        for (unsigned int i = 0; i < 150; ++i)
+            states.push_back(randomState(random, team));
+        for (const auto &setup : changed.setups)
+            setup->getTeamChecker()->setAdaptive(false);
+        for (int round = 0; round < 6; ++round)
+        {
+            const ObstacleChange change = set.takeChange();
+            TeamSetup fresh(team, std::make_shared<OctomapObstacles>(*map, options()), Method::STANDARD);
+            fresh.getSpaceInformation()->setup();
+            for (const auto &setup : changed.setups)
+            {
+                const auto checker = setup->getTeamChecker();
+                checker->changeObstacles(change);
+                for (const Certificate &certificate : checker->getCertificates())
+                    ASSERT_EQ(certificate.clearance, change.after->clearance(certificate.point));
+                for (std::size_t i = 0; i + 1 < states.size(); ++i)
+                {
+                    ASSERT_EQ(checker->isValid(states[i].get()), fresh.getTeamChecker()->isValid(states[i].get()));
+                    ASSERT_EQ(setup->getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()),
+                              fresh.getSpaceInformation()->checkMotion(states[i].get(), states[i + 1].get()));
+                }
+            }
+            scan(random, *map);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, OctomapSets,
+                         testing::Values(Case{"whole", 16, {}}, Case{"coarse", 14, {}}, Case{"veryCoarse", 11, {}},
+                                         Case{"slice", 16, ZInterval{-0.6, 0.9}},
+                                         Case{"coarseSlice", 15, ZInterval{0.0, 0.5}}),
+                         [](const auto &instance) { return std::string(instance.param.name); });
+
+TEST(OctomapSet, RefusesWhatMakesNoSense)
+{
+    octomap::OcTree map(RESOLUTION);
+    OctomapOptions options;
+    options.unknownIsOccupied = true;
+    EXPECT_THROW(OctomapSet(map, options), ompl::Exception);
+    options.unknownIsOccupied = false;
+    options.depth = 17;
+    EXPECT_THROW(OctomapSet(map, options), ompl::Exception);
+    options.depth = 16;
+    options.slice = ZInterval{1.0, 1.0};
+    EXPECT_THROW(OctomapSet(map, options), ompl::Exception);
+    EXPECT_FALSE(map.isChangeDetectionEnabled());
+    options.slice.reset();
+    EXPECT_EQ(OctomapSet(map, options).takeChange().after->clearance({0.0, 0.0, 0.0}),
+              std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(map.isChangeDetectionEnabled());
+}
