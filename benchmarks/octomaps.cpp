@@ -1,10 +1,13 @@
 // Plans for a drone among the cells of an octomap: with FCL's check of its OcTree, without certificates, and with them.
+// Then what changes of the map cost.
 //
 //     octomaps fr_079.bt --planners RRTConnect,RRTstar --iterations 3000 --seeds 3
 
 #include "common/Options.h"
 #include "octomap/FclOctree.h"
 #include "ompl_certificates/octomap/OctomapObstacles.h"
+#include "ompl_certificates/octomap/OctomapSet.h"
+#include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
 #include <chrono>
@@ -127,6 +130,71 @@ namespace
             sum / (5.0 * double(points.size())));
     }
 
+    /** Flips some cells of a cube about a random occupied cell, as a scan of something that moves does */
+    std::size_t disturb(ompl::RNG &random, octomap::OcTree &map, const std::vector<CellBox> &boxes)
+    {
+        const CellBox &box = boxes[static_cast<std::size_t>(random.uniformInt(0, static_cast<int>(boxes.size()) - 1))];
+        constexpr int half = 10;
+        std::size_t count = 0;
+        for (int x = -half; x < half; ++x)
+            for (int y = -half; y < half; ++y)
+                for (int z = -half; z < half; ++z)
+                {
+                    const auto key = [&](std::size_t axis, int by)
+                    { return static_cast<octomap::key_type>(box.low[axis] + by + CellBox::FARTHEST); };
+                    const octomap::OcTreeKey cell(key(0, x), key(1, y), key(2, z));
+                    const octomap::OcTreeNode *node = map.search(cell);
+                    if (!node || random.uniform01() < 0.5)
+                        continue;
+                    map.setNodeValue(cell, map.isNodeOccupied(node) ? -2.0F : 2.0F);
+                    ++count;
+                }
+        return count;
+    }
+
+    /** What a changed region of the map costs a checker, against one made anew */
+    void reportChanges(octomap::OcTree &map, const ompl::base::RealVectorBounds &bounds)
+    {
+        const auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::inR3("ball", Body::sphere(0.2), bounds));
+        OctomapSet set(map);
+        ObstaclesPtr obstacles = set.takeChange().after;
+        ompl::RNG random;
+        std::vector<Eigen::Vector3d> points(10000);
+        for (Eigen::Vector3d &point : points)
+            for (unsigned int i = 0; i < 3; ++i)
+                point[i] = random.uniformReal(bounds.low[i], bounds.high[i]);
+        const auto certify = [&](TeamValidityChecker &checker)
+        {
+            std::vector<Certificate> certificates;
+            for (const Eigen::Vector3d &point : points)
+                certificates.push_back({point, checker.getObstacles().clearance(point)});
+            checker.addCertificates(certificates);
+        };
+        TeamSetup setup(team, obstacles);
+        certify(*setup.getTeamChecker());
+        const std::vector<CellBox> boxes = OctomapObstacles(map).getBoxes();
+        constexpr int frames = 20;
+        double change = 0.0, repair = 0.0, anew = 0.0;
+        std::size_t cells = 0;
+        for (int frame = 0; frame < frames; ++frame)
+        {
+            cells += disturb(random, map, boxes);
+            ObstacleChange taken;
+            change += secondsOf([&] { taken = set.takeChange(); });
+            repair += secondsOf([&] { setup.getTeamChecker()->changeObstacles(taken); });
+            anew += secondsOf(
+                [&]
+                {
+                    TeamSetup fresh(team, std::make_shared<OctomapObstacles>(map));
+                    certify(*fresh.getTeamChecker());
+                });
+        }
+        std::printf(
+            "A change of %zu cells takes %.2f ms, and the repair of %zu certificates %.2f ms; all anew %.1f ms.\n\n",
+            cells / frames, 1e3 * change / frames, points.size(), 1e3 * repair / frames, 1e3 * anew / frames);
+    }
+
     struct Row
     {
         std::string method;
@@ -198,6 +266,7 @@ namespace
             }
             std::fflush(stdout);
         }
+        reportChanges(map, bounds);
         return allEqual ? 0 : 1;
     }
 }
