@@ -1,0 +1,167 @@
+#include "Program.h"
+
+#include "generators/CrowdedHall.h"
+
+#include <chrono>
+#include <map>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+    using Row = std::map<std::string, std::string>;
+
+    std::vector<std::string> cells(const std::string &line)
+    {
+        std::vector<std::string> cells;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');)
+            cells.push_back(cell);
+        return cells;
+    }
+
+    /** The lines of a CSV file, by the names of its columns; all must have all columns */
+    std::vector<Row> rowsOf(const std::string &file)
+    {
+        std::istringstream stream(contentOf(file));
+        std::string line;
+        std::getline(stream, line);
+        const std::vector<std::string> names = cells(line);
+        std::vector<Row> rows;
+        while (std::getline(stream, line))
+        {
+            const std::vector<std::string> values = cells(line);
+            EXPECT_EQ(values.size(), names.size()) << line;
+            rows.emplace_back();
+            for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i)
+                rows.back()[names[i]] = values[i];
+        }
+        return rows;
+    }
+
+    std::size_t number(const Row &row, const std::string &column)
+    {
+        return std::stoull(row.at(column));
+    }
+
+    const std::vector<std::string> SMALL{"--people", "30", "--points", "10000", "--robots", "2"};
+
+    std::vector<std::string> small(const std::vector<std::string> &more)
+    {
+        std::vector<std::string> all = SMALL;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+}
+
+TEST(MovingWorld, keptCertificatesFreshOnesAndTheStandardCheckFindTheSame)
+{
+    const Folder folder;
+    const std::string file = folder / "frames.csv", again = folder / "again.csv";
+    Program program("moving_world", small({"--frames", "12", "--at-once", "--csv", file}));
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_EQ(program.errors(), "");
+    EXPECT_NE(program.output().find("|    12 |"), std::string::npos) << program.output();
+    EXPECT_NE(program.output().find("Robot poses asked: fresh / kept"), std::string::npos) << program.output();
+
+    const std::vector<Row> rows = rowsOf(file);
+    ASSERT_EQ(rows.size(), 12U);
+    std::map<std::string, std::size_t> sums;
+    for (const Row &row : rows)
+    {
+        EXPECT_EQ(number(row, "points"), 10000 + 30 * 400);
+        EXPECT_EQ(number(row, "points_gone"), number(row, "points_come"));
+        for (const char *column : {"points_come", "certificates_kept", "certificates_repaired", "blocked_motions",
+                                   "kept_asked", "fresh_asked", "standard_asked"})
+            sums[column] += number(row, column);
+    }
+    EXPECT_EQ(rows.front().at("result"), "new plan");
+    EXPECT_EQ(number(rows.front(), "blocked_motions"), 0U);
+    for (const auto &[column, sum] : sums)
+        EXPECT_GT(sum, 0U) << column;
+    EXPECT_LT(sums["kept_asked"], sums["fresh_asked"]);
+    EXPECT_LT(5 * sums["fresh_asked"], sums["standard_asked"]);
+
+    // All but times depends on the seed alone.
+    Program repeated("moving_world", small({"--frames", "12", "--at-once", "--csv", again}));
+    ASSERT_EQ(repeated.wait(), 0) << repeated.errors();
+    std::vector<Row> repeatedRows = rowsOf(again);
+    ASSERT_EQ(repeatedRows.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const auto &[column, value] : rows[i])
+        {
+            const bool isTime = column.find("seconds") != std::string::npos;
+            EXPECT_TRUE(isTime || repeatedRows[i][column] == value) << column << " of frame " << i + 1;
+        }
+}
+
+TEST(MovingWorld, refusesBadOptions)
+{
+    const Folder folder;
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--frame", "1"}, "did you mean --frames"},
+        {{"--frames", "0"}, "--frames"},
+        {{"--robots", "7"}, "--robots"},
+        {{"--people", "1000"}, "no room for 1000 people"},
+        {{"--csv", folder / "nowhere/frames.csv"}, "--csv"}};
+    for (const auto &[arguments, complaint] : cases)
+    {
+        Program program("moving_world", arguments);
+        EXPECT_EQ(program.wait(), 2);
+        EXPECT_NE(program.errors().find(complaint), std::string::npos) << program.errors();
+        EXPECT_EQ(program.output(), "");
+    }
+}
+
+TEST(MovingWorld, keepsWhatIsDoneWhenInterrupted)
+{
+    const Folder folder;
+    const std::string file = folder / "frames.csv";
+    Program program("moving_world", small({"--frames", "100000", "--csv", file}));
+    while (program.output().find("|     2 |") == std::string::npos)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 1);
+    EXPECT_NE(program.output().find("interrupted"), std::string::npos) << program.output();
+    const std::size_t frames = rowsOf(file).size();
+    EXPECT_GE(frames, 2U);
+    EXPECT_LT(frames, 100000U);
+}
+
+TEST(CrowdedHall, peopleWalkAndKeepAwayFromWallsPlacesAndEachOther)
+{
+    using generators::CrowdedHall;
+    const std::vector<Eigen::Vector2d> stations{{1.5, 7.0}}, robots{{12.0, 7.0}};
+    CrowdedHall hall({40, 7, stations}), same({40, 7, stations});
+    const std::vector<Eigen::Vector2d> first = hall.getPlaces();
+    std::vector<Eigen::Vector2d> before = first;
+    for (int frame = 0; frame < 200; ++frame)
+    {
+        const CrowdedHall::Frame seen = hall.step(0.1, robots);
+        EXPECT_EQ(seen.come, same.step(0.1, robots).come);
+        const std::vector<Eigen::Vector2d> places = hall.getPlaces();
+        std::size_t moved = 0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            moved += places[i] != before[i] ? 1 : 0;
+            EXPECT_LE((places[i] - before[i]).norm(), 0.15);
+            EXPECT_GE((places[i] - stations.front()).norm(), 1.1);
+            // One who stood near a robot may only go away from it.
+            const double wasAt = (before[i] - robots.front()).norm();
+            EXPECT_GE((places[i] - robots.front()).norm(), std::min(wasAt, 1.1));
+            for (const auto &[body, pose] : hall.getFixtures())
+            {
+                const Eigen::Vector3d point(places[i].x(), places[i].y(), 1.0);
+                EXPECT_GT(body.signedDistance(pose.inverse() * point), CrowdedHall::PERSON_RADIUS);
+            }
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_GE((places[i] - places[j]).norm(), 2.0 * CrowdedHall::PERSON_RADIUS);
+        }
+        // Those who stand are not seen anew.
+        EXPECT_EQ(seen.come.size(), 400 * moved);
+        EXPECT_EQ(seen.gone.size(), seen.come.size());
+        before = places;
+    }
+    for (std::size_t i = 0; i < first.size(); ++i)
+        EXPECT_NE(first[i], before[i]);
+}
