@@ -2,10 +2,11 @@
 // path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired, new
 // ones for each frame, and the standard check. All must find the same.
 //
-//     moving_world --frames 100 --csv frames.csv
+//     moving_world --frames 100 --csv frames.csv --animation hall.svg
 
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
+#include "common/MovingWorldPicture.h"
 #include "common/MovingWorldTable.h"
 #include "common/Outputs.h"
 #include "common/ProgressBar.h"
@@ -24,14 +25,16 @@
 #include <unistd.h>
 
 using namespace ompl_certificates;
+using demos::MovingWorldPicture;
 using demos::MovingWorldTable;
 using demos::ReplanningTeam;
+using generators::CrowdedHall;
 namespace ob = ompl::base;
 
 namespace
 {
     /** The time from frame to frame; the robots' speed; the radius of the cloud's points */
-    constexpr double FRAME_SECONDS = 0.1, SPEED = 1.0, POINT_RADIUS = 0.08;
+    constexpr double FRAME_SECONDS = 0.1, SPEED = 2.0, POINT_RADIUS = 0.08;
 
     /** Where drones start and turn back, from the short walls; how low and how high they fly */
     constexpr double STATION = 1.5, LOWEST = 0.4, HIGHEST = 1.8;
@@ -41,7 +44,7 @@ namespace
         unsigned int frames{100}, people{12}, robots{3}, points{100000};
         std::uint64_t seed{1};
         bool atOnce{false};
-        std::string csv;
+        std::string csv, animation;
         bool quiet{false};
     };
 
@@ -57,7 +60,7 @@ namespace
     /** The hall and its drones, without people: each starts at a short wall, and its goal is at the other */
     Scene sceneOf(const Options &options)
     {
-        const Eigen::Vector3d &size = generators::CrowdedHall::SIZE;
+        const Eigen::Vector3d &size = CrowdedHall::SIZE;
         ob::RealVectorBounds bounds(3);
         for (unsigned int axis = 0; axis < 3; ++axis)
             bounds.setHigh(axis, size[axis]);
@@ -84,6 +87,16 @@ namespace
             for (const std::vector<double> &end : {member.start, member.goal})
                 stations.emplace_back(end[0], end[1]);
         return stations;
+    }
+
+    /** Where the drones are, seen from above */
+    std::vector<Eigen::Vector2d> placesOf(const ob::ScopedState<> &state)
+    {
+        std::vector<Eigen::Vector2d> places;
+        const std::vector<double> reals = state.reals();
+        for (std::size_t i = 0; i < reals.size(); i += 3)
+            places.emplace_back(reals[i], reals[i + 1]);
+        return places;
     }
 
     MovingWorldTable::Certificates compare(const std::vector<Certificate> &before,
@@ -137,6 +150,28 @@ namespace
             return row;
         }
 
+        /** The last frame, with the path if it is new */
+        void draw(const MovingWorldTable::Row &row, MovingWorldPicture &picture) const
+        {
+            const std::deque<ob::ScopedState<>> &path = teams_.front().getPath();
+            picture.addFrame(hall_.getPlaces(), placesOf(path.front()));
+            if (!row.ways.front().planned)
+                return;
+            std::vector<MovingWorldPicture::Places> paths(team_->getRobotCount());
+            for (const ob::ScopedState<> &state : path)
+            {
+                const MovingWorldPicture::Places places = placesOf(state);
+                for (std::size_t robot = 0; robot < paths.size(); ++robot)
+                    paths[robot].push_back(places[robot]);
+            }
+            picture.setPaths(paths);
+        }
+
+        const std::vector<PlacedBody> &getFixtures() const
+        {
+            return hall_.getFixtures();
+        }
+
         /** Whether all teams found the same motions blocked, and have the same path now */
         bool areEqual(const MovingWorldTable::Row &row) const
         {
@@ -150,11 +185,7 @@ namespace
         /** The next frame of the sensor */
         ObstacleChange look(MovingWorldTable::Row &row)
         {
-            std::vector<Eigen::Vector2d> robots;
-            const std::vector<double> reals = teams_.front().getPath().front().reals();
-            for (std::size_t i = 0; i < reals.size(); i += 3)
-                robots.emplace_back(reals[i], reals[i + 1]);
-            const generators::CrowdedHall::Frame seen = hall_.step(FRAME_SECONDS, robots);
+            const CrowdedHall::Frame seen = hall_.step(FRAME_SECONDS, placesOf(teams_.front().getPath().front()));
             const auto start = std::chrono::steady_clock::now();
             cloud_.remove(seen.gone);
             cloud_.insert(seen.come);
@@ -169,7 +200,7 @@ namespace
         const Options &options_;
         const Scene scene_;
         const TeamStateSpacePtr team_;
-        generators::CrowdedHall hall_;
+        CrowdedHall hall_;
         PointCloudSet cloud_;
         std::vector<ReplanningTeam> teams_;
     };
@@ -188,6 +219,7 @@ namespace
             ->capture_default_str();
         app.add_option("--seed", options.seed, "Seed of people, noise and plans")->capture_default_str();
         app.add_option("--csv", options.csv, "File for all numbers of all frames, - for standard output");
+        app.add_option("--animation", options.animation, "SVG file of the hall from above, in motion, for browsers");
         app.add_flag("--at-once", options.atOnce,
                      "Certificates from the first check on, always: counts then depend on the seed alone");
         app.add_flag("--quiet", options.quiet, "No progress");
@@ -203,9 +235,8 @@ namespace
     };
 
     /** Make frames until all are done, an interrupt comes or the ways differ; what comes of such a frame is left out. */
-    End makeFrames(const Options &options, MovingWorldTable &table)
+    End makeFrames(const Options &options, MovingWorld &world, MovingWorldTable &table, MovingWorldPicture &picture)
     {
-        MovingWorld world(options);
         std::fputs(MovingWorldTable::header().c_str(), stdout);
         std::atomic<unsigned int> done{0};
         // On a terminal the lines of the table tell how far it is.
@@ -226,6 +257,8 @@ namespace
                 return End::DIFFERENT;
             std::fputs(table.add(row).c_str(), stdout);
             std::fflush(stdout);
+            if (!options.animation.empty())
+                world.draw(row, picture);
         }
         return End::ALL_DONE;
     }
@@ -233,13 +266,17 @@ namespace
     int run(const Options &options)
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        demos::prepareOutputs({{"--csv", options.csv}}, {});
+        demos::prepareOutputs({{"--csv", options.csv}, {"--animation", options.animation}}, {});
         demos::catchInterrupts();
         MovingWorldTable table;
-        const End end = makeFrames(options, table);
+        MovingWorld world(options);
+        MovingWorldPicture picture(CrowdedHall::SIZE.x(), CrowdedHall::SIZE.y(), world.getFixtures());
+        const End end = makeFrames(options, world, table, picture);
         std::fputs(table.summary().c_str(), stdout);
         if (!options.csv.empty())
             demos::writeOutput(options.csv, table.toCsv());
+        if (!options.animation.empty())
+            demos::writeOutput(options.animation, picture.toSvg(FRAME_SECONDS, CrowdedHall::PERSON_RADIUS));
         if (end == End::INTERRUPTED)
             std::puts("interrupted: later frames are left out");
         if (end == End::DIFFERENT)

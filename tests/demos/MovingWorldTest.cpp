@@ -1,11 +1,14 @@
 #include "Program.h"
 
 #include "generators/CrowdedHall.h"
+#include "support/Svg.h"
 
 #include <chrono>
 #include <map>
 #include <sstream>
 #include <thread>
+
+using ompl_certificates::test::isWellFormed;
 
 namespace
 {
@@ -42,6 +45,14 @@ namespace
     std::size_t number(const Row &row, const std::string &column)
     {
         return std::stoull(row.at(column));
+    }
+
+    std::size_t count(const std::string &text, const std::string &part)
+    {
+        std::size_t count = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+            ++count;
+        return count;
     }
 
     const std::vector<std::string> SMALL{"--people", "30", "--points", "10000", "--robots", "2"};
@@ -93,6 +104,23 @@ TEST(MovingWorld, keptCertificatesFreshOnesAndTheStandardCheckFindTheSame)
             const bool isTime = column.find("seconds") != std::string::npos;
             EXPECT_TRUE(isTime || repeatedRows[i][column] == value) << column << " of frame " << i + 1;
         }
+}
+
+TEST(MovingWorld, animationShowsEachPersonDroneAndPlan)
+{
+    const Folder folder;
+    const std::string csv = folder / "frames.csv", svg = folder / "hall.svg";
+    Program program("moving_world", small({"--frames", "6", "--csv", csv, "--animation", svg}));
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    const std::string picture = contentOf(svg);
+    EXPECT_TRUE(isWellFormed(picture));
+    std::size_t plans = 0;
+    for (const Row &row : rowsOf(csv))
+        plans += row.at("result") == "new plan" ? 1 : 0;
+    EXPECT_EQ(count(picture, "<animateTransform "), 30U + 2U);
+    EXPECT_EQ(count(picture, "<polyline "), 2 * plans);
+    // Six frames are five tenths of a second.
+    EXPECT_EQ(count(picture, " dur='0.5s'"), 32 + plans);
 }
 
 TEST(MovingWorld, refusesBadOptions)
