@@ -75,7 +75,7 @@ def main():
     arguments = parser.parse_args()
     figure = draw(read_frames(arguments.frames))
     try:
-        figure.savefig(arguments.figure, dpi=110)
+        figure.savefig(arguments.figure, dpi=90)
     except ValueError as error:
         raise trials.BadResults(f"{arguments.figure}: {error}") from None
 

@@ -123,6 +123,23 @@ TEST(MovingWorld, animationShowsEachPersonDroneAndPlan)
     EXPECT_EQ(count(picture, " dur='0.5s'"), 32 + plans);
 }
 
+TEST(MovingWorld, figureIsDrawnFromItsFrames)
+{
+    if (std::system("/usr/bin/python3 -c 'import pandas, matplotlib' 2>/dev/null") != 0)
+        GTEST_SKIP() << "Debian's pandas and matplotlib are not installed";
+    const Folder folder;
+    const std::string csv = folder / "frames.csv", figure = folder / "frames.svg", bad = folder / "bad.csv";
+    Program program("moving_world", small({"--frames", "3", "--csv", csv}));
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    const std::string tool = "'" OMPL_CERTIFICATES_SOURCE_DIR "/demos/experiments/make_moving_world_figure.py' 2>'" +
+                             (folder / "errors") + "' ";
+    EXPECT_EQ(std::system((tool + csv + " " + figure).c_str()), 0) << contentOf(folder / "errors");
+    EXPECT_NE(contentOf(figure).find("</svg>"), std::string::npos);
+    writeFile(bad, "frame,result\n1,valid\n");
+    EXPECT_EQ(WEXITSTATUS(std::system((tool + bad + " " + figure).c_str())), 2);
+    EXPECT_NE(contentOf(folder / "errors").find("not the frames of moving_world"), std::string::npos);
+}
+
 TEST(MovingWorld, refusesBadOptions)
 {
     const Folder folder;
