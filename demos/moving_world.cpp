@@ -41,7 +41,7 @@ namespace
 
     struct Options
     {
-        unsigned int frames{100}, people{12}, robots{3}, points{100000};
+        unsigned int frames{100}, people{20}, robots{3}, points{100000};
         std::uint64_t seed{1};
         bool atOnce{false};
         std::string csv, animation;

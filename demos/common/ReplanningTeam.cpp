@@ -122,7 +122,9 @@ namespace demos
         setup_->setStartAndGoalStates(path_.front(), goal_);
         // A planner of its own for each plan, and the random numbers of nothing else: equal seeds make equal plans.
         ompl::RNG::setSeed(seed);
-        setup_->setPlanner(std::make_shared<og::RRTConnect>(si));
+        const auto planner = std::make_shared<og::RRTConnect>(si);
+        planner->setRange(settings_.range);
+        setup_->setPlanner(planner);
         Limit limit(0.0, settings_.iterations);
         if (setup_->solve(limit.condition()) != ob::PlannerStatus::EXACT_SOLUTION)
             return;

@@ -28,7 +28,9 @@ namespace demos
         /** \brief How the team plans */
         struct Settings
         {
-            /** \brief Most iterations of RRTConnect */
+            /** \brief The range and most iterations of RRTConnect. OMPL's own range, a fifth of the team's space, would mostly
+                lead through an obstacle. */
+            double range{4.0};
             std::uint64_t iterations{20000};
 
             /** \brief How far robots go from frame to frame, in the distance of their spaces */
