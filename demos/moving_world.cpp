@@ -210,7 +210,7 @@ namespace
         app.add_option("--frames", options.frames, "Frames of the sensor, ten a second")
             ->check(demos::countUpTo(100000))
             ->capture_default_str();
-        app.add_option("--people", options.people, "People who walk about; the hall has room for some 150")
+        app.add_option("--people", options.people, "People who walk about; the hall has room for some 280")
             ->check(demos::countUpTo(1000))
             ->capture_default_str();
         app.add_option("--robots", options.robots, "Drones")->check(demos::countUpTo(6))->capture_default_str();

@@ -142,7 +142,7 @@ namespace demos
         for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i)
         {
             // Each step ends at a sample of the whole motion, so that its own samples are states that were checked.
-            const unsigned int samples = team_->validSegmentCount(path.getState(i), path.getState(i + 1));
+            const unsigned int samples = std::max(1U, team_->validSegmentCount(path.getState(i), path.getState(i + 1)));
             const double perSample = (times[i + 1] - times[i]) / samples;
             const auto stride = static_cast<unsigned int>(std::clamp(settings_.step / perSample, 1.0, 1.0 * samples));
             for (unsigned int sample = stride; sample < samples; sample += stride)

@@ -163,7 +163,7 @@ TEST(MovingWorld, keepsWhatIsDoneWhenInterrupted)
     const Folder folder;
     const std::string file = folder / "frames.csv";
     Program program("moving_world", small({"--frames", "100000", "--csv", file}));
-    while (program.output().find("|     2 |") == std::string::npos)
+    for (int i = 0; i < 6000 && program.output().find("|     2 |") == std::string::npos; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     program.signal(SIGINT);
     EXPECT_EQ(program.wait(), 1);
