@@ -1,5 +1,5 @@
-// Drones cross a hall in which people walk about. Ten times a second a sensor's cloud changes; the drones ask whether their
-// path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired, new
+// Drones cross a hall in which people walk about. Ten times a second a sensor's cloud changes; the drones ask whether
+// their path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired, new
 // ones for each frame, and the standard check. All must find the same.
 //
 //     moving_world --frames 100 --csv frames.csv --animation hall.svg
@@ -234,7 +234,7 @@ namespace
         DIFFERENT
     };
 
-    /** Make frames until all are done, an interrupt comes or the ways differ; what comes of such a frame is left out. */
+    /** Make frames until all are done, an interrupt comes or the ways differ. Such a frame is left out. */
     End makeFrames(const Options &options, MovingWorld &world, MovingWorldTable &table, MovingWorldPicture &picture)
     {
         std::fputs(MovingWorldTable::header().c_str(), stdout);

@@ -28,8 +28,8 @@ namespace demos
         /** \brief How the team plans */
         struct Settings
         {
-            /** \brief The range and most iterations of RRTConnect. OMPL's own range, a fifth of the team's space, would mostly
-                lead through an obstacle. */
+            /** \brief The range and most iterations of RRTConnect. OMPL's own range, a fifth of the team's space, would
+                mostly lead through an obstacle. */
             double range{4.0};
             std::uint64_t iterations{20000};
 
@@ -43,8 +43,8 @@ namespace demos
         /** \brief What a frame took, and what it led to */
         struct Frame
         {
-            /** \brief The time of the change itself: repair, or a new checker; of asking whether the path is still valid;
-                and of a new plan, if it was not */
+            /** \brief The time of the change itself: repair, or a new checker; of asking whether the path is still
+                valid; and of a new plan, if it was not */
             double changeSeconds{0.0}, pathSeconds{0.0}, planSeconds{0.0};
 
             /** \brief The part of planSeconds that was spent in checks */
@@ -77,11 +77,11 @@ namespace demos
                        const ompl_certificates::ObstaclesPtr &obstacles, const ompl::base::ScopedState<> &start,
                        const ompl::base::ScopedState<> &goal, const Settings &settings);
 
-        /** \brief The obstacles have changed: see whether the path is still valid, and plan if not. With equal seeds, all
-            ways come to the same. */
+        /** \brief The obstacles have changed: see whether the path is still valid, and plan if not. With equal seeds,
+            all ways come to the same. */
         Frame meet(const ompl_certificates::ObstacleChange &change, std::uint64_t seed);
 
-        /** \brief Go on along the path, if there is one. At the goal the team turns back: the start is its next goal. */
+        /** \brief Go on along the path, if there is one. At the goal the team turns back to where it started. */
         void moveOn();
 
         /** \brief Where the team is, and where it will be frame by frame */
