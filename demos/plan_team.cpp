@@ -226,7 +226,7 @@ namespace
 
         if (options.dryRun)
         {
-            demos::printTask(options, scene, *setup);
+            demos::printTask(options, scene, *setup->getPlanner());
             return demos::SOLVED;
         }
 

@@ -5,6 +5,7 @@
 #include "common/Limit.h"
 #include "common/Outputs.h"
 #include "common/PlanPage.h"
+#include "common/PlanTeamSummary.h"
 
 #include "ompl_certificates/control/ControlPlanners.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
@@ -30,7 +31,7 @@ namespace demos
         /** Plan, and fill in the report */
         void solve(TeamControlSetup &setup, const PlanTeamOptions &options, PlanReport &report)
         {
-            Limit limit(options.seconds == 0.0 ? 10.0 : options.seconds, options.iterations);
+            Limit limit(options.seconds, options.iterations);
             const ob::PlannerStatus status = setup.solve(limit.condition());
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
@@ -68,6 +69,14 @@ namespace demos
             std::printf("  time          %.3f s, in checking %.3f s\n", report.totalSeconds, report.checkingSeconds);
         }
 
+        void printControls(const PlanTeamOptions &options, const TeamControlSetup &setup)
+        {
+            const auto &si = *setup.getSpaceInformation();
+            std::printf("  controls      each for %u to %u steps of %g s\n", si.getMinControlDuration(),
+                        si.getMaxControlDuration(), si.getPropagationStepSize());
+            std::printf("  goal          within %g\n", options.goalTolerance);
+        }
+
         std::string drawn(const PlanTeamOptions &options, const Scene &scene, const TeamControlSetup &setup,
                           const ob::PlannerData &tree)
         {
@@ -88,8 +97,11 @@ namespace demos
         }
     }
 
-    int runDynamics(const PlanTeamOptions &options)
+    int runDynamics(PlanTeamOptions options)
     {
+        if (options.seconds == 0.0)
+            options.seconds = 10.0;
+        options.objective = "duration";
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
         const std::string planner = options.planner.empty() ? "RRT" : options.planner;
@@ -106,6 +118,12 @@ namespace demos
         setup.setup();
         setup.getStatistics().reset();
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
+        if (options.dryRun)
+        {
+            printTask(options, scene, *setup.getPlanner());
+            printControls(options, setup);
+            return SOLVED;
+        }
         catchInterrupts();
 
         PlanReport report;
@@ -113,7 +131,7 @@ namespace demos
         report.planner = planner;
         report.method = options.method;
         report.motion = options.motion;
-        report.objective = "duration";
+        report.objective = options.objective;
         report.seed = options.seed;
         solve(setup, options, report);
         ob::PlannerData tree(setup.getSpaceInformation());

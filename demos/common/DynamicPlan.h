@@ -8,7 +8,7 @@ namespace demos
     /** \brief Plan for a team that moves by controls, print and write: plan_team --dynamics
         \return the program's exit code
         \throws ompl::Exception for bad input */
-    int runDynamics(const PlanTeamOptions &options);
+    int runDynamics(PlanTeamOptions options);
 }
 
 #endif

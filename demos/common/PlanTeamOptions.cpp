@@ -89,10 +89,9 @@ namespace demos
             ->needs(dynamics);
         app.add_flag("--quiet", options.quiet, "Print errors only");
         app.add_flag(
-               "--dry-run", options.dryRun,
-               "Read all, check start and goal and whether files can be written, print what would be planned, and "
-               "end")
-            ->excludes(dynamics);
+            "--dry-run", options.dryRun,
+            "Read all, check start and goal and whether files can be written, print what would be planned, and "
+            "end");
         group(app, {{"Scenes of MoveIt", {"--request", "--urdf", "--srdf"}},
                     {"Planning",
                      {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations", "--seed",

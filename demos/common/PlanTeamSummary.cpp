@@ -65,7 +65,7 @@ namespace demos
         std::puts(threads ? " over all threads" : "");
     }
 
-    void printTask(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup)
+    void printTask(const PlanTeamOptions &options, const Scene &scene, const ompl::base::Planner &planner)
     {
         std::printf("%s: start and goal are free\n", scene.getName().c_str());
         std::printf("  workspace     dimensions %u, obstacles %zu, point clouds and maps %zu\n", scene.getDimension(),
@@ -74,10 +74,11 @@ namespace demos
             std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
                         member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
         std::printf("  resolution    %g of each robot's space, motions %s\n",
-                    setup.getStateSpace()->getLongestValidSegmentFraction(), options.motion.c_str());
-        std::printf("  planner       %s, method %s, objective %s, seed %u\n", setup.getPlanner()->getName().c_str(),
+                    planner.getSpaceInformation()->getStateSpace()->getLongestValidSegmentFraction(),
+                    options.motion.c_str());
+        std::printf("  planner       %s, method %s, objective %s, seed %u\n", planner.getName().c_str(),
                     options.method.c_str(), options.objective.c_str(), options.seed);
-        for (const auto &[key, parameter] : setup.getPlanner()->params().getParams())
+        for (const auto &[key, parameter] : planner.params().getParams())
             std::printf("  %-13s %s = %s\n", "", key.c_str(), parameter->getValue().c_str());
         if (options.iterations > 0)
             std::printf("  limit         %llu iterations\n", static_cast<unsigned long long>(options.iterations));

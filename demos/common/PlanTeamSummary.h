@@ -14,7 +14,7 @@ namespace demos
 
     /** \brief Print what would be planned, for --dry-run */
     void printTask(const PlanTeamOptions &options, const ompl_certificates::Scene &scene,
-                   const ompl_certificates::TeamSetup &setup);
+                   const ompl::base::Planner &planner);
 }
 
 #endif

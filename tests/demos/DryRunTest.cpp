@@ -19,6 +19,21 @@ TEST(DryRun, tellsWhatWouldBePlannedAndPlansNothing)
     EXPECT_TRUE(folder.list().empty()) << "nothing is written";
 }
 
+TEST(DryRun, tellsOfControls)
+{
+    const Folder folder;
+    Program program("plan_team",
+                    {SCENES + "controls/doorway.yaml", "--dry-run", "--dynamics", "--planner", "SST", "--planner-param",
+                     "selection_radius=0.7", "--goal-tolerance", "3", "--path", folder / "path.csv"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    const std::string output = program.output();
+    for (const std::string part :
+         {"start and goal are free", "planner       SST", "objective duration", "selection_radius = 0.7", "10 s",
+          "robot         cart", "each for 1 to 10 steps of 0.1 s", "within 3", "path.csv"})
+        EXPECT_NE(output.find(part), std::string::npos) << part << " in " << output;
+    EXPECT_TRUE(folder.list().empty()) << "nothing is written";
+}
+
 TEST(DryRun, findsWhatPlanningWouldFind)
 {
     const Folder folder;
@@ -30,7 +45,8 @@ TEST(DryRun, findsWhatPlanningWouldFind)
              {{colliding}, "robots[0].goal"},
              {{SCENES + "warehouse.yaml", "--planner", "RRTs"}, "RRTs"},
              {{SCENES + "warehouse.yaml", "--path", folder / "no/plan.csv"}, "no/plan.csv"},
-             {{SCENES + "controls/doorway.yaml", "--dynamics"}, "--dynamics"}})
+             {{SCENES + "controls/doorway.yaml", "--dynamics", "--planner", "RRTConnect"}, "RRTConnect"},
+             {{SCENES + "controls/doorway.yaml", "--dynamics", "--path", folder / "no/plan.csv"}, "no/plan.csv"}})
     {
         std::vector<std::string> all(arguments);
         all.push_back("--dry-run");
