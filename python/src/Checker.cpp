@@ -1,4 +1,5 @@
 #include "Checker.h"
+#include "Signals.h"
 
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 
@@ -132,7 +133,8 @@ namespace ompl_certificates_python
         const py::gil_scoped_release release;
         const TeamValidityChecker &checker = *setup_->getTeamChecker();
         Row row(*this);
-        for (std::size_t i = 0; i < rows; ++i)
+        Signals signals;
+        for (std::size_t i = 0; i < rows; ++i, signals.handle())
             valid[i] = checker.isValid(row.read(values + i * count_));
         return result;
     }
@@ -146,7 +148,8 @@ namespace ompl_certificates_python
         const py::gil_scoped_release release;
         const TeamValidityChecker &checker = *setup_->getTeamChecker();
         Row row(*this);
-        for (std::size_t i = 0; i < rows; ++i)
+        Signals signals;
+        for (std::size_t i = 0; i < rows; ++i, signals.handle())
             clearances[i] = checker.clearance(row.read(values + i * count_));
         return result;
     }
@@ -166,7 +169,8 @@ namespace ompl_certificates_python
         const auto isFinite = [this](const double *row)
         { return std::all_of(row, row + count_, [](double value) { return std::isfinite(value); }); };
         Row start(*this), end(*this);
-        for (std::size_t i = 0; i < rows; ++i, from += count_, to += count_)
+        Signals signals;
+        for (std::size_t i = 0; i < rows; ++i, from += count_, to += count_, signals.handle())
             valid[i] = isFinite(from) && isFinite(to) && si.checkMotion(start.read(from), end.read(to));
         return result;
     }

@@ -45,7 +45,8 @@ namespace ompl_certificates_python
             checker
                 .def("is_valid", &validOf, py::arg("states"),
                      "Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one "
-                     "state a bool. Bounds are not checked. Other Python threads run meanwhile.")
+                     "state a bool. Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises "
+                     "KeyboardInterrupt.")
                 .def("clearance", &clearanceOf, py::arg("states"),
                      "Lower bounds of the distance to the nearest contact, in the scene's length unit; not positive "
                      "if a state is not valid. Shapes as of is_valid.")

@@ -146,24 +146,24 @@ namespace ompl_certificates_python
                 .value();
         }
 
-        /** Plan without Python's lock, and fill in the report. */
+        /** Plan, and fill in the report. */
         void solve(TeamSetup &setup, const Options &options, PlanReport &report)
         {
             Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
-            {
-                const py::gil_scoped_release release;
-                setup.setup();
-                setup.getProblemDefinition()->setIntermediateSolutionCallback(
-                    [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
-                    {
-                        if (report.firstSolutionSeconds < 0.0)
-                            report.firstSolutionSeconds = progress.getSeconds();
-                    });
-                const ob::PlannerStatus status = setup.solve(progress.condition());
-                setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
-                report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
-            }
-            progress.rethrow();
+            progress.run(
+                [&]
+                {
+                    setup.setup();
+                    setup.getProblemDefinition()->setIntermediateSolutionCallback(
+                        [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
+                        {
+                            if (report.firstSolutionSeconds < 0.0)
+                                report.firstSolutionSeconds = progress.getSeconds();
+                        });
+                    const ob::PlannerStatus status = setup.solve(progress.condition());
+                    setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
+                    report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
+                });
             report.approximate = !report.solved && setup.haveSolutionPath();
             report.totalSeconds = setup.getLastPlanComputationTime();
             report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
@@ -178,11 +178,7 @@ namespace ompl_certificates_python
         void simplify(TeamSetup &setup, const Options &options, PlanReport &report)
         {
             Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
-            {
-                const py::gil_scoped_release release;
-                setup.simplifySolution(progress.condition());
-            }
-            progress.rethrow();
+            progress.run([&] { setup.simplifySolution(progress.condition()); });
             report.simplifiedCost = costOf(setup, options);
             report.simplifyingSeconds = setup.getLastSimplificationTime();
         }

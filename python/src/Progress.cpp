@@ -1,6 +1,7 @@
 #include "Progress.h"
 
-#include <limits>
+#include <exception>
+#include <future>
 
 namespace ompl_certificates_python
 {
@@ -9,12 +10,16 @@ namespace ompl_certificates_python
     namespace
     {
         /** How often Python is asked: often enough for people, too seldom to cost anything */
-        constexpr double PERIOD = 0.05;
+        constexpr std::chrono::duration<double> PERIOD(0.05);
     }
 
     Progress::Progress(double seconds, std::uint64_t evaluations, py::object callback,
                        const ompl::base::Planner &planner)
-      : limit_(seconds), evaluationLimit_(evaluations), callback_(std::move(callback)), planner_(planner)
+      : limit_(seconds)
+      , evaluationLimit_(evaluations)
+      , callback_(std::move(callback))
+      , hasCallback_(!callback_.is_none())
+      , planner_(planner)
     {
     }
 
@@ -28,10 +33,38 @@ namespace ompl_certificates_python
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    void Progress::rethrow() const
+    void Progress::run(const std::function<void()> &work)
     {
-        if (exception_)
-            std::rethrow_exception(exception_);
+        std::exception_ptr exception;
+        {
+            const py::gil_scoped_release release;
+            std::future<void> end = std::async(std::launch::async,
+                                               [this, &work]
+                                               {
+                                                   planning_ = std::this_thread::get_id();
+                                                   work();
+                                               });
+            while (end.wait_for(PERIOD) != std::future_status::ready)
+            {
+                if (over_)
+                    continue;
+                const py::gil_scoped_acquire acquire;
+                try
+                {
+                    if (report())
+                        over_ = true;
+                }
+                catch (...)
+                {
+                    // The planner uses this object until it has ended.
+                    exception = std::current_exception();
+                    over_ = true;
+                }
+            }
+            end.get();
+        }
+        if (exception)
+            std::rethrow_exception(exception);
     }
 
     bool Progress::isOver()
@@ -39,45 +72,31 @@ namespace ompl_certificates_python
         if (over_)
             return true;
         const double seconds = getSeconds();
-        bool over = seconds >= limit_ || (evaluationLimit_ > 0 && evaluations_ >= evaluationLimit_);
-        // Signals are for the thread that Python runs in, and the planner may have others.
-        if (!over && seconds >= next_ && std::this_thread::get_id() == thread_)
+        if (seconds >= limit_ || (evaluationLimit_ > 0 && evaluations_ >= evaluationLimit_))
         {
-            over = report(seconds);
-            next_ = getSeconds() + PERIOD;
-        }
-        if (over)
             over_ = true;
-        else
-            ++evaluations_;
-        return over;
-    }
-
-    bool Progress::report(double seconds)
-    {
-        const py::gil_scoped_acquire acquire;
-        try
-        {
-            if (PyErr_CheckSignals() != 0)
-                throw py::error_already_set();
-            if (callback_.is_none())
-                return false;
-            const py::object answer = callback_(seconds, bestCost());
-            return answer.ptr() == Py_True;
-        }
-        catch (...)
-        {
-            // It must not pass through the planner, which is no place for exceptions.
-            exception_ = std::current_exception();
             return true;
         }
+        if (hasCallback_)
+            readCost(seconds);
+        ++evaluations_;
+        return false;
     }
 
-    double Progress::bestCost() const
+    bool Progress::report() const
     {
+        if (PyErr_CheckSignals() != 0)
+            throw py::error_already_set();
+        return hasCallback_ && callback_(getSeconds(), cost_.load()).ptr() == Py_True;
+    }
+
+    void Progress::readCost(double seconds)
+    {
+        if (std::this_thread::get_id() != planning_ || seconds < nextCost_)
+            return;
+        nextCost_ = seconds + PERIOD.count();
         for (const auto &[name, query] : planner_.getPlannerProgressProperties())
             if (name.compare(0, 10, "best cost ") == 0)
-                return std::stod(query());
-        return std::numeric_limits<double>::infinity();
+                cost_ = std::stod(query());
     }
 }

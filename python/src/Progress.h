@@ -4,7 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <exception>
+#include <functional>
+#include <limits>
 #include <ompl/base/Planner.h>
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <pybind11/pybind11.h>
@@ -14,8 +15,9 @@ namespace ompl_certificates_python
 {
     /** \brief Ends a plan: after a time or a number of evaluations, on Ctrl-C, or when the callback says so.
 
-        While the planner runs without Python's lock, the thread that plans takes it some 20 times in a second, to look
-        for signals and to call the callback. An exception ends the plan and is thrown again by rethrow(). */
+        The planner runs in a thread of its own. Meanwhile the thread that called looks for signals and calls the
+        callback some 20 times in a second. So planners may have as many threads as they like: none of these ever
+        waits for Python. */
     class Progress
     {
     public:
@@ -28,8 +30,10 @@ namespace ompl_certificates_python
         /** \brief The condition for a planner, to be used while this object lives */
         ompl::base::PlannerTerminationCondition condition();
 
-        /** \brief Throw what the callback or a signal handler has thrown; with Python's lock. */
-        void rethrow() const;
+        /** \brief Call \e work in another thread, and return when it has ended. Call it with Python's lock, which is
+            released meanwhile.
+            \throws what \e work, the callback or the handler of a signal throws */
+        void run(const std::function<void()> &work);
 
         /** \brief How often the planner asked and was to go on */
         std::uint64_t getEvaluations() const
@@ -43,22 +47,23 @@ namespace ompl_certificates_python
     private:
         bool isOver();
 
-        /** \brief Look for signals and call the callback; returns whether the plan shall end. */
-        bool report(double seconds);
+        /** \brief Look for signals and call the callback; returns whether the plan shall end. With Python's lock. */
+        bool report() const;
 
-        /** \brief The planner's best cost so far */
-        double bestCost() const;
+        /** \brief Keep the planner's best cost for the callback. In the thread that plans, for no other may ask. */
+        void readCost(double seconds);
 
         const double limit_;
         const std::uint64_t evaluationLimit_;
         const pybind11::object callback_;
+        const bool hasCallback_;
         const ompl::base::Planner &planner_;
-        const std::thread::id thread_{std::this_thread::get_id()};
         const std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-        double next_{0.0};
+        std::thread::id planning_;
+        double nextCost_{0.0};
+        std::atomic<double> cost_{std::numeric_limits<double>::infinity()};
         std::atomic<std::uint64_t> evaluations_{0};
         std::atomic<bool> over_{false};
-        std::exception_ptr exception_;
     };
 }
 

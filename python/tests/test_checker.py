@@ -1,7 +1,9 @@
 """Checks in batches, changes of obstacles, certificates"""
 
 import math
+import os
 import pathlib
+import signal
 import threading
 import time
 from typing import Any, List
@@ -185,3 +187,27 @@ def test_python_runs_while_a_batch_is_checked(room: oc.Scene) -> None:
         longest, last = max(longest, now - last), now
     # Without the release, Python would stand still for nearly all of the batch.
     assert longest < 0.7 * (time.perf_counter() - begin)
+
+
+@pytest.mark.parametrize("question", ["is_valid", "clearance", "check_motions"])
+def test_interrupt_ends_a_batch(room: oc.Scene, question: str) -> None:
+    for place in np.random.default_rng(14).uniform(0, 10, (200, 2)):
+        room.add_obstacle(oc.Body.box(0.1, 0.1), place)
+    checker = oc.Checker(room)
+    states = np.random.default_rng(13).uniform(0, 10, (3000000, 4))
+    arguments = (states, states[::-1].copy()) if question == "check_motions" else (states,)
+    sent = math.inf
+
+    def interrupt() -> None:
+        nonlocal sent
+        sent = time.monotonic()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.2, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        getattr(checker, question)(*arguments)
+    # All of the batch takes more than a second.
+    assert time.monotonic() - sent < 0.5
+    timer.join()
+    assert len(getattr(checker, question)(*(argument[:5] for argument in arguments))) == 5

@@ -12,6 +12,8 @@ import numpy as np
 import ompl_certificates as oc
 import pytest
 
+MANY_THREADS = ("AnytimePathShortening", "CForest", "DRRTstar", "PRMstar", "SPARS", "pRRT", "pSBL")
+
 
 def test_plan_leads_from_start_to_goal(room: oc.Scene) -> None:
     plan = oc.plan(room, time=1.0)
@@ -62,6 +64,31 @@ def test_callback_sees_progress_and_ends_the_plan(room: oc.Scene) -> None:
     assert [c[0] for c in calls] == sorted(c[0] for c in calls)
     if plan.solved:
         assert calls[-1][1] < float("inf")
+
+
+@pytest.mark.parametrize("planner", MANY_THREADS)
+def test_callback_and_interrupt_reach_planners_with_threads(room: oc.Scene, planner: str) -> None:
+    room.add_obstacle(oc.Body.box(0.5, 20), (5, 5))  # no way, so that it plans on
+    checker = oc.Checker(room)
+    calls: List[bool] = []
+
+    def callback(seconds: float, cost: float) -> bool:
+        calls.append(bool(checker.is_valid(room.start)))
+        checker.move_obstacle(0, (5, 5, 0.1 * len(calls)))
+        return len(calls) == 4
+
+    begin = time.monotonic()
+    assert not oc.plan(checker, planner, time=60, callback=callback)
+    assert calls == 4 * [True]
+
+    def interrupt(seconds: float, cost: float) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        oc.plan(checker, planner, time=60, callback=interrupt)
+    with pytest.raises(KeyError, match="mine"):
+        oc.plan(checker, planner, time=60, callback=lambda *_: {}["mine"])
+    assert time.monotonic() - begin < 20
 
 
 def test_what_the_callback_raises_is_raised(room: oc.Scene) -> None:
