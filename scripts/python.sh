@@ -12,9 +12,9 @@ cmake -S . -B build -G Ninja -DOMPL_CERTIFICATES_WERROR=ON -DOMPL_CERTIFICATES_B
 cmake --build build --target ompl_certificates_python
 
 export PYTHONPATH="$PWD/build/python"
-"$python" -m flake8 --max-line-length 120 python setup.py
+"$python" -m flake8 --max-line-length 120 python setup.py scripts/python_stub.py
 if command -v ruff >/dev/null; then
-  ruff check python setup.py
+  ruff check python setup.py scripts/python_stub.py
 fi
 "$python" -m mypy
 "$python" -m pytest -q

@@ -8,44 +8,66 @@ from ._view import View
 
 __version__: str
 
-class Error(RuntimeError): ...
+class Error(RuntimeError):
+    """What was given makes no sense; one line that names the file or the argument, and the value."""
 
 class Body:
+    """A rigid body: one or more shapes in its own frame. Lengths are in the scene's unit."""
     @staticmethod
-    def disc(radius: float) -> Body: ...
+    def disc(radius: float) -> Body:
+        """A disc, in the plane; radius 0 is a point"""
     @staticmethod
-    def sphere(radius: float) -> Body: ...
+    def sphere(radius: float) -> Body:
+        """A sphere, in space; radius 0 is a point"""
     @staticmethod
-    def box(x: float, y: float, z: Optional[float] = None) -> Body: ...
+    def box(x: float, y: float, z: Optional[float] = None) -> Body:
+        """A rectangle about the origin, or with z a box, with these extents"""
     @staticmethod
-    def planar_capsule(radius: float, length: float) -> Body: ...
+    def planar_capsule(radius: float, length: float) -> Body:
+        """All points of the plane within radius of a segment along x about the origin"""
     @staticmethod
-    def capsule(radius: float, length: float) -> Body: ...
+    def capsule(radius: float, length: float) -> Body:
+        """All points of space within radius of a segment along z about the origin"""
     @staticmethod
-    def cylinder(radius: float, length: float) -> Body: ...
+    def cylinder(radius: float, length: float) -> Body:
+        """A cylinder along z about the origin, in space"""
     @staticmethod
-    def convex(points: ArrayLike) -> Body: ...
+    def convex(points: ArrayLike) -> Body:
+        """The convex polygon (points of shape (n, 2)) or polytope ((n, 3)) with these corners"""
     @staticmethod
-    def convex_hull(points: ArrayLike) -> Body: ...
+    def convex_hull(points: ArrayLike) -> Body:
+        """The convex hull of any points, of shape (n, 2) or (n, 3)"""
     @staticmethod
-    def mesh(vertices: ArrayLike, faces: ArrayLike, dimension: int = 3) -> Body: ...
+    def mesh(vertices: ArrayLike, faces: ArrayLike, dimension: int = 3) -> Body:
+        """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:
+        it keeps its z, and moves in x and y."""
     @staticmethod
-    def mesh_file(file: str, dimension: int = 3) -> Body: ...
+    def mesh_file(file: str, dimension: int = 3) -> Body:
+        """The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame"""
     @staticmethod
-    def join(members: Sequence[Tuple[Body, Optional[ArrayLike]]]) -> Body: ...
+    def join(members: Sequence[Tuple[Body, Optional[ArrayLike]]]) -> Body:
+        """One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)"""
     @property
-    def dimension(self) -> int: ...
+    def dimension(self) -> int:
+        """The dimension of the workspace: 2 or 3"""
     @property
-    def bounding_radius(self) -> float: ...
-    def signed_distance(self, points: ArrayLike) -> NDArray[np.float64]: ...
+    def bounding_radius(self) -> float:
+        """The largest distance of a point of the body from the origin of its frame"""
+    def signed_distance(self, points: ArrayLike) -> NDArray[np.float64]:
+        """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
+        (n,)"""
 
 class Robot:
+    """One member of a team: a rigid body, a car with a trailer, or an arm"""
     @staticmethod
-    def rigid(name: str, body: Body, low: Sequence[float], high: Sequence[float], turns: bool = True) -> Robot: ...
+    def rigid(name: str, body: Body, low: Sequence[float], high: Sequence[float], turns: bool = True) -> Robot:
+        """A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y and, if it turns,
+        the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw."""
     @staticmethod
     def car_with_trailer(
         name: str, car: Body, trailer: Body, hitch_length: float, low: Sequence[float], high: Sequence[float]
-    ) -> Robot: ...
+    ) -> Robot:
+        """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle"""
     @staticmethod
     def arm(
         urdf: str,
@@ -54,87 +76,169 @@ class Robot:
         name: Optional[str] = None,
         base: Optional[ArrayLike] = None,
         joint_values: Mapping[str, float] = ...,
-    ) -> Robot: ...
+    ) -> Robot:
+        """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
+        pose of its root link. A state has the values of the group's joints, in radians or meters."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The robot's name, unique in its team"""
     @property
-    def bodies(self) -> List[Body]: ...
+    def bodies(self) -> List[Body]:
+        """The bodies that the robot moves"""
     @property
-    def coordinates(self) -> List[str]: ...
+    def coordinates(self) -> List[str]:
+        """The names of the numbers of a state"""
     @property
-    def dimension(self) -> int: ...
-    def poses(self, state: Sequence[float]) -> NDArray[np.float64]: ...
+    def dimension(self) -> int:
+        """The dimension of the workspace: 2 or 3"""
+    def poses(self, state: Sequence[float]) -> NDArray[np.float64]:
+        """Where each body is in a state: matrices, of shape (bodies, 4, 4)"""
 
 class Scene:
-    def __init__(self, low: Sequence[float], high: Sequence[float], name: str = "scene") -> None: ...
-    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int: ...
-    def add_cloud(self, points: ArrayLike, radius: float, cell: float = 0.0) -> None: ...
-    def add_cloud_file(self, file: str, radius: float, cell: float = 0.0) -> None: ...
+    """A workspace with obstacles, and robots with their starts and goals. Lengths are in the scene's unit, angles in
+    radians."""
+    def __init__(self, low: Sequence[float], high: Sequence[float], name: str = "scene") -> None:
+        """A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers."""
+    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
+        """Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, (x, y, z) or
+        (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix."""
+    def add_cloud(self, points: ArrayLike, radius: float, cell: float = 0.0) -> int:
+        """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud,
+        from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one
+        in each cell of a grid. In a planar scene add the robots first: points that none reaches do not count."""
+    def add_cloud_file(self, file: str, radius: float, cell: float = 0.0) -> int:
+        """The same, from a PCD, PLY, .xyz or .txt file"""
     def add_robot(
         self, robot: Robot, start: Sequence[float], goal: Sequence[float], weight: float = 1.0
-    ) -> None: ...
+    ) -> None:
+        """Add a robot, with its start and goal; its distances count weight times."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """What the scene is called"""
     @property
-    def dimension(self) -> int: ...
+    def dimension(self) -> int:
+        """The dimension of the workspace: 2 or 3"""
     @property
-    def low(self) -> NDArray[np.float64]: ...
+    def low(self) -> NDArray[np.float64]:
+        """The lower bounds of the workspace, of shape (dimension,)"""
     @property
-    def high(self) -> NDArray[np.float64]: ...
+    def high(self) -> NDArray[np.float64]:
+        """The upper bounds of the workspace, of shape (dimension,)"""
     @property
-    def notes(self) -> List[str]: ...
+    def notes(self) -> List[str]:
+        """What a user should know about how files were read"""
     @property
-    def robots(self) -> List[Robot]: ...
+    def robots(self) -> List[Robot]:
+        """The robots, in the order of the numbers of a state"""
     @property
-    def obstacle_count(self) -> int: ...
+    def obstacle_count(self) -> int:
+        """The number of obstacles that are bodies"""
     @property
-    def coordinates(self) -> List[str]: ...
+    def coordinates(self) -> List[str]:
+        """The names of the numbers of a state of the team, such as scout.x"""
     @property
-    def start(self) -> NDArray[np.float64]: ...
+    def start(self) -> NDArray[np.float64]:
+        """The team's start, of shape (coordinates,)"""
     @property
-    def goal(self) -> NDArray[np.float64]: ...
+    def goal(self) -> NDArray[np.float64]:
+        """The team's goal, of shape (coordinates,)"""
     resolution: float
-    def first_robots(self, count: int) -> Scene: ...
-    def validate(self) -> None: ...
+    """The longest step between samples of a motion, as a fraction of each robot's extent; 0 for OMPL's own"""
+    def first_robots(self, count: int) -> Scene:
+        """The same scene with the first robots alone"""
+    def validate(self) -> None:
+        """Raise an Error unless the team can stand at its start and goal."""
 
 class Checker:
-    def __init__(self, scene: Scene, method: str = "shared", motion: str = "discrete") -> None: ...
-    def is_valid(self, states: ArrayLike) -> Any: ...
-    def clearance(self, states: ArrayLike) -> Any: ...
-    def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]: ...
-    def describe_collision(self, state: ArrayLike) -> str: ...
-    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int: ...
-    def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None: ...
-    def remove_obstacle(self, obstacle: int) -> None: ...
-    def certificates(self) -> NDArray[np.float64]: ...
-    def save_certificates(self, file: str) -> None: ...
-    def load_certificates(self, file: str) -> int: ...
-    def statistics(self) -> Dict[str, Union[int, float]]: ...
-    def reset_statistics(self) -> None: ...
-    def set_adaptive(self, adaptive: bool) -> None: ...
+    """Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of the scene
+    do not reach it. Threads may share it."""
+    def __init__(self, scene: Scene, method: str = "shared", motion: str = "discrete") -> None:
+        """method: shared, partial, basic, standard or fcl. motion: discrete or continuous."""
+    def is_valid(self, states: ArrayLike) -> Any:
+        """Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one state a bool.
+        Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt."""
+    def clearance(self, states: ArrayLike) -> Any:
+        """Lower bounds of the distance to the nearest contact, in the scene's length unit; not positive if a state is
+        not valid. Shapes as of is_valid."""
+    def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
+        """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
+        shape (n,). The starts must be valid, as in OMPL."""
+    def describe_collision(self, state: ArrayLike) -> str:
+        """What collides in a state, in one line; empty if it is valid"""
+    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
+        """Add an obstacle and return its number."""
+    def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:
+        """Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned."""
+    def remove_obstacle(self, obstacle: int) -> None:
+        """Remove an obstacle."""
+    def add_cloud(self, points: ArrayLike, radius: float) -> int:
+        """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud.
+        All within radius of a point is occupied."""
+    def change_cloud(
+        self,
+        cloud: int,
+        *,
+        insert: Optional[ArrayLike] = None,
+        remove: Optional[ArrayLike] = None,
+        clear: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+    ) -> None:
+        """Change a cloud, all at once: remove points of exactly these coordinates and all within the box clear = (low,
+        high), which may be infinite; then insert others. The scene's own clouds have the numbers that Scene.add_cloud
+        returned. Time goes with the points that come and go. Where it raises an Error, nothing has changed."""
+    def cloud_points(self, cloud: int) -> NDArray[np.float64]:
+        """The points of a cloud now, of shape (n, dimension), in no order"""
+    def certificates(self) -> NDArray[np.float64]:
+        """The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and its
+        clearance"""
+    def save_certificates(self, file: str) -> None:
+        """Write what is known of the obstacles to a file."""
+    def load_certificates(self, file: str) -> int:
+        """Read what another run knew of the same obstacles, and return the number of certificates."""
+    def statistics(self) -> Dict[str, Union[int, float]]:
+        """How checks were settled so far, as in the report of a plan"""
+    def reset_statistics(self) -> None:
+        """Set all counts to 0."""
+    def set_adaptive(self, adaptive: bool) -> None:
+        """Whether to skip certificates where they have not paid lately (the default). If not, counts depend only on the
+        states, for experiments. Not while others use the checker."""
 
 class Plan:
+    """What came of a plan"""
     @property
-    def solved(self) -> bool: ...
+    def solved(self) -> bool:
+        """Whether a solution was found"""
     @property
-    def cost(self) -> float: ...
+    def cost(self) -> float:
+        """The cost of the path, by the objective; infinite without a solution"""
     @property
-    def path(self) -> NDArray[np.float64]: ...
+    def path(self) -> NDArray[np.float64]:
+        """The states of the solution, of shape (n, coordinates); n is 0 without"""
     @property
-    def times(self) -> NDArray[np.float64]: ...
+    def times(self) -> NDArray[np.float64]:
+        """When the team is at each state if no robot is faster than 1, of shape (n,)"""
     @property
-    def coordinates(self) -> List[str]: ...
+    def coordinates(self) -> List[str]:
+        """The names of the columns of path, such as scout.x"""
     @property
-    def report(self) -> Dict[str, Any]: ...
-    def save(self, file: str) -> None: ...
-    def save_report(self, file: str) -> None: ...
-    def view(self, path: Optional[Union[str, os.PathLike[str]]] = None) -> View: ...
+    def report(self) -> Dict[str, Any]:
+        """Costs, counts and times (docs/plan-team.md), as a dict"""
+    def save(self, file: str) -> None:
+        """Write the path as a table of comma-separated values (docs/plan-team.md)."""
+    def save_report(self, file: str) -> None:
+        """Write the report as JSON."""
+    def view(self, path: Optional[Union[str, os.PathLike[str]]] = None) -> View:
+        """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
+        too."""
     def __bool__(self) -> bool: ...
 
-def load_scene(file: str) -> Scene: ...
-def scene_from_yaml(text: str, source: str = "scene.yaml") -> Scene: ...
-def load_moveit(scene: str, request: str, urdf: str, srdf: str) -> Scene: ...
-def planner_names() -> List[str]: ...
+def load_scene(file: str) -> Scene:
+    """The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app"""
+def scene_from_yaml(text: str, source: str = "scene.yaml") -> Scene:
+    """The scene in a text. Errors name source, and meshes are looked for in its folder."""
+def load_moveit(scene: str, request: str, urdf: str, srdf: str) -> Scene:
+    """The scene in MoveIt's planning scene and motion plan request (YAML)"""
+def planner_names() -> List[str]:
+    """The names of all planners: OMPL's classes, and DRRTstar"""
 def _plan(
     checker: Checker,
     planner: str,

@@ -1,8 +1,6 @@
 #include "Checker.h"
 #include "Signals.h"
 
-#include <ompl_certificates/obstacles/MixedObstacles.h>
-
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -80,26 +78,15 @@ namespace ompl_certificates_python
     };
 
     Checker::Checker(const Scene &scene, const std::string &method, const std::string &motion)
-      : scene_(scene), motion_(motion), obstacles_(scene.getDimension(), scene.getZInterval())
+      : scene_(scene), motion_(motion), world_(scene)
     {
         if (scene.getMembers().empty())
             throw ompl::Exception(scene.getSource(), "robots: a scene needs at least one robot");
-        for (const PlacedBody &obstacle : scene.getObstacles())
-            obstacles_.add(obstacle);
         const TeamStateSpacePtr team = scene.makeTeam();
-        setup_ = std::make_unique<TeamSetup>(team, withSensed(obstacles_.takeChange().after), methodOf(method),
-                                             modeOf(motion));
+        setup_ = std::make_unique<TeamSetup>(team, world_.getObstacles(), methodOf(method), modeOf(motion));
         setup_->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
         setup_->getSpaceInformation()->setup();
         findRotations(*team, count_, angles_, quaternions_);
-    }
-
-    ObstaclesPtr Checker::withSensed(const ObstaclesPtr &bodies) const
-    {
-        std::vector<ObstaclesPtr> all = scene_.getSensedObstacles();
-        if (obstacles_.size() > 0 || all.empty())
-            all.insert(all.begin(), bodies);
-        return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
     }
 
     std::size_t Checker::countRows(const Doubles &states, const char *what) const
@@ -194,11 +181,8 @@ namespace ompl_certificates_python
         Scene now(scene_.getName(), scene_.getSource(), scene_.getBounds());
         {
             const std::lock_guard<std::mutex> lock(changing_);
-            for (const PlacedBody &obstacle : obstacles_.getObstacles())
-                now.addObstacle(obstacle);
+            world_.addTo(now);
         }
-        for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
-            now.addSensedObstacles(sensed, "");
         std::size_t i = 0;
         for (Scene::Member member : scene_.getMembers())
         {
@@ -208,33 +192,51 @@ namespace ompl_certificates_python
         return now;
     }
 
-    void Checker::change()
+    void Checker::tell(const ObstacleChange &change)
     {
-        ObstacleChange change = obstacles_.takeChange();
-        change.after = withSensed(change.after);
         setup_->getTeamChecker()->changeObstacles(change);
     }
 
     ObstacleSet::Id Checker::addObstacle(const Body &body, const Pose &pose)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        const ObstacleSet::Id obstacle = obstacles_.add({body, pose});
-        change();
+        const ObstacleSet::Id obstacle = world_.getBodies().add({body, pose});
+        tell(world_.takeBodies());
         return obstacle;
     }
 
     void Checker::moveObstacle(ObstacleSet::Id obstacle, const Pose &pose)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        obstacles_.move(obstacle, pose);
-        change();
+        world_.getBodies().move(obstacle, pose);
+        tell(world_.takeBodies());
     }
 
     void Checker::removeObstacle(ObstacleSet::Id obstacle)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        obstacles_.remove(obstacle);
-        change();
+        world_.getBodies().remove(obstacle);
+        tell(world_.takeBodies());
+    }
+
+    std::size_t Checker::addCloud(std::vector<Eigen::Vector3d> points, double radius)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        const std::size_t cloud = world_.getCloudCount();
+        tell(world_.addCloud(std::move(points), radius));
+        return cloud;
+    }
+
+    void Checker::changeCloud(std::size_t cloud, const CloudChange &change)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        tell(world_.changeCloud(cloud, change));
+    }
+
+    std::vector<Eigen::Vector3d> Checker::getCloudPoints(std::size_t cloud) const
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        return world_.getPoints(cloud);
     }
 
     std::unique_lock<std::mutex> Checker::lockPlanning() const

@@ -2,9 +2,7 @@
 #define OMPL_CERTIFICATES_PYTHON_CHECKER_
 
 #include "Arrays.h"
-
-#include <ompl_certificates/obstacles/ObstacleSet.h>
-#include <ompl_certificates/scene/Scene.h>
+#include "World.h"
 
 #include <memory>
 #include <mutex>
@@ -51,6 +49,16 @@ namespace ompl_certificates_python
         ObstacleSet::Id addObstacle(const Body &body, const Pose &pose);
         void moveObstacle(ObstacleSet::Id obstacle, const Pose &pose);
         void removeObstacle(ObstacleSet::Id obstacle);
+
+        /** \brief Add a cloud of points with one radius, and return its number.
+            \throws ompl::Exception as World does, here and below */
+        std::size_t addCloud(std::vector<Eigen::Vector3d> points, double radius);
+
+        /** \brief Change the points of a cloud. Checks of other threads see all of the change or nothing. */
+        void changeCloud(std::size_t cloud, const CloudChange &change);
+
+        /** \brief The points of a cloud, in no order */
+        std::vector<Eigen::Vector3d> getCloudPoints(std::size_t cloud) const;
 
         /** \brief A state of the team, from its numbers
             \throws ompl::Exception as isValid() does */
@@ -100,17 +108,13 @@ namespace ompl_certificates_python
         /** \brief The number of rows, after a check of the shape and of all quaternions */
         std::size_t countRows(const Doubles &states, const char *what) const;
 
-        /** \brief Give the changes of the set to the checker. */
-        void change();
-
-        /** \brief All obstacles, as of Scene::makeObstacles() */
-        ompl_certificates::ObstaclesPtr withSensed(const ompl_certificates::ObstaclesPtr &bodies) const;
+        void tell(const ompl_certificates::ObstacleChange &change);
 
         Scene scene_;
         std::string motion_;
         std::size_t count_{0};
         std::vector<std::size_t> angles_, quaternions_;
-        ObstacleSet obstacles_;
+        World world_;
         std::unique_ptr<TeamSetup> setup_;
         mutable std::mutex changing_, planning_;
     };

@@ -26,15 +26,16 @@ namespace ompl_certificates_python
             return scene.getObstacles().size() - 1;
         }
 
-        void addCloud(Scene &scene, PointCloud cloud, double cell)
+        std::size_t addCloud(Scene &scene, PointCloud cloud, double cell)
         {
             if (cell > 0.0)
                 cloud = thinned(std::move(cloud), cell);
             if (scene.getDimension() == 2)
                 cloud = sliced(std::move(cloud), scene.getZInterval());
-            const std::string title = "clouds[" + std::to_string(scene.getSensedObstacles().size()) + "]";
+            const std::size_t number = scene.getSensedObstacles().size();
             scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(std::move(cloud), scene.getDimension()),
-                                     title);
+                                     "clouds[" + std::to_string(number) + "]");
+            return number;
         }
 
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const std::vector<double> &start,
@@ -68,11 +69,11 @@ namespace ompl_certificates_python
                 .def(
                     "add_cloud",
                     [](Scene &self, const Doubles &points, double radius, double cell) {
-                        addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell);
+                        return addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell);
                     },
                     py::arg("points"), py::arg("radius"), py::arg("cell") = 0.0,
-                    "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2): all within radius of one "
-                    "of them is occupied. With a cell larger than 0 fewer points stand for them, one in each cell of "
+                    "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the "
+                    "cloud, from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one in each cell of "
                     "a grid. In a planar scene add the robots first: points that none reaches do not count.")
                 .def(
                     "add_cloud_file",
@@ -80,7 +81,7 @@ namespace ompl_certificates_python
                     {
                         PointCloud cloud = loadCloud(file);
                         cloud.radius = radius;
-                        addCloud(self, std::move(cloud), cell);
+                        return addCloud(self, std::move(cloud), cell);
                     },
                     py::arg("file"), py::arg("radius"), py::arg("cell") = 0.0,
                     "The same, from a PCD, PLY, .xyz or .txt file")

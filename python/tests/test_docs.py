@@ -1,5 +1,6 @@
-"""The snippets of docs/python.md run, in their order"""
+"""The snippets of docs/python.md run, in their order; docstrings are there, in the stub too"""
 
+import importlib.util
 import pathlib
 import re
 import sys
@@ -33,7 +34,7 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
     monkeypatch.chdir(ROOT)
     names: Dict[str, Any] = {}
     snippets = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 6
+    assert len(snippets) == 7
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))
@@ -60,3 +61,13 @@ def test_stubs_name_what_there_is() -> None:
         assert stubs >= public, f"{name}: {public - stubs} have no stub"
         defined = set(re.findall(r"^    def ([a-z]\w*)", section[1], re.MULTILINE))
         assert defined <= public, f"{name}: {defined - public} are stubs of nothing"
+
+
+def test_editors_show_the_docstrings() -> None:
+    spec = importlib.util.spec_from_file_location("python_stub", ROOT / "scripts" / "python_stub.py")
+    assert spec and spec.loader
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    text = script.STUB.read_text(encoding="utf-8")
+    assert text == script.with_docstrings(text, getattr(oc, "_core")), "scripts/python_stub.py mends it"
+    assert "Which states are valid" in text

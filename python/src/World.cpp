@@ -1,0 +1,117 @@
+#include "World.h"
+
+#include <ompl_certificates/obstacles/MixedObstacles.h>
+#include <ompl_certificates/obstacles/PointCloudObstacles.h>
+
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    World::World(const Scene &scene) : dimension_(scene.getDimension()), bodies_(dimension_, scene.getZInterval())
+    {
+        for (const PlacedBody &obstacle : scene.getObstacles())
+            bodies_.add(obstacle);
+        bodiesNow_ = bodies_.takeChange().after;
+        for (const ObstaclesPtr &obstacles : scene.getSensedObstacles())
+            sensed_.push_back({obstacles, std::nullopt, std::nullopt});
+    }
+
+    ObstaclesPtr World::getObstacles() const
+    {
+        std::vector<ObstaclesPtr> all;
+        if (bodies_.size() > 0 || sensed_.empty())
+            all.push_back(bodiesNow_);
+        for (const Sensed &sensed : sensed_)
+            all.push_back(sensed.obstacles);
+        return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
+    }
+
+    void World::addTo(Scene &scene) const
+    {
+        for (const PlacedBody &obstacle : bodies_.getObstacles())
+            scene.addObstacle(obstacle);
+        for (const Sensed &sensed : sensed_)
+            scene.addSensedObstacles(sensed.obstacles, "");
+    }
+
+    ObstacleChange World::takeBodies()
+    {
+        ObstacleChange change = bodies_.takeChange();
+        bodiesNow_ = change.after;
+        change.after = getObstacles();
+        return change;
+    }
+
+    ObstacleChange World::addCloud(std::vector<Eigen::Vector3d> points, double radius)
+    {
+        PointCloudSet set(radius, dimension_);
+        set.insert(std::move(points));
+        ObstacleChange change = set.takeChange();
+        sensed_.push_back({change.after, radius, std::move(set)});
+        change.after = getObstacles();
+        return change;
+    }
+
+    ObstacleChange World::changeCloud(std::size_t cloud, const CloudChange &change)
+    {
+        PointCloudSet set = takeSet(cloud);
+        set.remove(change.removed);
+        if (!change.cleared.isEmpty())
+            set.removeWithin(change.cleared);
+        set.insert(change.inserted);
+        ObstacleChange result = set.takeChange();
+        Sensed &sensed = sensed_[cloud];
+        sensed.obstacles = result.after;
+        sensed.set = std::move(set);
+        result.after = getObstacles();
+        return result;
+    }
+
+    std::vector<Eigen::Vector3d> World::getPoints(std::size_t cloud) const
+    {
+        std::vector<Eigen::Vector3d> points;
+        for (const Ball &ball : getBalls(cloud))
+            points.push_back(ball.center);
+        return points;
+    }
+
+    std::vector<Ball> World::getBalls(std::size_t cloud) const
+    {
+        if (cloud >= sensed_.size())
+            throw ompl::Exception("cloud", "there is none of number " + std::to_string(cloud));
+        const auto *points = dynamic_cast<const PointCloudObstacles *>(sensed_[cloud].obstacles.get());
+        if (!points)
+            throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " is a map of cells, not of points");
+        return points->getBalls();
+    }
+
+    PointCloudSet World::takeSet(std::size_t cloud)
+    {
+        if (cloud < sensed_.size() && sensed_[cloud].set)
+        {
+            // If a change throws, no set is left, and the next change makes one of the points that are there.
+            PointCloudSet set = std::move(*sensed_[cloud].set);
+            sensed_[cloud].set.reset();
+            return set;
+        }
+        const std::vector<Ball> balls = getBalls(cloud);
+        std::optional<double> &radius = sensed_[cloud].radius;
+        if (!radius && balls.empty())
+            throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " has no points, and so no radius");
+        std::vector<Eigen::Vector3d> points;
+        for (const Ball &ball : balls)
+        {
+            if (!radius)
+                radius = ball.radius;
+            if (ball.radius != *radius)
+                throw ompl::Exception("cloud", "the points of number " + std::to_string(cloud) + " differ in radius");
+            points.push_back(ball.center);
+        }
+        PointCloudSet set(*radius, dimension_);
+        set.insert(std::move(points));
+        set.takeChange();
+        return set;
+    }
+}

@@ -1,0 +1,92 @@
+#ifndef OMPL_CERTIFICATES_PYTHON_WORLD_
+#define OMPL_CERTIFICATES_PYTHON_WORLD_
+
+#include <ompl_certificates/obstacles/ObstacleSet.h>
+#include <ompl_certificates/obstacles/PointCloudSet.h>
+#include <ompl_certificates/scene/Scene.h>
+
+#include <optional>
+#include <vector>
+
+namespace ompl_certificates_python
+{
+    /** \brief What changes in a cloud, all at once */
+    struct CloudChange
+    {
+        /** \brief Points to be added */
+        std::vector<Eigen::Vector3d> inserted;
+
+        /** \brief Points to be removed, by their coordinates */
+        std::vector<Eigen::Vector3d> removed;
+
+        /** \brief A box, all of whose points are removed before others are added; empty for none */
+        Eigen::AlignedBox3d cleared;
+    };
+
+    /** \brief The obstacles of a scene, which may change: bodies, and clouds of points.
+
+        Each change returns what a TeamValidityChecker has to be told. Not for several threads at once. */
+    class World
+    {
+    public:
+        /** \brief The obstacles of \e scene. Its bodies and clouds have the numbers of their order, from 0 on. */
+        explicit World(const ompl_certificates::Scene &scene);
+
+        /** \brief All obstacles, as of Scene::makeObstacles() */
+        ompl_certificates::ObstaclesPtr getObstacles() const;
+
+        /** \brief Add all obstacles to a scene that has none. */
+        void addTo(ompl_certificates::Scene &scene) const;
+
+        /** \brief The bodies; tell takeBodies() when they have been changed. */
+        ompl_certificates::ObstacleSet &getBodies()
+        {
+            return bodies_;
+        }
+
+        /** \brief What has changed among the bodies since the last call */
+        ompl_certificates::ObstacleChange takeBodies();
+
+        /** \brief The number that the next cloud gets */
+        std::size_t getCloudCount() const
+        {
+            return sensed_.size();
+        }
+
+        /** \brief Add a cloud, whose points all have one \e radius.
+            \throws ompl::Exception as PointCloudSet does */
+        ompl_certificates::ObstacleChange addCloud(std::vector<Eigen::Vector3d> points, double radius);
+
+        /** \brief Change a cloud. Cost: that of PointCloudSet for the points that come and go; the first change of a
+            cloud of the scene, in proportion to all of its points.
+            \throws ompl::Exception if there is none of this number, if it is a map of cells, and as PointCloudSet does.
+            Then nothing has changed. */
+        ompl_certificates::ObstacleChange changeCloud(std::size_t cloud, const CloudChange &change);
+
+        /** \brief The points of a cloud, in no order
+            \throws ompl::Exception as changeCloud() does */
+        std::vector<Eigen::Vector3d> getPoints(std::size_t cloud) const;
+
+    private:
+        /** \brief A map, or a cloud; of the cloud its radius once it is known, and the set that makes it */
+        struct Sensed
+        {
+            ompl_certificates::ObstaclesPtr obstacles;
+            std::optional<double> radius;
+            std::optional<ompl_certificates::PointCloudSet> set;
+        };
+
+        /** \brief The points of a cloud, with their radii */
+        std::vector<ompl_certificates::Ball> getBalls(std::size_t cloud) const;
+
+        /** \brief The set of a cloud, which is made for its first change */
+        ompl_certificates::PointCloudSet takeSet(std::size_t cloud);
+
+        unsigned int dimension_;
+        ompl_certificates::ObstacleSet bodies_;
+        ompl_certificates::ObstaclesPtr bodiesNow_;
+        std::vector<Sensed> sensed_;
+    };
+}
+
+#endif

@@ -1,0 +1,133 @@
+"""Clouds of points that come and go"""
+
+import pathlib
+import threading
+from typing import List, Tuple
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+from numpy.typing import NDArray
+
+RADIUS = 0.2
+Points = NDArray[np.float64]
+
+
+def world(dimension: int, points: Points) -> Tuple[oc.Scene, int]:
+    """A ball among a box and points; the scene and the number of its cloud"""
+    scene = oc.Scene([0] * dimension, [10] * dimension, "cloud")
+    scene.add_obstacle(oc.Body.box(*[1] * dimension), [5] * dimension)
+    ball = oc.Body.disc(0.3) if dimension == 2 else oc.Body.sphere(0.3)
+    robot = oc.Robot.rigid("ball", ball, [0] * dimension, [10] * dimension, turns=False)
+    scene.add_robot(robot, [0] * dimension, [10] * dimension)
+    return scene, scene.add_cloud(points, RADIUS)
+
+
+def distances(states: Points, points: Points) -> Points:
+    """From each state to the surfaces of the nearest point and of the box"""
+    nearest = np.linalg.norm(states[:, None] - points[None], axis=2).min(axis=1) - RADIUS
+    least: Points = np.minimum(nearest, np.linalg.norm(np.maximum(np.abs(states - 5) - 0.5, 0), axis=1))
+    return least
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("method", ["fcl", "standard", "basic", "partial", "shared"])
+def test_changes_give_the_verdicts_of_the_geometry(dimension: int, method: str) -> None:
+    seed = 20 + dimension
+    rng = np.random.default_rng(seed)
+    points = rng.uniform(0, 10, (100, dimension))
+    scene, first = world(dimension, points)
+    checker = oc.Checker(scene, method)
+    checker.set_adaptive(False)
+    second = checker.add_cloud(np.zeros((0, dimension)), RADIUS)
+    others = np.zeros((0, dimension))
+    states = rng.uniform(0, 10, (2000, dimension))
+    for _ in range(8):
+        checker.is_valid(states)
+        low = rng.uniform(0, 6, dimension)
+        inside = ((points >= low) & (points <= low + 3)).all(axis=1)
+        seen = rng.uniform(0, 10, (20, dimension))
+        checker.change_cloud(first, insert=seen, remove=points[~inside][:5], clear=(low, low + 3))
+        points = np.vstack([points[~inside][5:], seen])
+        checker.change_cloud(second, insert=seen[:3] + 0.1)
+        others = np.vstack([others, seen[:3] + 0.1])
+
+        there = checker.cloud_points(first)
+        assert sorted(map(tuple, there)) == sorted(map(tuple, points)), f"seed {seed}"
+        expected = distances(states, np.vstack([points, others]))
+        assert (checker.is_valid(states) == (expected > 0.3)).all(), f"seed {seed}"
+        certificates = checker.certificates()
+        # Within the box nothing is said of how deep a point is.
+        outside = np.abs(certificates[:, :dimension] - 5).max(axis=1, initial=0) > 0.5
+        clearances = distances(certificates[outside, :dimension], np.vstack([points, others]))
+        assert np.allclose(certificates[outside, dimension], clearances, atol=1e-4), f"seed {seed}"
+    if method != "fcl" and method != "standard":
+        assert len(certificates) > 10
+
+
+def test_what_is_refused_changes_nothing() -> None:
+    points = np.array([[2.0, 2.0], [8.0, 8.0]])
+    scene, cloud = world(2, points)
+    checker = oc.Checker(scene)
+    everywhere = ([-np.inf] * 2, [np.inf] * 2)
+    for number, change, message in (
+        (7, {"clear": everywhere}, "^cloud: there is none of number 7$"),
+        (cloud, {"remove": points[:1] + 1e-9}, "not there|no point|none"),
+        (cloud, {"clear": everywhere, "insert": [[np.nan, 1]]}, "finite|nan"),
+        (cloud, {"clear": everywhere, "insert": [[1, 1, 1]]}, "z"),
+        (cloud, {"insert": [1, 1]}, r"^insert: must be an array of shape \(n, 3\), not \(2,\)"),
+        (cloud, {"clear": ([0, 0, 0], [1, 1, 1])}, "^clear: must be two corners of 2 numbers each$"),
+        (cloud, {"clear": ([0, 3], [1, 2])}, "^clear: the first corner must be below the second: 3.*, 2"),
+    ):
+        with pytest.raises(oc.Error, match=message):
+            checker.change_cloud(number, **change)  # type: ignore[arg-type]
+        assert sorted(map(tuple, checker.cloud_points(cloud))) == sorted(map(tuple, points))
+        assert checker.is_valid([[2, 2], [8, 8], [2, 8]]).tolist() == [False, False, True]
+    with pytest.raises(oc.Error, match="radius"):
+        checker.add_cloud(points, -1.0)
+
+    # An emptied cloud keeps its radius, also after what was refused.
+    checker.change_cloud(cloud, clear=everywhere)
+    with pytest.raises(oc.Error):
+        checker.change_cloud(cloud, remove=points)
+    assert checker.is_valid(points).all()
+    checker.change_cloud(cloud, insert=points)
+    assert np.isclose(checker.clearance([[2, 3]])[0], 1 - RADIUS - 0.3)
+
+
+def test_cells_do_not_come_and_go(scenes: pathlib.Path) -> None:
+    checker = oc.Checker(oc.load_scene(str(scenes / "drones_octomap.yaml")))
+    with pytest.raises(oc.Error, match="^cloud: number 0 is a map of cells, not of points$"):
+        checker.change_cloud(0, insert=[[1, 1, 1]])
+
+
+def test_each_check_sees_all_of_a_change_or_nothing() -> None:
+    wall = np.column_stack([np.full(50, 2.0), np.linspace(0, 10, 50)])
+    scene, cloud = world(2, wall)
+    checker = oc.Checker(scene)
+    states = np.repeat(wall, 200, axis=0)
+    valid: List[int] = []
+
+    def check() -> None:
+        while not done.is_set():
+            valid.append(int(checker.is_valid(states).sum()))
+
+    done = threading.Event()
+    thread = threading.Thread(target=check)
+    thread.start()
+    for i in range(200):
+        checker.change_cloud(cloud, clear=([1, -1], [3, 11]), insert=wall + [0.01 * (i % 2), 0])
+    done.set()
+    thread.join()
+    assert valid and not any(valid)
+
+
+def test_plans_and_pages_know_the_points_of_now() -> None:
+    scene, cloud = world(2, np.zeros((1, 2)) + [9, 1])
+    checker = oc.Checker(scene)
+    wall = np.column_stack([np.full(80, 3.0), np.linspace(0, 8, 80)])
+    checker.change_cloud(cloud, insert=wall)
+    plan = oc.plan(checker, "RRTConnect", time=20)
+    assert plan and distances(plan.path, wall).min() > 0.3
+    assert (plan.path[:, 1] > 8).any()
+    assert len(plan.view().html) > len(oc.plan(oc.Checker(scene), "RRTConnect", time=20).view().html)
