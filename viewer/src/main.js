@@ -5,7 +5,7 @@ import { readPlan } from './data.js'
 import { Obstacles } from './obstacles.js'
 import { keys, layerList, robotList, statistics } from './panel.js'
 import { Playback } from './playback.js'
-import { MARKS, Robot } from './robot.js'
+import { Robot } from './robot.js'
 import { Shapes } from './shapes.js'
 import { Stage } from './stage.js'
 import { View } from './view.js'
@@ -44,8 +44,9 @@ const playback = new Playback(plan.end, () => {
 scrub.max = playback.last
 scrub.disabled = playButton.disabled = playback.last === 0
 scrub.oninput = () => {
-  playback.playing = false
-  playback.seek(Number(scrub.value))
+  const frame = Number(scrub.value)
+  playback.pause()
+  playback.seek(frame)
 }
 playButton.onclick = () => playback.toggle()
 for (const speed of SPEEDS) byId('speed').add(new Option(`${speed} ×`, speed, speed === 1, speed === 1))
@@ -53,21 +54,22 @@ byId('speed').onchange = ({ target }) => (playback.speed = Number(target.value))
 
 // Layers
 
+const ofRobots = (name) => (on) => robots.forEach((robot) => robot.show(name, on))
 const layers = [
-  { name: 'paths', label: 'paths, marked at equal times', key: 'p', on: true, there: plan.end > 0 },
-  { name: 'trail', label: 'bodies at the marks', key: 'm', on: false, there: plan.end > 0 },
-  { name: 'goals', label: 'goals', key: 'g', on: true, there: true },
-  { name: 'tree', label: 'tree', key: 't', on: false, there: plan.robots.some(({ tree }) => tree.length > 0) },
+  { name: 'paths', label: 'paths, marked at equal times', key: 'p', on: true, there: plan.end > 0, show: ofRobots('paths') },
+  { name: 'trail', label: 'bodies at the marks', key: 'm', on: false, there: plan.end > 0, show: ofRobots('trail') },
+  { name: 'goals', label: 'goals', key: 'g', on: true, there: true, show: ofRobots('goals') },
+  { name: 'tree', label: 'tree', key: 't', on: false, there: plan.robots.some(({ tree }) => tree.length > 0), show: ofRobots('tree') },
   {
     name: 'certificates',
     label: 'certificates: free balls',
     key: 'c',
     on: false,
     there: certificates.number > 0,
-    slider: certificates.number,
-    value: certificates.few,
+    show: (on) => (certificates.group.visible = on),
+    slider: { most: certificates.number, value: certificates.few, changed: showCertificates },
   },
-  { name: 'seeThrough', label: 'obstacles see-through', key: 'o', on: false, there: plan.spatial },
+  { name: 'seeThrough', label: 'obstacles see-through', key: 'o', on: false, there: plan.spatial, show: (on) => obstacles.setSeeThrough(on) },
 ].filter(({ there }) => there)
 
 function setLayer(name, on) {
@@ -75,17 +77,15 @@ function setLayer(name, on) {
   if (!layer) return
   layer.on = on
   layerPanel.boxes[name].checked = on
-  if (name === 'certificates') certificates.group.visible = on
-  else if (name === 'seeThrough') obstacles.setSeeThrough(on)
-  else for (const robot of robots) robot.show(name, on)
+  layer.show(on)
   view.draw()
 }
-const layerPanel = layerList(layers, setLayer, (_, count) => {
+function showCertificates(count) {
   certificates.setCount(count)
   setLayer('certificates', true)
-})
+}
+const layerPanel = layerList(layers, setLayer)
 certificates.setCount(certificates.few)
-certificates.group.visible = false
 
 // Robots
 
@@ -171,7 +171,6 @@ window.viewer = {
   plan,
   robots: robots.map(({ name }) => name),
   frames: playback.last + 1,
-  marks: MARKS,
   get frame() {
     return playback.frame
   },
@@ -204,6 +203,7 @@ window.viewer = {
   /** The same as it is drawn now */
   shownPoses: () => robots.map(({ bodies }) => bodies.map((body) => poseOf(body.position, body.quaternion))),
   camera: view.camera,
+  target: view.controls.target,
   draw: () => view.draw(),
 }
 playback.seek(0)

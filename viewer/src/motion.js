@@ -1,6 +1,6 @@
 // Where the bodies of a robot are over time: positions change linearly from key to key, and rotations turn the shorter way
 // at a steady pace.
-import { Quaternion } from 'three'
+import { Quaternion, Vector3 } from 'three'
 import { POSE } from './data.js'
 
 /** The last key that is not after `time` */
@@ -19,7 +19,8 @@ export class Motion {
   constructor(robot) {
     this.robot = robot
     this.bodies = robot.bodies.length
-    this.turn = new Quaternion()
+    this.nextPosition = new Vector3()
+    this.nextQuaternion = new Quaternion()
   }
 
   /** Write the pose of a body at a time into a position and a quaternion. */
@@ -31,13 +32,7 @@ export class Motion {
     const fraction = span > 0 ? Math.min(Math.max((time - times[before]) / span, 0), 1) : 0
     const from = (before * this.bodies + body) * POSE
     const to = (after * this.bodies + body) * POSE
-    position.fromArray(poses, from)
-    quaternion.fromArray(poses, from + 3)
-    position.set(
-      position.x + fraction * (poses[to] - position.x),
-      position.y + fraction * (poses[to + 1] - position.y),
-      position.z + fraction * (poses[to + 2] - position.z),
-    )
-    quaternion.slerp(this.turn.fromArray(poses, to + 3), fraction)
+    position.fromArray(poses, from).lerp(this.nextPosition.fromArray(poses, to), fraction)
+    quaternion.fromArray(poses, from + 3).slerp(this.nextQuaternion.fromArray(poses, to + 3), fraction)
   }
 }

@@ -26,6 +26,10 @@ import { FLAT, isDark, look, ORDER } from './look.js'
 /** Edges of more numbers are not drawn. */
 const MOST_EDGES = 3e6
 
+/** A pose and a scale along the axes as a matrix */
+const matrixOf = (pose, scale) =>
+  new Matrix4().compose(new Vector3().fromArray(pose), new Quaternion().fromArray(pose, 3), new Vector3().fromArray(scale))
+
 export class Obstacles {
   constructor(plan, shapes) {
     this.group = new Group()
@@ -63,16 +67,7 @@ export class Obstacles {
     for (const { shape, poses } of plan.obstacles) {
       const { geometry, scale } = shapes.solid(shape)
       if (!instances.has(geometry)) instances.set(geometry, [])
-      for (let i = 0; i < poses.length; i += POSE)
-        instances
-          .get(geometry)
-          .push(
-            new Matrix4().compose(
-              new Vector3().fromArray(poses, i),
-              new Quaternion().fromArray(poses, i + 3),
-              new Vector3(...scale),
-            ),
-          )
+      for (let i = 0; i < poses.length; i += POSE) instances.get(geometry).push(matrixOf(poses.subarray(i, i + POSE), scale))
     }
     const material = this.material(plan)
     const lines = []
@@ -105,11 +100,10 @@ export class Obstacles {
       const sizes = [0, 1, 2].map((axis) => edge * size[i + axis])
       const middle = [0, 1, 2].map((axis) => edge * low[i + axis] + 0.5 * sizes[axis] - origin[axis])
       if (!plan.spatial) middle[2] = 0
-      matrices.push(new Matrix4().makeScale(...sizes).setPosition(...middle))
+      // A little smaller than they are: so one sees where one ends
+      matrices.push(new Matrix4().makeScale(...sizes.map((value) => 0.985 * value)).setPosition(...middle))
       colors.push(this.colorAt(plan, middle[2]))
     }
-    // A little smaller than they are: so one sees them
-    for (const matrix of matrices) matrix.scale(new Vector3(0.985, 0.985, 0.985))
     this.addInstances(new BoxGeometry(1, 1, 1), this.material(plan, '#ffffff'), matrices, colors)
   }
 

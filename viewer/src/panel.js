@@ -37,19 +37,19 @@ export function robotList(robots, changed) {
   return { element: section(`Robots (${robots.length})`, true, list, all), boxes: rows.map(({ box }) => box) }
 }
 
-/** @param layers for each: name, label, key, on, and slider (its maximum) where only some of it can be shown */
-export function layerList(layers, changed, slid) {
+/** @param layers for each: name, label, key, on, and slider (most, value, changed) where only some of it can be shown */
+export function layerList(layers, changed) {
   const boxes = {}
-  const rows = layers.map(({ name, label, key, on, slider, value }) => {
+  const rows = layers.map(({ name, label, key, on, slider }) => {
     boxes[name] = make('input', { type: 'checkbox', '.checked': on })
     boxes[name].onchange = () => changed(name, boxes[name].checked)
     const row = make('label', { class: 'layer' }, boxes[name], make('span', { class: 'name' }, label), make('kbd', {}, key))
     if (!slider) return row
-    const range = make('input', { type: 'range', min: 1, max: slider, '.value': value, 'aria-label': `how many ${label}` })
-    const count = make('span', { class: 'count' }, `${value} of ${slider}`)
+    const range = make('input', { type: 'range', min: 1, max: slider.most, '.value': slider.value, 'aria-label': `how many ${label}` })
+    const count = make('span', { class: 'count' }, `${slider.value} of ${slider.most}`)
     range.oninput = () => {
-      count.textContent = `${range.value} of ${slider}`
-      slid(name, Number(range.value))
+      count.textContent = `${range.value} of ${slider.most}`
+      slider.changed(Number(range.value))
     }
     return make('div', {}, row, make('div', { class: 'slider' }, range, count))
   })
@@ -111,6 +111,7 @@ export function keys(spatial) {
     ['1 … 9', 'show or hide a robot'],
     ['r', 'see all again'],
     ['mouse', spatial ? 'turn; right: move; wheel: zoom' : 'move; wheel: zoom'],
+    ['fingers', spatial ? 'one: turn; two: move, zoom' : 'one: move; two: zoom'],
   ]
   return section('Keys', true, ...rows.map(([key, text]) => make('div', { class: 'row key' }, make('kbd', {}, key), make('span', {}, text))))
 }

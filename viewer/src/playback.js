@@ -1,6 +1,6 @@
 // Which frame is shown. The whole path takes ten seconds at speed 1; pauses, and what slow machines leave out, change no
 // frame.
-export const FRAMES = 600
+const FRAMES = 600
 const PER_SECOND = 60
 
 export class Playback {
@@ -29,19 +29,19 @@ export class Playback {
     this.playing = true
     let before = performance.now()
     const step = (now) => {
-      if (!this.playing) return
       const frame = this.frame + (Math.max(now - before, 0) / 1000) * PER_SECOND * this.speed
       before = now
       if (frame >= this.last) this.playing = false
-      else requestAnimationFrame(step)
+      else this.next = requestAnimationFrame(step)
       this.seek(frame)
     }
-    requestAnimationFrame(step)
+    this.next = requestAnimationFrame(step)
     this.show()
   }
 
   pause() {
     this.playing = false
+    cancelAnimationFrame(this.next)
     this.show()
   }
 

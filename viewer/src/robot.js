@@ -4,8 +4,10 @@ import {
   BufferGeometry,
   CanvasTexture,
   Color,
+  DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
+  FrontSide,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -25,7 +27,7 @@ import { FLAT, isDark, ORDER } from './look.js'
 import { Motion } from './motion.js'
 
 /** Into how many parts the marks divide the time, and how many points a path is drawn with */
-export const MARKS = 12
+const MARKS = 12
 const POINTS = 360
 
 function discTexture() {
@@ -38,6 +40,9 @@ function discTexture() {
   return new CanvasTexture(canvas)
 }
 let disc
+
+/** The coordinates of the points at 0, 1 / parts, ..., 1 of a path */
+const pointsAt = (parts, pointAt) => Array.from({ length: parts + 1 }, (_, i) => pointAt(i / parts)).flat()
 
 export class Robot {
   constructor(plan, data, shapes) {
@@ -53,7 +58,7 @@ export class Robot {
     // On a dark page dark colors need some light.
     if (isDark()) this.color.offsetHSL(0, 0, 0.06)
 
-    this.bodies = this.addBodies(this.bodyMaterial(), ORDER.robot, true)
+    this.bodies = this.makeBodies(this.bodyMaterial(), ORDER.robot)
     this.group.add(...this.bodies)
     this.addGoal()
     if (this.moves) this.addPath()
@@ -69,27 +74,31 @@ export class Robot {
     return this.keep(
       this.plan.spatial
         ? new MeshStandardMaterial({ color: this.color, roughness: 0.55, metalness: 0.05 })
-        : new MeshBasicMaterial({ color: this.color, side: 2, ...FLAT }),
+        : new MeshBasicMaterial({ color: this.color, side: DoubleSide, ...FLAT }),
     )
   }
 
   ghostMaterial(opacity) {
     const common = { color: this.color, transparent: true, opacity, depthWrite: false }
-    return this.keep(new MeshBasicMaterial({ ...common, depthTest: this.plan.spatial, side: this.plan.spatial ? 0 : 2 }))
+    return this.keep(new MeshBasicMaterial({ ...common, depthTest: this.plan.spatial, side: this.plan.spatial ? FrontSide : DoubleSide }))
   }
 
-  /** A group for each body, at the origin */
-  addBodies(material, order, edges) {
-    const line = new LineBasicMaterial({
+  edgeMaterial() {
+    return new LineBasicMaterial({
       color: this.plan.spatial || isDark() ? '#000000' : '#202020',
       ...this.flat,
       transparent: true,
       opacity: this.plan.spatial ? 0.35 : 0.75,
     })
+  }
+
+  /** A group for each body, at the origin */
+  makeBodies(material, order, edges = true) {
+    const line = edges && this.edgeMaterial()
     return this.data.bodies.map((parts) => {
       const body = new Group()
       for (const [shape, pose] of parts) {
-        const objects = this.plan.spatial ? this.solidPart(shape, pose, material, edges && line) : this.flatPart(shape, pose, material, edges && line)
+        const objects = this.plan.spatial ? this.solidPart(shape, pose, material, line) : this.flatPart(shape, pose, material, line)
         for (const object of objects) object.renderOrder = order
         body.add(...objects)
       }
@@ -117,13 +126,6 @@ export class Robot {
     return line ? [new Mesh(fill, material), new LineSegments(edges, line)] : [new Mesh(fill, material)]
   }
 
-  place(bodies, poses, offset = 0) {
-    bodies.forEach((body, i) => {
-      body.position.fromArray(poses, offset + i * POSE)
-      body.quaternion.fromArray(poses, offset + i * POSE + 3)
-    })
-  }
-
   addLayer(name, ...objects) {
     this.layers[name] ??= new Group()
     this.layers[name].add(...objects)
@@ -131,8 +133,11 @@ export class Robot {
   }
 
   addGoal() {
-    const bodies = this.addBodies(this.ghostMaterial(0.22), ORDER.goal, true)
-    this.place(bodies, this.data.goal)
+    const bodies = this.makeBodies(this.ghostMaterial(0.22), ORDER.goal)
+    bodies.forEach((body, i) => {
+      body.position.fromArray(this.data.goal, i * POSE)
+      body.quaternion.fromArray(this.data.goal, i * POSE + 3)
+    })
     this.addLayer('goals', ...bodies)
   }
 
@@ -143,8 +148,7 @@ export class Robot {
       this.motion.poseAt(this.data.traced, fraction * this.plan.end, position, turn)
       return [position.x, position.y, position.z]
     }
-    const positions = []
-    for (let i = 0; i <= POINTS; ++i) positions.push(...pointAt(i / POINTS))
+    const positions = pointsAt(POINTS, pointAt)
     const line = (linewidth, opacity) => {
       const material = this.keep(new LineMaterial({ color: this.color, linewidth, opacity, ...this.flat, transparent: true }))
       const object = new Line2(new LineGeometry().setPositions(positions), material)
@@ -152,15 +156,19 @@ export class Robot {
       return object
     }
     this.travelled = line(3.2, 1)
-    const marks = new BufferGeometry()
-    marks.setAttribute('position', new Float32BufferAttribute(Array.from({ length: MARKS + 1 }, (_, i) => pointAt(i / MARKS)).flat(), 3))
+    this.addLayer('paths', line(1.6, 0.55), this.travelled, this.marks(pointAt))
+  }
+
+  /** Dots on the path, at equal times */
+  marks(pointAt) {
+    const geometry = new BufferGeometry()
+    geometry.setAttribute('position', new Float32BufferAttribute(pointsAt(MARKS, pointAt), 3))
     disc ??= discTexture()
-    const dots = new Points(
-      marks,
-      this.keep(new PointsMaterial({ color: this.color, size: 8 * Math.min(devicePixelRatio, 2), sizeAttenuation: false, map: disc, alphaTest: 0.5, ...this.flat })),
-    )
+    const size = 8 * Math.min(devicePixelRatio, 2)
+    const material = new PointsMaterial({ color: this.color, size, sizeAttenuation: false, map: disc, alphaTest: 0.5, ...this.flat })
+    const dots = new Points(geometry, this.keep(material))
     dots.renderOrder = ORDER.path
-    this.addLayer('paths', line(1.6, 0.55), this.travelled, dots)
+    return dots
   }
 
   addTree() {
@@ -178,8 +186,8 @@ export class Robot {
   addTrail() {
     const material = this.ghostMaterial(this.plan.spatial ? 0.2 : 0.16)
     for (let i = 0; i <= MARKS; ++i) {
-      const bodies = this.addBodies(material, ORDER.trail, !this.plan.spatial)
-      bodies.forEach((body, k) => this.motion.poseAt(k, (i / MARKS) * this.plan.end, body.position, body.quaternion))
+      const bodies = this.makeBodies(material, ORDER.trail, !this.plan.spatial)
+      this.placeAt(bodies, (i / MARKS) * this.plan.end)
       this.addLayer('trail', ...bodies)
     }
   }
@@ -189,8 +197,12 @@ export class Robot {
     if (this.layers[layer]) this.layers[layer].visible = on
   }
 
+  placeAt(bodies, time) {
+    bodies.forEach((body, i) => this.motion.poseAt(i, time, body.position, body.quaternion))
+  }
+
   setTime(time) {
-    this.bodies.forEach((body, k) => this.motion.poseAt(k, time, body.position, body.quaternion))
+    this.placeAt(this.bodies, time)
     if (this.travelled) {
       const parts = Math.round((POINTS * time) / this.plan.end)
       this.travelled.geometry.instanceCount = parts

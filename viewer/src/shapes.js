@@ -11,6 +11,7 @@ import {
   Shape,
   ShapeGeometry,
   SphereGeometry,
+  Vector2,
   Vector3,
 } from 'three'
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js'
@@ -96,20 +97,16 @@ export class Shapes {
 
   /** A polygon in its own frame, a round shape in the frame that `place` leads to */
   outline(shape, place) {
-    const outline = new Shape()
     if (shape.kind === 'polygon') {
-      for (let i = 0; i < shape.points.length; i += 2) {
-        if (i === 0) outline.moveTo(shape.points[0], shape.points[1])
-        else outline.lineTo(shape.points[i], shape.points[i + 1])
-      }
-      outline.closePath()
-      return outline
+      const corner = (_, i) => new Vector2().fromArray(shape.points, 2 * i)
+      return new Shape(Array.from({ length: shape.points.length / 2 }, corner))
     }
     const half = 0.5 * (shape.length ?? 0)
     const radius = this.radiusOf(shape)
     const from = new Vector3(0, 0, half).applyMatrix4(place)
     const to = new Vector3(0, 0, -half).applyMatrix4(place)
     const angle = half > 0 ? Math.atan2(from.y - to.y, from.x - to.x) : 0
+    const outline = new Shape()
     outline.absarc(from.x, from.y, radius, angle - Math.PI / 2, angle + Math.PI / 2, false)
     outline.absarc(to.x, to.y, radius, angle + Math.PI / 2, angle + (3 * Math.PI) / 2, false)
     outline.closePath()

@@ -28,6 +28,12 @@ function ticks(low, high, step) {
   return values
 }
 
+/** A multiple of `step`, with the digits that it needs */
+function numeral(value, step) {
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
+  return value.toFixed(digits).replace(/^-0(?:\.0*)?$/, '0')
+}
+
 export class Stage {
   constructor(plan) {
     this.group = new Group()
@@ -36,6 +42,8 @@ export class Stage {
     const { origin } = plan.bounds
     const size = high.map((value, axis) => value - low[axis])
     const step = niceStep(plan.extent)
+    const values = plan.bounds.low.map((value, axis) => ticks(value, plan.bounds.high[axis], step))
+    const text = (value) => numeral(value, step)
     const flat = plan.spatial ? {} : FLAT
     const bottom = low[2] - (plan.spatial ? 0.002 * plan.extent : 0)
 
@@ -50,9 +58,9 @@ export class Stage {
 
     const lines = []
     const at = (axis, value) => value - origin[axis]
-    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step))
+    for (const x of values[0])
       lines.push(at(0, x), low[1], bottom, at(0, x), high[1], bottom)
-    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step))
+    for (const y of values[1])
       lines.push(low[0], at(1, y), bottom, high[0], at(1, y), bottom)
     this.addLines(lines, look.grid, flat)
 
@@ -63,14 +71,14 @@ export class Stage {
 
     // In the plane numbers are some pixels beside the frame, in space some part of it, since they turn with it.
     const away = plan.spatial ? 0.025 * plan.extent : 0
-    const [below, beside] = plan.spatial ? [] : [[0, 14], [-18, 0]]
-    this.addLabel('x', 1, 0, low[1] - 3 * away, bottom, below && [0, 30])
-    this.addLabel('y', 1, low[0] - 3 * away, 0, bottom, beside && [-42, 0])
-    for (const x of ticks(plan.bounds.low[0], plan.bounds.high[0], step)) this.addLabel(x, step, at(0, x), low[1] - away, bottom, below)
-    for (const y of ticks(plan.bounds.low[1], plan.bounds.high[1], step)) this.addLabel(y, step, low[0] - away, at(1, y), bottom, beside)
+    const pixels = (x, y) => (plan.spatial ? [0, 0] : [x, y])
+    this.addLabel('x', [0, low[1] - 3 * away, bottom], pixels(0, 30))
+    this.addLabel('y', [low[0] - 3 * away, 0, bottom], pixels(-42, 0))
+    for (const x of values[0]) this.addLabel(text(x), [at(0, x), low[1] - away, bottom], pixels(0, 14))
+    for (const y of values[1]) this.addLabel(text(y), [low[0] - away, at(1, y), bottom], pixels(-18, 0))
     if (!plan.spatial) return
-    for (const z of ticks(plan.bounds.low[2], plan.bounds.high[2], step)) this.addLabel(z, step, low[0] - away, high[1] + away, at(2, z))
-    this.addLabel('z', 1, low[0] - 3 * away, high[1] + 2 * away, 0)
+    this.addLabel('z', [low[0] - 3 * away, high[1] + 2 * away, 0])
+    for (const z of values[2]) this.addLabel(text(z), [low[0] - away, high[1] + away, at(2, z)])
   }
 
   addLines(numbers, color, options) {
@@ -82,9 +90,7 @@ export class Stage {
   }
 
   /** @param shift from there, in pixels */
-  addLabel(value, step, x, y, z, shift = [0, 0]) {
-    const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
-    const text = typeof value === 'number' ? value.toFixed(digits).replace(/^-0(?:\.0*)?$/, '0') : value
-    this.labels.push({ text, axis: typeof value !== 'number', position: new Vector3(x, y, z), shift })
+  addLabel(text, position, shift = [0, 0]) {
+    this.labels.push({ text, axis: /^[xyz]$/.test(text), position: new Vector3(...position), shift })
   }
 }

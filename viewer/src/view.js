@@ -41,8 +41,7 @@ export class View {
     this.camera = plan.spatial
       ? new PerspectiveCamera(35, 1, 0.01 * this.radius, 40 * this.radius)
       : new OrthographicCamera(-1, 1, 1, -1, 0.1, 10 * this.radius)
-    this.camera.up.set(0, 0, 1)
-    if (!plan.spatial) this.camera.up.set(0, 1, 0)
+    if (plan.spatial) this.camera.up.set(0, 0, 1)
     this.addControls()
     if (plan.spatial) this.addLights()
     this.labels = []

@@ -30,8 +30,8 @@ export function launch() {
 }
 
 /** Open a page without a network. What goes wrong in it, and what it asks for beside its file, is in `troubles`. */
-export async function open(browser, file, size = { width: 900, height: 560 }) {
-  const context = await browser.newContext({ viewport: size, offline: true })
+export async function open(browser, file, viewport = { width: 900, height: 560 }, hasTouch = false) {
+  const context = await browser.newContext({ viewport, hasTouch, offline: true })
   const page = await context.newPage()
   const troubles = []
   page.on('pageerror', (error) => troubles.push(String(error)))

@@ -147,6 +147,24 @@ test('keys and controls, on a phone', async () => {
   assert.equal(await state('frame'), 0)
   await page.keyboard.press('ArrowRight')
   assert.equal(await state('frame'), 3)
+
+  // Pausing does not leave another playback behind.
+  const pace = await page.evaluate(async () => {
+    for (let i = 0; i < 3; ++i) {
+      viewer.play()
+      viewer.pause()
+    }
+    const begin = performance.now()
+    const from = viewer.frame
+    viewer.play()
+    await new Promise((done) => setTimeout(done, 300))
+    return (viewer.frame - from) / (performance.now() - begin)
+  })
+  assert.ok(pace > 0 && pace < 1.1 * 4 * 0.06, `${pace} frames in a millisecond at speed 4`)
+  await page.locator('#scrub').fill('300')
+  assert.equal(await state('frame'), 300)
+  assert.equal(await state('playing'), false)
+
   await page.keyboard.press('2')
   assert.deepEqual(await state('visible()'), [true, false, true, true, true])
   for (const [key, layer] of [['p', 'paths'], ['t', 'tree'], ['c', 'certificates'], ['g', 'goals'], ['m', 'trail']]) {
