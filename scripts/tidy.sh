@@ -49,8 +49,9 @@ if ((${#files[@]} == 0)); then
 fi
 
 scripts/install_dependencies.sh clang clang-tidy
-# Clang cannot read GCC's precompiled headers.
+# Clang cannot read GCC's precompiled headers. Nothing is built: cmake only tells how files are compiled, those of tests
+# and programs, too.
 cmake -S . -B build-tidy -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
-  -DOMPL_CERTIFICATES_BUILD_DEMOS=OFF -DOMPL_CERTIFICATES_BUILD_TESTS=OFF -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=OFF \
+  -DOMPL_CERTIFICATES_BUILD_DEMOS=ON -DOMPL_CERTIFICATES_BUILD_TESTS=ON -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=ON \
   >/dev/null
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P 2 clang-tidy --quiet --warnings-as-errors='*' -p build-tidy

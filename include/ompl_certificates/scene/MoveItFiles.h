@@ -15,8 +15,9 @@ namespace ompl_certificates
     /** \brief Read what MoveIt calls a planning scene and a motion plan request, from YAML files as MotionBenchMaker
         has them: a scene with one arm.
 
-        Of the scene: the obstacles (boxes, cylinders, spheres and meshes), fixed frames, the robot's state, the objects
-        that it holds, and the allowed collision matrix. The matrix replaces what the SRDF file says of pairs of links,
+        Of the scene: the obstacles (boxes, cylinders, cones, spheres, meshes and planes), fixed frames, the robot's
+        state, the objects that it holds, and the allowed collision matrix. A cone is the pyramid of 128 sides around
+        it, a plane a square that reaches beyond the arm. The matrix replaces what the SRDF file says of pairs of links,
         as in MoveIt. Of the request: the group, the start, and one goal of all joints of the group. The start has the
         joints that it does not name as in the scene's state. Joints outside of the group keep their values of the
         start. The request's time is SceneFile::timeLimit.
