@@ -41,7 +41,7 @@ namespace
     ob::PlannerPtr makePlanner(const PlanTeamOptions &options, const demos::PlannerChoice &choice,
                                const ob::SpaceInformationPtr &si)
     {
-        const ob::PlannerPtr planner = demos::makePlanner(choice, si);
+        ob::PlannerPtr planner = demos::makePlanner(choice, si);
         demos::setParameters(options, *planner);
         return planner;
     }

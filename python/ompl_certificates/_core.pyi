@@ -8,6 +8,8 @@ from ._view import View
 
 __version__: str
 
+Path = Union[str, os.PathLike[str]]
+
 class Error(RuntimeError):
     """What was given makes no sense; one line that names the file or the argument, and the value."""
 
@@ -42,7 +44,7 @@ class Body:
         """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:
         it keeps its z, and moves in x and y."""
     @staticmethod
-    def mesh_file(file: str, dimension: int = 3) -> Body:
+    def mesh_file(file: Path, dimension: int = 3) -> Body:
         """The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame"""
     @staticmethod
     def join(members: Sequence[Tuple[Body, Optional[ArrayLike]]]) -> Body:
@@ -70,8 +72,8 @@ class Robot:
         """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle"""
     @staticmethod
     def arm(
-        urdf: str,
-        srdf: str = "",
+        urdf: Path,
+        srdf: Path = "",
         group: str = "",
         name: Optional[str] = None,
         base: Optional[ArrayLike] = None,
@@ -106,7 +108,7 @@ class Scene:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud,
         from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one
         in each cell of a grid. In a planar scene add the robots first: points that none reaches do not count."""
-    def add_cloud_file(self, file: str, radius: float, cell: float = 0.0) -> int:
+    def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
         """The same, from a PCD, PLY, .xyz or .txt file"""
     def add_robot(
         self, robot: Robot, start: Sequence[float], goal: Sequence[float], weight: float = 1.0
@@ -190,9 +192,9 @@ class Checker:
     def certificates(self) -> NDArray[np.float64]:
         """The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and its
         clearance"""
-    def save_certificates(self, file: str) -> None:
+    def save_certificates(self, file: Path) -> None:
         """Write what is known of the obstacles to a file."""
-    def load_certificates(self, file: str) -> int:
+    def load_certificates(self, file: Path) -> int:
         """Read what another run knew of the same obstacles, and return the number of certificates."""
     def statistics(self) -> Dict[str, Union[int, float]]:
         """How checks were settled so far, as in the report of a plan"""
@@ -222,20 +224,20 @@ class Plan:
     @property
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict"""
-    def save(self, file: str) -> None:
+    def save(self, file: Path) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md)."""
-    def save_report(self, file: str) -> None:
+    def save_report(self, file: Path) -> None:
         """Write the report as JSON."""
-    def view(self, path: Optional[Union[str, os.PathLike[str]]] = None) -> View:
+    def view(self, path: Optional[Path] = None) -> View:
         """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
         too."""
     def __bool__(self) -> bool: ...
 
-def load_scene(file: str) -> Scene:
+def load_scene(file: Path) -> Scene:
     """The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app"""
 def scene_from_yaml(text: str, source: str = "scene.yaml") -> Scene:
     """The scene in a text. Errors name source, and meshes are looked for in its folder."""
-def load_moveit(scene: str, request: str, urdf: str, srdf: str) -> Scene:
+def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path) -> Scene:
     """The scene in MoveIt's planning scene and motion plan request (YAML)"""
 def planner_names() -> List[str]:
     """The names of all planners: OMPL's classes, and DRRTstar"""

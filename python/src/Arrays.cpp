@@ -63,7 +63,7 @@ namespace ompl_certificates_python
 
     std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar)
     {
-        const bool flat = planar && array.ndim() == 2 && array.shape(1) == 2;
+        const bool flat = planar && !(array.ndim() == 2 && array.shape(1) == 3);
         requireColumns(array, flat ? 2 : 3, what);
         std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.shape(0)));
         const double *row = array.data();

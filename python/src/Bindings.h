@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PYTHON_BINDINGS_
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl/filesystem.h>
 
 namespace ompl_certificates_python
 {

@@ -32,7 +32,7 @@ namespace ompl_certificates_python
             return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 
-        Body readMesh(const std::string &file, unsigned int dimension)
+        Body readMesh(const std::filesystem::path &file, unsigned int dimension)
         {
             requireDimension(dimension);
             return MeshFile(file).makeObstacle(dimension);

@@ -178,12 +178,12 @@ namespace ompl_certificates_python
                  "its clearance")
             .def(
                 "save_certificates",
-                [](const Checker &self, const std::string &file)
+                [](const Checker &self, const std::filesystem::path &file)
                 { saveCertificates(*self.getSetup().getTeamChecker(), file); },
                 py::arg("file"), "Write what is known of the obstacles to a file.")
             .def(
                 "load_certificates",
-                [](Checker &self, const std::string &file)
+                [](Checker &self, const std::filesystem::path &file)
                 { return loadCertificates(*self.getSetup().getTeamChecker(), file); },
                 py::arg("file"),
                 "Read what another run knew of the same obstacles, and return the number of certificates.")

@@ -16,6 +16,7 @@
 #include <ompl/util/RandomNumbers.h>
 #include <optional>
 #include <pybind11/stl.h>
+#include <sstream>
 
 namespace ompl_certificates_python
 {
@@ -81,7 +82,7 @@ namespace ompl_certificates_python
             std::string name = options.planner;
             if (name.empty())
                 name = setup.getTeam().getRobotCount() > 1 ? "DRRTstar" : "RRTConnect";
-            const ob::PlannerPtr planner = makePlanner(name, setup.getSpaceInformation());
+            ob::PlannerPtr planner = makePlanner(name, setup.getSpaceInformation());
             for (const auto &[key, value] : options.parameters)
                 setParameter(*planner, key,
                              py::isinstance<py::bool_>(value) ? (value.cast<bool>() ? "1" : "0")
@@ -135,6 +136,23 @@ namespace ompl_certificates_python
             }
             plan.times = Doubles(count, stateTimes(path).data());
             plan.csv = toCsv(path);
+        }
+
+        /** The cost of the path, infinite without one */
+        double costOf(const Plan &plan)
+        {
+            if (!plan.report.solved)
+                return std::numeric_limits<double>::infinity();
+            return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
+        }
+
+        std::string describe(const Plan &plan)
+        {
+            if (!plan.report.solved)
+                return "<Plan: not solved>";
+            std::ostringstream text;
+            text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states>";
+            return text.str();
         }
 
         double costOf(TeamSetup &setup, const Options &options)
@@ -256,12 +274,11 @@ namespace ompl_certificates_python
             return plan;
         }
 
-        void savePath(const Plan &plan, const std::string &file)
+        void savePath(const Plan &plan, const std::filesystem::path &file)
         {
             if (!plan.report.solved)
                 throw ompl::Exception(file, "there is no path to be written");
-            py::object path = py::module_::import("pathlib").attr("Path")(file);
-            path.attr("write_text")(plan.csv, py::arg("encoding") = "utf-8");
+            py::cast(file).attr("write_text")(plan.csv, py::arg("encoding") = "utf-8");
         }
     }
 
@@ -270,15 +287,9 @@ namespace ompl_certificates_python
         py::class_<Plan>(module, "Plan", "What came of a plan")
             .def_property_readonly(
                 "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
-            .def_property_readonly(
-                "cost",
-                [](const Plan &plan)
-                {
-                    if (!plan.report.solved)
-                        return std::numeric_limits<double>::infinity();
-                    return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
-                },
-                "The cost of the path, by the objective; infinite without a solution")
+            .def("__repr__", &describe)
+            .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
+                                   "The cost of the path, by the objective; infinite without a solution")
             .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
             .def_readonly("times", &Plan::times,
                           "When the team is at each state if no robot is faster than 1, of shape (n,)")
@@ -289,7 +300,7 @@ namespace ompl_certificates_python
             .def("save", &savePath, py::arg("file"),
                  "Write the path as a table of comma-separated values (docs/plan-team.md).")
             .def(
-                "save_report", [](const Plan &plan, const std::string &file) { plan.report.write(file); },
+                "save_report", [](const Plan &plan, const std::filesystem::path &file) { plan.report.write(file); },
                 py::arg("file"), "Write the report as JSON.")
             .def("view", &view, py::arg("path") = py::none(),
                  "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "

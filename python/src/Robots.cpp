@@ -34,8 +34,8 @@ namespace ompl_certificates_python
             return hold(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
         }
 
-        RobotHolder makeArm(const std::string &urdf, const std::string &srdf, const std::string &group,
-                            std::optional<std::string> name, const py::object &base,
+        RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+                            const std::string &group, std::optional<std::string> name, const py::object &base,
                             const std::map<std::string, double> &jointValues)
         {
             const ArmFile file(urdf, srdf);
@@ -86,6 +86,7 @@ namespace ompl_certificates_python
                         "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
                         "for. base is the pose of its root link. A state has the values of the group's joints, in "
                         "radians or meters.")
+            .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")
             .def_property_readonly(

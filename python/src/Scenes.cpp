@@ -58,6 +58,14 @@ namespace ompl_certificates_python
             return Doubles(static_cast<py::ssize_t>(values.size()), values.data());
         }
 
+        std::string describe(const Scene &scene)
+        {
+            const auto count = [](std::size_t number, const std::string &what)
+            { return std::to_string(number) + " " + what + (number == 1 ? "" : "s"); };
+            return "<Scene '" + scene.getName() + "' of " + count(scene.getMembers().size(), "robot") + ", " +
+                   count(scene.getObstacles().size() + scene.getSensedObstacles().size(), "obstacle") + ">";
+        }
+
         void bindBuilding(py::class_<Scene> &scene)
         {
             scene
@@ -77,7 +85,7 @@ namespace ompl_certificates_python
                     "a grid. In a planar scene add the robots first: points that none reaches do not count.")
                 .def(
                     "add_cloud_file",
-                    [](Scene &self, const std::string &file, double radius, double cell)
+                    [](Scene &self, const std::filesystem::path &file, double radius, double cell)
                     {
                         PointCloud cloud = loadCloud(file);
                         cloud.radius = radius;
@@ -97,7 +105,8 @@ namespace ompl_certificates_python
                                 "A workspace with obstacles, and robots with their starts and goals. Lengths are in "
                                 "the scene's unit, angles in radians.");
         bindBuilding(scene);
-        scene.def_property_readonly("name", &Scene::getName, "What the scene is called")
+        scene.def("__repr__", &describe)
+            .def_property_readonly("name", &Scene::getName, "What the scene is called")
             .def_property_readonly("dimension", &Scene::getDimension, "The dimension of the workspace: 2 or 3")
             .def_property_readonly(
                 "low", [](const Scene &self) { return toArray(self.getBounds().low); },
@@ -138,7 +147,7 @@ namespace ompl_certificates_python
                 "Raise an Error unless the team can stand at its start and goal.");
 
         module.def(
-            "load_scene", [](const std::string &file) { return loadScene(file); }, py::arg("file"),
+            "load_scene", [](const std::filesystem::path &file) { return loadScene(file); }, py::arg("file"),
             "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app");
         module.def(
             "scene_from_yaml",
@@ -147,7 +156,8 @@ namespace ompl_certificates_python
             "The scene in a text. Errors name source, and meshes are looked for in its folder.");
         module.def(
             "load_moveit",
-            [](const std::string &file, const std::string &request, const std::string &urdf, const std::string &srdf)
+            [](const std::filesystem::path &file, const std::filesystem::path &request,
+               const std::filesystem::path &urdf, const std::filesystem::path &srdf)
             { return readMoveItFiles(file, request, ArmFile(urdf, srdf)).scene; },
             py::arg("scene"), py::arg("request"), py::arg("urdf"), py::arg("srdf"),
             "The scene in MoveIt's planning scene and motion plan request (YAML)");

@@ -75,7 +75,7 @@ def test_what_is_refused_changes_nothing() -> None:
         (cloud, {"remove": points[:1] + 1e-9}, "not there|no point|none"),
         (cloud, {"clear": everywhere, "insert": [[np.nan, 1]]}, "finite|nan"),
         (cloud, {"clear": everywhere, "insert": [[1, 1, 1]]}, "z"),
-        (cloud, {"insert": [1, 1]}, r"^insert: must be an array of shape \(n, 3\), not \(2,\)"),
+        (cloud, {"insert": [1, 1]}, r"^insert: must be an array of shape \(n, 2\), not \(2,\)"),
         (cloud, {"clear": ([0, 0, 0], [1, 1, 1])}, "^clear: must be two corners of 2 numbers each$"),
         (cloud, {"clear": ([0, 3], [1, 2])}, "^clear: the first corner must be below the second: 3.*, 2"),
     ):

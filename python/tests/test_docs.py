@@ -1,4 +1,4 @@
-"""The snippets of docs/python.md run, in their order; docstrings are there, in the stub too"""
+"""The snippets of README.md and docs/python.md run, in their order; docstrings are there, in the stub too"""
 
 import importlib.util
 import pathlib
@@ -33,8 +33,10 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
         monkeypatch.setitem(sys.modules, name, module)
     monkeypatch.chdir(ROOT)
     names: Dict[str, Any] = {}
-    snippets = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 7
+    snippets = []
+    for page in ("README.md", "docs/python.md"):
+        snippets += re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
+    assert len(snippets) == 8
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))

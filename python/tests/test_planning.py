@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import threading
 import time
@@ -18,6 +19,7 @@ MANY_THREADS = ("AnytimePathShortening", "CForest", "DRRTstar", "PRMstar", "SPAR
 def test_plan_leads_from_start_to_goal(room: oc.Scene) -> None:
     plan = oc.plan(room, time=1.0)
     assert plan.solved and plan
+    assert re.fullmatch(r"<Plan: solved, cost [\d.]+, \d+ states>", repr(plan))
     assert plan.coordinates == ["left.x", "left.y", "right.x", "right.y"]
     assert (plan.path[0] == room.start).all() and (plan.path[-1] == room.goal).all()
     assert plan.times.shape == (len(plan.path),) and (np.diff(plan.times) >= 0).all()
@@ -33,8 +35,8 @@ def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     assert (report["scene"], report["planner"], report["method"], report["seed"]) == ("room", "RRTConnect", "shared", 7)
     assert report["solved"] is True and report["simplified_cost"] == plan.cost <= report["cost"]
     assert report["checks"]["robot_poses"] > 0
-    plan.save(str(tmp_path / "path.csv"))
-    plan.save_report(str(tmp_path / "report.json"))
+    plan.save(tmp_path / "path.csv")
+    plan.save_report(tmp_path / "report.json")
     assert json.loads((tmp_path / "report.json").read_text(encoding="utf-8")) == report
     table = np.loadtxt(tmp_path / "path.csv", delimiter=",", skiprows=1)
     assert (table[:, 1:5] == plan.path).all()
@@ -157,6 +159,8 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"method": "best"}, "best"),
         ({"motion": "jumpy"}, "^motion: "),
         ({"time": -1.0}, "^time: "),
+        ({"seed": -1}, "^seed: must be from 0 to 4294967295, not -1$"),
+        ({"iterations": -5}, "^iterations: .*not -5$"),
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
         ({"start": [5, 5, 1, 1]}, "^room: start: "),
@@ -177,6 +181,7 @@ def test_no_solution_is_no_path() -> None:
     scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 5], [9, 5])
     plan = oc.plan(scene, time=0.2)
     assert not plan.solved and plan.path.shape == (0, 2) and plan.cost == float("inf")
+    assert repr(plan) == "<Plan: not solved>"
     with pytest.raises(oc.Error, match="no path"):
         plan.save("nothing.csv")
     assert "DRRTstar" in oc.planner_names()

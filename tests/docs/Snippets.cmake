@@ -1,7 +1,7 @@
 # Compiles the C++ snippets of the pages: each ```cpp block of a page becomes a function of a file of its own, after what
 # Given.h gives it. The block's own #include lines come first, so it has to name all headers that it needs. Errors name
 # the page and the line. The other blocks are tested elsewhere: cmake by tests/consumer/run.sh, yaml by tests/scene and
-# tests/demos, python in docs/python.md by python/tests/test_docs.py.
+# tests/demos, python in README.md and docs/python.md by python/tests/test_docs.py.
 
 # Writes a source file for each block of `page` into `folder`, and adds the files to the list `sources`.
 function(extract_snippets page folder sources)
@@ -12,7 +12,7 @@ function(extract_snippets page folder sources)
   string(REGEX MATCHALL "\n *(```|~~~)[^\n]+" fences "\n${rest}")
   foreach(fence ${fences})
     if(NOT fence MATCHES "^\n```(cpp|cmake|yaml)$" AND
-       NOT (fence STREQUAL "\n```python" AND page STREQUAL "docs/python.md"))
+       NOT (fence STREQUAL "\n```python" AND page MATCHES "^(README|docs/python)\\.md$"))
       string(STRIP "${fence}" fence)
       message(FATAL_ERROR "${page}: no test looks at the block that begins with ${fence}")
     endif()
