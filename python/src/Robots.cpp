@@ -35,7 +35,7 @@ namespace ompl_certificates_python
         }
 
         RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                            const std::string &group, std::optional<std::string> name, const py::object &base,
+                            const std::string &group, const std::optional<std::string> &name, const py::object &base,
                             const std::map<std::string, double> &jointValues)
         {
             const ArmFile file(urdf, srdf);
