@@ -1,5 +1,6 @@
 // Point clouds: what a clearance costs among more and more points, how long a tree takes to build, what a drone's check
-// costs with the contact test and with certificates, and what a new frame of a sensor costs a checker with many certificates. Random boxes in a room of 20 by 20 by 6 are sampled, with noise.
+// costs with the contact test and with certificates, and what a new frame of a sensor costs a checker with many
+// certificates. Random boxes in a room of 20 by 20 by 6 are sampled, with noise.
 //
 //     clouds --benchmark_filter=Clearance
 

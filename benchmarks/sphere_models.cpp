@@ -1,5 +1,5 @@
-// How often a model of spheres is wrong: random states of an arm among the problems of MotionBenchMaker, checked with the
-// true meshes and with spheres in their place.
+// How often a model of spheres is wrong: random states of an arm among the problems of MotionBenchMaker, checked with
+// the true meshes and with spheres in their place.
 //
 //     with_spheres.py panda.urdf panda_spherized.urdf > spheres.urdf
 //     sphere_models FOLDER panda spheres.urdf        panda/panda.urdf and so on in FOLDER, as for arms

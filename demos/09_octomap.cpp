@@ -1,5 +1,5 @@
-// Drones among the cells of an octomap, as a robot with a depth camera would have it. The map is made of the buildings of
-// demos/scenes/drones_3d.yaml, written to a file and read again.
+// Drones among the cells of an octomap, as a robot with a depth camera would have it. The map is made of the buildings
+// of demos/scenes/drones_3d.yaml, written to a file and read again.
 //
 //     09_octomap [SCENE [MAP]]        where to write the map; by default drones.bt
 

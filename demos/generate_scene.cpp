@@ -1,6 +1,6 @@
 // Makes scenes from a seed: the paper's discs among random polygons; carts in a maze, quadrotors in a canyon, or gears
-// among knots; drones in a point cloud; and larger teams of six kinds. Meshes and clouds are written next to the scene's
-// file.
+// among knots; drones in a point cloud; and larger teams of six kinds. Meshes and clouds are written next to the
+// scene's file.
 //
 //     generate_scene --robots 3 --seed 7 --output scene.yaml
 //     generate_scene --kind canyon --output canyon.yaml

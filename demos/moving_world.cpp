@@ -1,6 +1,6 @@
 // Drones cross a hall in which people walk about. Ten times a second a sensor's cloud changes; the drones ask whether
-// their path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired, new
-// ones for each frame, and the standard check. All must find the same.
+// their path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired,
+// new ones for each frame, and the standard check. All must find the same.
 //
 //     moving_world --frames 100 --csv frames.csv --animation hall.svg
 

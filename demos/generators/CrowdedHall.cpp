@@ -16,7 +16,8 @@ namespace generators
         constexpr double NOISE = 0.01;
         constexpr std::size_t POINTS_OF_A_PERSON = 400;
 
-        /** How near people come to walls and shelves, to each other, and to what they keep away from; between centers */
+        /** How near people come to walls and shelves, to each other, and to what they keep away from; between
+            centers */
         constexpr double TO_FIXTURES = CrowdedHall::PERSON_RADIUS + 0.1, TO_PEOPLE = 0.8, TO_ROBOTS = 1.1;
 
         /** In meters per second, seconds, and one in so many seconds */

@@ -9,8 +9,8 @@
 
 namespace generators
 {
-    /** \brief A hall of 24 by 14 by 2.4 m with shelves and pillars, in which people walk about: cylinders that the cloud
-        of a sensor shows, frame by frame. The same settings and steps make the same frames. */
+    /** \brief A hall of 24 by 14 by 2.4 m with shelves and pillars, in which people walk about: cylinders that the
+        cloud of a sensor shows, frame by frame. The same settings and steps make the same frames. */
     class CrowdedHall
     {
     public:
@@ -53,8 +53,8 @@ namespace generators
             \param fixed how many of them are on walls, shelves and pillars */
         std::vector<Eigen::Vector3d> seeAll(std::size_t fixed);
 
-        /** \brief Lets people walk on, and sees those again who moved. The points of those who stand stay the same, as do
-            those of the hall.
+        /** \brief Lets people walk on, and sees those again who moved. The points of those who stand stay the same, as
+            do those of the hall.
             \param away people come no nearer to these places than 1.1 m, such as to robots */
         Frame step(double seconds, const std::vector<Eigen::Vector2d> &away);
 

@@ -37,8 +37,8 @@ namespace ompl_certificates_python
         /** \brief A lower bound of the distance to the nearest contact, for each state */
         py::array_t<double> clearance(const Doubles &states) const;
 
-        /** \brief Which motions are valid, between the same rows of both. As in OMPL, starts must be valid: they are not
-            checked here in the discrete mode. */
+        /** \brief Which motions are valid, between the same rows of both. As in OMPL, starts must be valid: they are
+            not checked here in the discrete mode. */
         py::array_t<bool> checkMotions(const Doubles &starts, const Doubles &ends) const;
 
         /** \brief What collides in a state, in one line; empty if it is valid */

@@ -29,18 +29,18 @@ namespace ompl_certificates
         /** \brief A certificate; its clearance is not a number if it was removed. Others may add meanwhile. */
         virtual Certificate getCertificate(CertificateIndex index) const = 0;
 
-        /** \brief Calls \e visit with all certificates that \e change may concern, and perhaps with others. Others may add
-            meanwhile; what they add may be missed. */
+        /** \brief Calls \e visit with all certificates that \e change may concern, and perhaps with others. Others may
+            add meanwhile; what they add may be missed. */
         virtual void visitConcerned(const ObstacleChange &change,
                                     const std::function<void(CertificateIndex, const Certificate &)> &visit) const = 0;
 
-        /** \brief Gives a certificate a new clearance. If that is not a number, it proves nothing until it gets another.
-            Not while others use the store. */
+        /** \brief Gives a certificate a new clearance. If that is not a number, it proves nothing until it gets
+            another. Not while others use the store. */
         virtual void setClearance(CertificateIndex index, double clearance) = 0;
     };
 
-    /** \brief Brings certificates up to date with a change of the obstacles, step by step, so that others need not wait for
-        all of it.
+    /** \brief Brings certificates up to date with a change of the obstacles, step by step, so that others need not wait
+        for all of it.
 
         First find() notes the certificates that the change concerns, and their new clearances; these may be true of the
         new obstacles alone. So withdraw() takes their old clearances from them. Then the obstacles change, and repair()
@@ -56,8 +56,8 @@ namespace ompl_certificates
         CertificateRepair(const CertificateRepair &) = delete;
         CertificateRepair &operator=(const CertificateRepair &) = delete;
 
-        /** \brief Notes which certificates the change concerns. Called again, looks at those that were added since. Others
-            may check and add meanwhile. */
+        /** \brief Notes which certificates the change concerns. Called again, looks at those that were added since.
+            Others may check and add meanwhile. */
         void find();
 
         /** \brief How many certificates were added since find() */

@@ -33,7 +33,8 @@ namespace ompl_certificates
             MotionBound *bounds = context_.motionBounds.data() + team.getFirstBody(robot);
             robotAt(robot).computeStepBounds(team.getRobotState(from_, robot), controls_ + firstControl_[robot],
                                              duration_, bounds);
-            // Pays for the errors of numeric integration. A body that stands still is checked once, so its bound stays 0.
+            // Pays for the errors of numeric integration. A body that stands still is checked once, so its bound stays
+            // 0.
             constexpr double factor = 1.0 + 1e-6;
             for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
                 bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};

@@ -40,8 +40,8 @@ namespace ompl_certificates
             pose.writeTo(poseOf(to));
             return;
         }
-        // The heading is a polynomial of time, so the position is an integral: Gauss and Legendre's rule of three points
-        // on pieces of little turn.
+        // The heading is a polynomial of time, so the position is an integral: Gauss and Legendre's rule of three
+        // points on pieces of little turn.
         const double v = speeds[0], w = speeds[1], a = control[0], b = control[1];
         const double turn = (std::abs(w) + std::abs(b * duration)) * std::abs(duration);
         const int pieces = 1 + static_cast<int>(std::min(turn / 0.25, 1e4));

@@ -8,9 +8,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief A convex set that contains a shape: all points within a rounding radius of the hull of a few points. It is the
-        shape itself for balls, boxes and capsules, and slightly more for cylinders. For a mesh it is slightly more than
-        its convex hull. Made once, then it never changes. */
+    /** \brief A convex set that contains a shape: all points within a rounding radius of the hull of a few points. It
+        is the shape itself for balls, boxes and capsules, and slightly more for cylinders. For a mesh it is slightly
+        more than its convex hull. Made once, then it never changes. */
     class ConvexCover
     {
     public:
@@ -65,15 +65,16 @@ namespace ompl_certificates
         Eigen::Vector3d center_{Eigen::Vector3d::Zero()};
     };
 
-    /** \brief Finds how far apart two convex covers are, at least. The bound is the gap between two parallel planes, one
-        before each cover, and so certain whatever the search for their direction finds. The search is that of Gilbert,
-        Johnson and Keerthi (1988).
+    /** \brief Finds how far apart two convex covers are, at least. The bound is the gap between two parallel planes,
+        one before each cover, and so certain whatever the search for their direction finds. The search is that of
+        Gilbert, Johnson and Keerthi (1988).
         \param pose from the frame of \e second to the frame of \e first
         \param needed the search ends when it is clear that the distance is not larger
         \param wanted the search ends when the bound is larger
-        \param direction where to begin, from \e first to \e second, in the frame of \e first; zero if unknown. Set to the
-        direction of the bound.
-        \return the bound. If it is not larger than \e needed, it says nothing. Minus infinity if the pose is not finite */
+        \param direction where to begin, from \e first to \e second, in the frame of \e first; zero if unknown. Set to
+        the direction of the bound.
+        \return the bound. If it is not larger than \e needed, it says nothing. Minus infinity if the pose is not
+        finite */
     double convexGap(const ConvexCover &first, const ConvexCover &second, const Pose &pose, double needed,
                      double wanted, Eigen::Vector3d &direction);
 

@@ -6,10 +6,12 @@
 
 namespace ompl_certificates
 {
-    /** \brief The search for the point of a convex set that is nearest to the origin, by Gilbert, Johnson and Keerthi (1988).
+    /** \brief The search for the point of a convex set that is nearest to the origin, by Gilbert, Johnson and Keerthi
+        (1988).
 
         The set is known by its farthest points in directions: the caller adds the one against getNearest(), again and
-        again. In between, up to four of them span a part of the set; its point nearest to the origin is known exactly. */
+        again. In between, up to four of them span a part of the set; its point nearest to the origin is known
+        exactly. */
     class ConvexSearch
     {
     public:

@@ -88,8 +88,8 @@ namespace ompl_certificates
         double signedDistance(const Eigen::Vector3d &point, std::uint32_t &nearest,
                               double most = std::numeric_limits<double>::infinity()) const;
 
-        /** \brief Call \e visit with each box that is near a turned box, and of some others, and with its position, until
-            it returns true; see CellTree::visitNear() */
+        /** \brief Call \e visit with each box that is near a turned box, and of some others, and with its position,
+            until it returns true; see CellTree::visitNear() */
         template <typename Visit>
         void visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin, const Visit &visit) const
         {

@@ -31,7 +31,8 @@ namespace ompl_certificates
                 std::make_shared<const CellBlock>(cellSize, std::move(boxes), dimension)});
         }
 
-        /** Whether a mesh, seen from above, touches a rectangle. \e pose is from the mesh's frame to the rectangle's. */
+        /** Whether a mesh, seen from above, touches a rectangle. \e pose is from the mesh's frame to the
+            rectangle's. */
         Touching planarTouching(const TriangleTree &triangles, const Shape &rectangle, const Pose &pose, double margin)
         {
             Touching all = Touching::NO;

@@ -149,7 +149,8 @@ namespace ompl_certificates
         {
             if (cells == cellsOf(place))
                 continue;
-            // What a certificate says of a point within a box is true of the whole box. So boxes come and go, not cells.
+            // What a certificate says of a point within a box is true of the whole box. So boxes come and go, not
+            // cells.
             std::vector<CellBox> old, now = boxesOf(place, cells);
             if (const auto block = blocks_.find(place); block != blocks_.end())
                 old = block->second->getTree().getBoxes();

@@ -15,7 +15,8 @@ namespace ompl_certificates
 {
     /** \brief A tree over boxes of cells that do not overlap. All lengths are in cells.
 
-        Each node holds the boxes of four children, which are tested in single precision. Uses about 45 bytes per box. */
+        Each node holds the boxes of four children, which are tested in single precision. Uses about 45 bytes per
+        box. */
     class CellTree
     {
     public:
@@ -45,7 +46,8 @@ namespace ompl_certificates
             return found;
         }
 
-        /** \brief Minus the distance of a point within a box to its surface. A flat box has its surface in its plane. */
+        /** \brief Minus the distance of a point within a box to its surface. A flat box has its surface in its
+            plane. */
         double depth(std::uint32_t box, const Eigen::Vector3d &point) const;
 
         /** \brief Call \e visit with the position of each box whose squared distance from \e point is less than

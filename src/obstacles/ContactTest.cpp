@@ -11,8 +11,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** In the plane FCL is quicker among more triangles than this: those of upright walls are tiny, and seen from above
-            they lie upon each other. Measured with 30 000 and 300 000. */
+        /** In the plane FCL is quicker among more triangles than this: those of upright walls are tiny, and seen from
+            above they lie upon each other. Measured with 30 000 and 300 000. */
         constexpr std::size_t MOST_PLANAR_TRIANGLES = 100000;
 
         /** Where more primitives are near a body, its gap would cost more than it saves. */

@@ -5,8 +5,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The exact check of FclObstacles: FCL's verdict on bodies among obstacles. May be called from many threads at
-        once. */
+    /** \brief The exact check of FclObstacles: FCL's verdict on bodies among obstacles. May be called from many threads
+        at once. */
     class FclCheck
     {
     public:

@@ -12,8 +12,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Balls in a few trees, which other forests may share. Some points of a tree may be masked: they are no longer
-        there. Never changes. */
+    /** \brief Balls in a few trees, which other forests may share. Some points of a tree may be masked: they are no
+        longer there. Never changes. */
     class PointForest
     {
     public:

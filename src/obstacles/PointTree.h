@@ -93,8 +93,8 @@ namespace ompl_certificates
         /** \brief More than the rounding of coordinates in single precision, relative to the largest */
         static constexpr double ROUNDING = 1e-6;
 
-        /** \brief Four boxes around points, relative to origin_, and their largest radii. An absent box is inside out and
-            infinite. */
+        /** \brief Four boxes around points, relative to origin_, and their largest radii. An absent box is inside out
+            and infinite. */
         struct alignas(64) Node
         {
             Eigen::Array4f low[3];

@@ -15,8 +15,8 @@ namespace ompl_certificates
 
         const std::string BINARY_MAGIC = "# Octomap OcTree binary file", FULL_MAGIC = "# Octomap OcTree file";
 
-        /** What octomap needs to know before it reads a map. Its readers trust what they read: a map that ends too early
-            can keep them busy forever. */
+        /** What octomap needs to know before it reads a map. Its readers trust what they read: a map that ends too
+            early can keep them busy forever. */
         struct Header
         {
             bool isBinary{false};
@@ -73,8 +73,8 @@ namespace ompl_certificates
                 fail("ends before its data");
             }
 
-            /** Requires that there are as many nodes as the header says, none deeper than octomap can count, and nothing
-                after them */
+            /** Requires that there are as many nodes as the header says, none deeper than octomap can count, and
+                nothing after them */
             void requireNodes(const Header &header) const
             {
                 std::size_t at = header.data;

@@ -11,8 +11,8 @@ namespace ompl_certificates
     /** \brief Bytes in base64, padded */
     std::string toBase64(const std::string &bytes);
 
-    /** \brief Numbers of a type of fixed size in base64, in the order of this machine's bytes: little-endian on all that
-        OMPL is built for */
+    /** \brief Numbers of a type of fixed size in base64, in the order of this machine's bytes: little-endian on all
+        that OMPL is built for */
     template <typename Number>
     std::string packed(const std::vector<Number> &numbers)
     {

@@ -11,8 +11,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Triangles for a picture, with coordinates of 16 bits: equal vertices are one, and triangles without area are
-        left out. */
+    /** \brief Triangles for a picture, with coordinates of 16 bits: equal vertices are one, and triangles without area
+        are left out. */
     struct QuantizedMesh
     {
         /** \brief Triangles with these corners

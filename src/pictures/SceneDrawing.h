@@ -19,8 +19,8 @@ namespace ompl_certificates
     using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
 
     /** \brief What all pictures of a scene have in common: views, obstacles, goals and a legend, and how a team's
-        states are read. Spatial scenes have views from above and from the side, and pictures that do not move an oblique
-        one. */
+        states are read. Spatial scenes have views from above and from the side, and pictures that do not move an
+        oblique one. */
     class SceneDrawing
     {
     public:
@@ -57,8 +57,8 @@ namespace ompl_certificates
         /** \brief Where a robot is whose bodies have those poses: the origin of its traced body */
         Eigen::Vector3d pointOf(std::size_t robot, const BodyPoses &poses) const;
 
-        /** \brief The edges of a planner's tree, for each robot, where pointOf() is at both ends. Of very large trees every
-            n-th edge is taken.
+        /** \brief The edges of a planner's tree, for each robot, where pointOf() is at both ends. Of very large trees
+            every n-th edge is taken.
             \throws ompl::Exception if its states are not those of the scene's robots */
         std::vector<Segments> edgesOf(const ompl::base::PlannerData &tree) const;
 

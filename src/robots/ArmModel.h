@@ -26,8 +26,8 @@ namespace ompl_certificates
         std::vector<std::size_t> links;
         std::vector<JointFrames::Place> places;
         std::vector<BodyPair> pairs;
-        /** \brief The pairs of links that may collide, also those of other parts of the mechanism; by index, the smaller
-            one first */
+        /** \brief The pairs of links that may collide, also those of other parts of the mechanism; by index, the
+            smaller one first */
         std::set<std::pair<std::size_t, std::size_t>> linkPairs;
         /** \brief For each body, seen from the workspace */
         std::vector<JointChain> chains;

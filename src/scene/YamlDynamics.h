@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A robot of a type of db-CBS, its name without the version, that moves by the controls of this type; \e shape
-        has its bodies */
+    /** \brief A robot of a type of db-CBS, its name without the version, that moves by the controls of this type; \e
+        shape has its bodies */
     RobotPtr withDynamics(const std::string &type, const RobotPtr &shape);
 }
 

@@ -21,8 +21,8 @@ namespace ompl_certificates
             __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
         }
 
-        /** Whether all samples of a motion are free, by whichever is quicker; if not, the last argument is set to the time up
-            to which they are, if it is there
+        /** Whether all samples of a motion are free, by whichever is quicker; if not, the last argument is set to the
+            time up to which they are, if it is there
             \param sampled whether the method settles samples one by one */
         template <typename... Free>
         bool areSamplesFree(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,

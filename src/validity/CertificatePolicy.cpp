@@ -7,8 +7,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Between two trials lies this fraction of the checks since certificates came into use, but at least and at most
-            so many. More where the standard check, which is only tried, takes longer. */
+        /** Between two trials lies this fraction of the checks since certificates came into use, but at least and at
+            most so many. More where the standard check, which is only tried, takes longer. */
         constexpr double FRACTION = 1.0 / 16.0, SHORTEST_INTERVAL = 4.0, LONGEST_INTERVAL = 128.0;
 
         /** When certificates have been in use for so many samples and trials, they are judged for the first time; after

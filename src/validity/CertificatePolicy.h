@@ -11,10 +11,10 @@ namespace ompl_certificates
     /** \brief Decides whether checks of one kind use certificates, or the standard check alone.
 
         Certificates cost time first and save it later. So it begins with the standard check: short plans are not worth
-        an investment. Then it uses certificates, and at some checks compares the times of both ways: of the same motion,
-        so that few trials suffice. The longer they have been in use, the more they must have saved; else it returns to
-        the standard check, and tries them again later. How long that is, is counted in samples, not in checks:
-        certificates save most of a long motion's. No verdict depends on it. Each thread has its own. */
+        an investment. Then it uses certificates, and at some checks compares the times of both ways: of the same
+        motion, so that few trials suffice. The longer they have been in use, the more they must have saved; else it
+        returns to the standard check, and tries them again later. How long that is, is counted in samples, not in
+        checks: certificates save most of a long motion's. No verdict depends on it. Each thread has its own. */
     class CertificatePolicy
     {
     public:
@@ -68,7 +68,8 @@ namespace ompl_certificates
 
         std::uint64_t checks_{0}, samples_{0};
 
-        /** \brief The number of samples when certificates are next taken into use, and of checks when the next trial is */
+        /** \brief The number of samples when certificates are next taken into use, and of checks when the next trial
+            is */
         std::uint64_t nextUse_{0}, nextTrial_{0};
 
         /** \brief The numbers of samples and of checks when certificates were last taken into use */

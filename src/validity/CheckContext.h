@@ -80,8 +80,8 @@ namespace ompl_certificates
         /** \brief Intervals overlap by this fraction, which pays for the rounding of times */
         static constexpr double OVERLAP = 1e-9;
 
-        /** \brief For each robot the body, and for each pair of robots the pair of bodies, that was last found to collide. It
-            is checked first. */
+        /** \brief For each robot the body, and for each pair of robots the pair of bodies, that was last found to
+            collide. It is checked first. */
         std::vector<std::size_t> lastColliding, lastCollidingPair;
 
         /** \brief The number of the i-th body to check, where \e first comes first and the others keep their order */

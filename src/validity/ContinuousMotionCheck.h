@@ -20,7 +20,8 @@ namespace ompl_certificates
         ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                               const ompl::base::State *s2);
 
-        /** \brief Checks some subjects; see MotionCheck. Cells are those of their robots' own spaces, and time runs from
+        /** \brief Checks some subjects; see MotionCheck. Cells are those of their robots' own spaces, and time runs
+            from
             \e from. */
         ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
                               States to);

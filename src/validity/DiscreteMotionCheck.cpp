@@ -12,8 +12,8 @@ namespace ompl_certificates
         /** How many motions the estimate of a free motion's probability remembers, and its lower bound */
         constexpr double MOTION_MEMORY = 64.0, SMALLEST_CHANCE = 0.01;
 
-        /** Proofs of stretches for many bodies cost more than the test of a sample. Where fewer motions than this fraction are
-            free, such robots are first tested at the quarters of a motion of at least so many segments. */
+        /** Proofs of stretches for many bodies cost more than the test of a sample. Where fewer motions than this
+            fraction are free, such robots are first tested at the quarters of a motion of at least so many segments. */
         constexpr double LIKELY = 0.8;
         constexpr int FEWEST_SEGMENTS = 8;
     }

@@ -35,8 +35,8 @@ namespace ompl_certificates
             \param samplesAhead see PoseQuery::samplesAhead */
         SubjectVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
 
-        /** \brief Settles a subject at time \e t and no other. Takes no motion bounds, which cost as much as the test of a
-            sample. */
+        /** \brief Settles a subject at time \e t and no other. Takes no motion bounds, which cost as much as the test
+            of a sample. */
         SubjectVerdict test(unsigned int subject, double t);
 
         /** \brief Puts the poses of a subject's robots at time \e t into the context; the first time, also their motion

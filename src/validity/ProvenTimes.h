@@ -9,8 +9,8 @@ namespace ompl_certificates
 {
     /** \brief The times of one motion at which a body is proved free, as a few intervals.
 
-        The bodies of a robot are near different obstacles and move at different speeds. So each of them is asked only at
-        the times at which nothing is known of it yet. */
+        The bodies of a robot are near different obstacles and move at different speeds. So each of them is asked only
+        at the times at which nothing is known of it yet. */
     class ProvenTimes
     {
     public:

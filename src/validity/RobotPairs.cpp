@@ -16,8 +16,8 @@ namespace ompl_certificates
     {
         constexpr double INF = std::numeric_limits<double>::infinity();
 
-        /** Bounding spheres that prove so much of a motion on either side are not looked into; a gap that proves so much is
-            not made more precise. */
+        /** Bounding spheres that prove so much of a motion on either side are not looked into; a gap that proves so
+            much is not made more precise. */
         constexpr double SHORT_STRETCH = 0.06, LONG_STRETCH = 0.12;
 
         /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that

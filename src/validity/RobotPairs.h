@@ -14,8 +14,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Checks the robots of a team against each other, and each against itself: the pairs of robots, and one pair
-        more for each robot that names pairs of its own bodies.
+    /** \brief Checks the robots of a team against each other, and each against itself: the pairs of robots, and one
+        pair more for each robot that names pairs of its own bodies.
 
         Two discs or spheres are settled by arithmetic. Otherwise one body is the environment of the other, seen from
         its own frame, as in the paper's footnote 2. First the gap between their convex covers may prove them apart. In
@@ -68,8 +68,8 @@ namespace ompl_certificates
             there. */
         SubjectVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
 
-        /** \brief How long the robots of a pair stay apart after the start of a motion, by their bounding spheres alone;
-            0 if these touch */
+        /** \brief How long the robots of a pair stay apart after the start of a motion, by their bounding spheres
+            alone; 0 if these touch */
         double provenInterval(unsigned int pair, CheckContext &context) const;
 
         /** \brief Two bodies of a pair that touch each other, by FCL: the first of the first robot, the second of the
@@ -101,7 +101,8 @@ namespace ompl_certificates
             /** \brief The possible error of rounding and of FCL when bounding spheres are compared */
             double margin;
 
-            /** \brief Where the relative motion bound of two bodies of one robot is in CheckContext::pairMotionBounds */
+            /** \brief Where the relative motion bound of two bodies of one robot is in
+                CheckContext::pairMotionBounds */
             unsigned int robot{0};
             std::size_t ownPair{NOT_OWN};
             static constexpr std::size_t NOT_OWN = std::numeric_limits<std::size_t>::max();
@@ -128,7 +129,8 @@ namespace ompl_certificates
             /** \brief How fast the bounding spheres approach each other, at most */
             double speed(const CheckContext &context) const;
 
-            /** \brief The motion bound of lookedUp() in the frame of the other. It bounds how fast clearances change. */
+            /** \brief The motion bound of lookedUp() in the frame of the other. It bounds how fast clearances
+                change. */
             MotionBound relativeMotionBound(const CheckContext &context) const;
         };
 

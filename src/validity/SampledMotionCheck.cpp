@@ -9,8 +9,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** A motion of so many segments is long. If so many of its samples are free, the others probably are, and most can
-            be skipped. */
+        /** A motion of so many segments is long. If so many of its samples are free, the others probably are, and most
+            can be skipped. */
         constexpr int LONG_MOTION = 128;
         constexpr std::size_t FIRST_SAMPLES = 31;
     }

@@ -7,8 +7,8 @@ namespace ompl_certificates
 {
     /** \brief Checks a motion sample by sample, as the team's space interpolates it. Verdict and order of samples are
         those of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions
-        have no motion bounds. Also for motions for which certificates do not pay: there a long motion whose first samples
-        are free may still be worth them. */
+        have no motion bounds. Also for motions for which certificates do not pay: there a long motion whose first
+        samples are free may still be worth them. */
     class SampledMotionCheck
     {
     public:
@@ -27,8 +27,8 @@ namespace ompl_certificates
         bool isFree(double &free);
 
     private:
-        /** \brief Whether all other samples of a long motion are free whose first samples are: by certificates, or by \e
-            exact, whichever is quicker */
+        /** \brief Whether all other samples of a long motion are free whose first samples are: by certificates, or by
+            \e exact, whichever is quicker */
         template <typename Exact>
         bool isRestFree(const Exact &exact);
 

@@ -80,8 +80,8 @@ namespace ompl_certificates
             }
         }
 
-        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a tenth
-            of a second. */
+        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a
+            tenth of a second. */
         void prepareBodies(const Team &team)
         {
             for (const auto &robot : team.getRobots())

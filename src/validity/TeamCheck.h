@@ -19,8 +19,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A unit that is proved free on its own: all robots together (Basic) or one robot, among the obstacles; a pair
-        of robots; or a robot and itself */
+    /** \brief A unit that is proved free on its own: all robots together (Basic) or one robot, among the obstacles; a
+        pair of robots; or a robot and itself */
     struct Subject
     {
         enum Kind
@@ -31,8 +31,8 @@ namespace ompl_certificates
         };
 
         Kind kind;
-        /** \brief The robots: the first and the last of a team, or the two of a pair, which are one if it is a robot and
-            itself */
+        /** \brief The robots: the first and the last of a team, or the two of a pair, which are one if it is a robot
+            and itself */
         unsigned int first, last;
         /** \brief The number of the pair */
         unsigned int pair;
@@ -178,8 +178,8 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::changeObstacles() */
         void change(const ObstacleChange &change);
 
-        /** \brief From now on checks robots against the obstacles alone, and leaves the references of states as they are.
-            Before the first check. */
+        /** \brief From now on checks robots against the obstacles alone, and leaves the references of states as they
+            are. Before the first check. */
         void ignoreAllButObstacles();
 
         /** \brief Removes all certificates. Not while others check. */
@@ -260,8 +260,8 @@ namespace ompl_certificates
         TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
                   std::unique_ptr<CheckMethod> checkMethod);
 
-        /** \brief The numbers of a robot's bodies, or of the pairs of bodies of a pair: the first, and one behind the last.
-            None for a team. */
+        /** \brief The numbers of a robot's bodies, or of the pairs of bodies of a pair: the first, and one behind the
+            last. None for a team. */
         std::pair<std::size_t, std::size_t> getParts(const Subject &subject) const
         {
             switch (subject.kind)

@@ -8,8 +8,9 @@ namespace ompl_certificates
 {
     /** \brief How long checks take that were made in two ways, and how that grows with their samples.
 
-        Most motions of a planner collide soon, and a few long ones take most of the time. A few trials rarely meet those.
-        So a mean time is corrected by the numbers of samples, which are known of all checks: a regression estimator. */
+        Most motions of a planner collide soon, and a few long ones take most of the time. A few trials rarely meet
+        those. So a mean time is corrected by the numbers of samples, which are known of all checks: a regression
+        estimator. */
     class TrialTimes
     {
     public:

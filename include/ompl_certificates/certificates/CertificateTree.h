@@ -68,8 +68,8 @@ namespace ompl_certificates
         only certificates, not the states they prove. Each subtree keeps bounds of its certificates' balls, by which a
         search skips it.
 
-        Threads: any number may search while others add. add() takes a lock; searches take none. remove(), setClearance()
-        and clear() need exclusive use of the tree.
+        Threads: any number may search while others add. add() takes a lock; searches take none. remove(),
+        setClearance() and clear() need exclusive use of the tree.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,
@@ -105,15 +105,15 @@ namespace ompl_certificates
             \throws ompl::Exception if its point is not finite, or its clearance is not a number or minus infinity */
         CertificateIndex insert(const Certificate &certificate);
 
-        /** \brief Calls \e visit with certificates, among them all whose ball meets a region. The ball of a certificate (p, d)
-            has the radius |d|. Cost: proportional to the certificates near the region. Others may add meanwhile; what they
-            add may be missed.
+        /** \brief Calls \e visit with certificates, among them all whose ball meets a region. The ball of a certificate
+            (p, d) has the radius |d|. Cost: proportional to the certificates near the region. Others may add meanwhile;
+            what they add may be missed.
             \param meets false only if a ball, given by center and radius, does not meet the region */
         void visitNear(const std::function<bool(const Eigen::Vector3d &, double)> &meets,
                        const std::function<void(CertificateIndex, const Certificate &)> &visit) const;
 
-        /** \brief Gives a certificate a new clearance. If that is not a number, the certificate proves nothing until it gets
-            another. Needs exclusive use of the tree. Cost: logarithmic.
+        /** \brief Gives a certificate a new clearance. If that is not a number, the certificate proves nothing until it
+            gets another. Needs exclusive use of the tree. Cost: logarithmic.
             \throws ompl::Exception if there is no such certificate */
         void setClearance(CertificateIndex index, double clearance);
 
@@ -228,8 +228,9 @@ namespace ompl_certificates
             std::uintptr_t word_{0};
         };
 
-        /** \brief What follows a bucket: the next one of its cell, or the inner node that the last one belongs to. That is
-            the cell's own, or its parent while the cell is undivided; null for an undivided root. A tagged pointer. */
+        /** \brief What follows a bucket: the next one of its cell, or the inner node that the last one belongs to. That
+            is the cell's own, or its parent while the cell is undivided; null for an undivided root. A tagged
+            pointer. */
         class Link
         {
         public:
@@ -278,7 +279,8 @@ namespace ompl_certificates
             std::uintptr_t word_{PARENT};
         };
 
-        /** \brief Some certificates of a cell. They never move: the index of a certificate is its place among all buckets'. */
+        /** \brief Some certificates of a cell. They never move: the index of a certificate is its place among all
+            buckets'. */
         struct alignas(16) Bucket
         {
             /** \brief How many of the certificates are there */

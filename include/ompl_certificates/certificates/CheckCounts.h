@@ -57,8 +57,8 @@ namespace ompl_certificates
         /** \brief Motions that were checked */
         std::uint64_t motions{0};
 
-        /** \brief Robots at samples of motions, ends included, whether checked or skipped. The samples at which a motion is
-            first tested count twice if they are free. */
+        /** \brief Robots at samples of motions, ends included, whether checked or skipped. The samples at which a
+            motion is first tested count twice if they are free. */
         std::uint64_t motionSamples{0};
 
         /** \brief … of which were skipped, because they lie in an interval of the motion that is certified free */

@@ -11,8 +11,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief An array that grows without moving its elements: by chunks of at most an eighth of its size. One thread may
-        append while others read elements whose index they know. Readers take no lock. */
+    /** \brief An array that grows without moving its elements: by chunks of at most an eighth of its size. One thread
+        may append while others read elements whose index they know. Readers take no lock. */
     template <typename T>
     class ChunkedArray
     {

@@ -25,7 +25,8 @@ namespace ompl_certificates
 
         /** \brief A car with a trailer
             \param maxHingeAngle the largest difference of the headings of car and trailer; see isWithinLimits()
-            \throws ompl::Exception as alone(), or if the hitch length of \e shape or \e maxHingeAngle is not positive */
+            \throws ompl::Exception as alone(), or if the hitch length of \e shape or \e maxHingeAngle is not
+            positive */
         static std::shared_ptr<Car> withTrailer(const std::shared_ptr<const CarWithTrailer> &shape,
                                                 const ompl::base::RealVectorBounds &controlBounds, double wheelbase,
                                                 double maxHingeAngle);

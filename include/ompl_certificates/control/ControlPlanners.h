@@ -8,8 +8,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The names of OMPL's control planners that need no more than a space information and a problem. Syclop also needs a
-        decomposition of the workspace, so it is not among them. */
+    /** \brief The names of OMPL's control planners that need no more than a space information and a problem. Syclop
+        also needs a decomposition of the workspace, so it is not among them. */
     std::vector<std::string> controlPlannerNames();
 
     /** \brief A new control planner of that name

@@ -46,8 +46,8 @@ namespace ompl_certificates
                                ompl::base::State *to) const = 0;
 
         /** \brief Write how far each body moves while \e control is held for \e duration seconds: one motion bound per
-            body, whose time runs from 0 to 1 within the step. A bound that is too small makes verdicts of the continuous
-            mode wrong. */
+            body, whose time runs from 0 to 1 within the step. A bound that is too small makes verdicts of the
+            continuous mode wrong. */
         virtual void computeStepBounds(const ompl::base::State *from, const double *control, double duration,
                                        MotionBound *bounds) const = 0;
 

@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Checks that all robots are within their limits, then whatever a TeamValidityChecker checks. Controls drive
-        robots out of their bounds, and OMPL's control planners do not ask for these. */
+    /** \brief Checks that all robots are within their limits, then whatever a TeamValidityChecker checks. Controls
+        drive robots out of their bounds, and OMPL's control planners do not ask for these. */
     class LimitedValidityChecker : public ompl::base::StateValidityChecker
     {
     public:

@@ -16,11 +16,11 @@ namespace ompl_certificates
 
         The new state refers to the certificates of the old one, so that one certificate serves many steps.
 
-        With requireProof() a step is also proved free between its ends. A step that is not proved ends in coordinates that
-        are not numbers, which every TeamValidityChecker calls invalid; so no planner of OMPL goes on from there. The
-        step's way is proved in pieces: each is free if clearances at its middle exceed how far the bodies can move in
-        half of its time. A piece that is not proved is halved, at most four times. So a step is refused if a body passes
-        an obstacle or another robot closer than the motion of 1/32 of the step; the tolerance and the leaves of
+        With requireProof() a step is also proved free between its ends. A step that is not proved ends in coordinates
+        that are not numbers, which every TeamValidityChecker calls invalid; so no planner of OMPL goes on from there.
+        The step's way is proved in pieces: each is free if clearances at its middle exceed how far the bodies can move
+        in half of its time. A piece that is not proved is halved, at most four times. So a step is refused if a body
+        passes an obstacle or another robot closer than the motion of 1/32 of the step; the tolerance and the leaves of
         the sphere trees add to that. The verdict depends only on the obstacles, the state and the control.
 
         May be used by many threads at once. */
@@ -45,7 +45,8 @@ namespace ompl_certificates
         bool isStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
                         const ompl::control::Control *control, double duration, const ompl::base::State *result) const;
 
-        /** \brief Write to \e result where \e control, held for \e duration seconds, brings the team, with the references of
+        /** \brief Write to \e result where \e control, held for \e duration seconds, brings the team, with the
+            references of
             \e state. Both states may be one. */
         void propagate(const ompl::base::State *state, const ompl::control::Control *control, double duration,
                        ompl::base::State *result) const override;

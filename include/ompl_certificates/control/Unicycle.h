@@ -7,11 +7,11 @@
 
 namespace ompl_certificates
 {
-    /** \brief A robot in SE(2) that drives along its heading and turns. Its controls are the two speeds (first order) or
-        the two accelerations (second order), the linear one first.
+    /** \brief A robot in SE(2) that drives along its heading and turns. Its controls are the two speeds (first order)
+        or the two accelerations (second order), the linear one first.
 
-        Steps of the first order are exact, up to rounding; those of the second are within 1e-9 of a length unit for speeds of
-        order 1. */
+        Steps of the first order are exact, up to rounding; those of the second are within 1e-9 of a length unit for
+        speeds of order 1. */
     class Unicycle : public DynamicRobot
     {
     public:

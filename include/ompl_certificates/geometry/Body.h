@@ -85,7 +85,8 @@ namespace ompl_certificates
         static Body planarMesh(TriangleMeshPtr mesh);
 
         /** \brief One body of several shapes, at poses in the body's frame
-            \throws ompl::Exception if there is none, if planar and spatial shapes are mixed, or if a planar mesh is tilted */
+            \throws ompl::Exception if there is none, if planar and spatial shapes are mixed, or if a planar mesh is
+            tilted */
         explicit Body(std::vector<Part> parts);
 
         /** \brief The dimension of the workspace that this body is for: 2 or 3 */
@@ -103,7 +104,8 @@ namespace ompl_certificates
             return data_->getBalls().sphereTree;
         }
 
-        /** \brief A convex set around each of the shapes, in the body's frame. Made when first asked for: see ConvexCover. */
+        /** \brief A convex set around each of the shapes, in the body's frame. Made when first asked for: see
+            ConvexCover. */
         const std::vector<ConvexCover> &getConvexCovers() const;
 
         /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
@@ -139,8 +141,8 @@ namespace ompl_certificates
             return data_->zInterval;
         }
 
-        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside primitives.
-            Linear in the number of triangles of a mesh. */
+        /** \brief Signed distance of \e point, in the body's frame, to the nearest shape of the body; negative inside
+            primitives. Linear in the number of triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
         /** \brief Whether the two bodies have the same shapes at the same poses, in the same order */

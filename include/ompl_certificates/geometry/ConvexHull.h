@@ -10,7 +10,8 @@ namespace ompl_certificates
     /** \brief A convex polygon (in the plane z = 0) or a convex polytope, by its vertices and faces */
     struct ConvexHull
     {
-        /** \brief A face lies in the plane normal . x = offset; the hull is where normal . x <= offset for all faces. */
+        /** \brief A face lies in the plane normal . x = offset; the hull is where normal . x <= offset for all
+            faces. */
         struct Face
         {
             /** \brief Unit normal, pointing outwards */
@@ -19,7 +20,8 @@ namespace ompl_certificates
             /** \brief Distance of the plane from the origin along the normal */
             double offset;
 
-            /** \brief Indices of the face's vertices, counter-clockwise seen from outside; an edge's two in the plane */
+            /** \brief Indices of the face's vertices, counter-clockwise seen from outside; an edge's two in the
+                plane */
             std::vector<std::size_t> vertices;
         };
 

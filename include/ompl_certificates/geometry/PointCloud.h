@@ -28,8 +28,8 @@ namespace ompl_certificates
         Cost: n log n for n points, some 0.2 s for 10^6. */
     PointCloud thinned(PointCloud cloud, double cell);
 
-    /** \brief The planar cloud of what a cloud in space occupies within a z-interval. Points that reach into it are moved to
-        z = 0 and keep their radius.
+    /** \brief The planar cloud of what a cloud in space occupies within a z-interval. Points that reach into it are
+        moved to z = 0 and keep their radius.
         Cost: linear in the number of points. */
     PointCloud sliced(PointCloud cloud, const ZInterval &heights);
 }

@@ -54,8 +54,8 @@ namespace ompl_certificates
         /** \brief A cylinder along z, in space */
         static Shape cylinder(double radius, double length);
 
-        /** \brief The convex hull of any points of the plane (\e dimension 2; z is ignored) or of space (3), see convexHull().
-            Body::convexPolygon() and Body::convexPolytope() refuse points inside it. */
+        /** \brief The convex hull of any points of the plane (\e dimension 2; z is ignored) or of space (3), see
+            convexHull(). Body::convexPolygon() and Body::convexPolytope() refuse points inside it. */
         static Shape polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points);
 
         /** \brief The surface of a mesh, for the plane (\e dimension 2) or for space (3)

@@ -63,8 +63,8 @@ namespace ompl_certificates
             and dropping triangles with two equal corners. Cost: n log n for n triangles, at every call. */
         bool isClosed() const;
 
-        /** \brief A tree over the triangles that are not degenerate, in the mesh's frame, for the library's own checks; made
-            when first asked for */
+        /** \brief A tree over the triangles that are not degenerate, in the mesh's frame, for the library's own checks;
+            made when first asked for */
         const TriangleTree &getTree() const;
 
     private:

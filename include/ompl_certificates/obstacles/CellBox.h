@@ -6,8 +6,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief A box of cells of a regular grid. Cell (i, j, k) reaches from (i, j, k) to (i + 1, j + 1, k + 1), times the
-        edge length of a cell. */
+    /** \brief A box of cells of a regular grid. Cell (i, j, k) reaches from (i, j, k) to (i + 1, j + 1, k + 1), times
+        the edge length of a cell. */
     struct CellBox
     {
         /** \brief The index of a cell is at least minus this, and less than this, as in an octomap */

@@ -41,7 +41,8 @@ namespace ompl_certificates
 
         bool collides(const Body &body, const Pose &pose) const override;
 
-        /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its box */
+        /** \brief The distance to the nearest occupied cell; within one, minus the distance to the surface of its
+            box */
         double clearance(const Eigen::Vector3d &point) const override;
 
         double clearanceUpTo(const Eigen::Vector3d &point, double most) const override;
@@ -83,7 +84,8 @@ namespace ompl_certificates
             return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         }
 
-        /** \brief Call \e visit with the boxes near a part of a body and whether they touch it, until it returns true */
+        /** \brief Call \e visit with the boxes near a part of a body and whether they touch it, until it returns
+            true */
         template <typename Visit>
         void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
 

@@ -59,9 +59,9 @@ namespace ompl_certificates
         /** \brief The number of cells. Cost: linear in the number of boxes that they are joined into. */
         std::size_t size() const;
 
-        /** \brief The obstacles now, and what was added and removed since the last call: the boxes that cells are joined
-            into, as far as they have changed. Cells that came and went between are in neither. Cost: some tens of µs for each block in which a cell came or went, and some 0.1 µs
-            for each other block. */
+        /** \brief The obstacles now, and what was added and removed since the last call: the boxes that cells are
+            joined into, as far as they have changed. Cells that came and went between are in neither. Cost: some tens
+            of µs for each block in which a cell came or went, and some 0.1 µs for each other block. */
         ObstacleChange takeChange();
 
     private:

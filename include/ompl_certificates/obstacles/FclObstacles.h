@@ -68,12 +68,12 @@ namespace ompl_certificates
         double findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const override;
 
         /** \brief Decides nearly all queries. In the plane it leaves meshes near primitives, primitives among
-            meshes, and all among more than 100 000 triangles to collides(). Takes 0.1 to 20 µs, mostly a tenth of collides(). Allocates nothing and does not ask
-            FCL. */
+            meshes, and all among more than 100 000 triangles to collides(). Takes 0.1 to 20 µs, mostly a tenth of
+            collides(). Allocates nothing and does not ask FCL. */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
-        /** \brief By the bounding spheres and the convex covers of shapes. Unknown where there are meshes among the obstacles.
-            Takes some 0.1 to 0.5 µs for each primitive near the body. */
+        /** \brief By the bounding spheres and the convex covers of shapes. Unknown where there are meshes among the
+            obstacles. Takes some 0.1 to 0.5 µs for each primitive near the body. */
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
 
         bool hasGap() const override;

@@ -31,8 +31,8 @@ namespace ompl_certificates
             return added ? std::min(before, added->clearanceUpTo(point, before)) : before;
         }
 
-        /** \brief Whether something was added or removed within \e radius of \e center, or almost. If not, a certificate
-            keeps its clearance if its ball is within that distance. */
+        /** \brief Whether something was added or removed within \e radius of \e center, or almost. If not, a
+            certificate keeps its clearance if its ball is within that distance. */
         bool concerns(const Eigen::Vector3d &center, double radius) const
         {
             const double most = radius + 2.0 * after->getTolerance();

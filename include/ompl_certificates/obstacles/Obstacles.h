@@ -61,8 +61,8 @@ namespace ompl_certificates
             return clearance(point);
         }
 
-        /** \brief A quick answer to collides(), if there is one: NO and YES always agree with collides(). If the answer is
-            YES, the last argument is set to a part that the body touches, or to NO_PART; it may be null. */
+        /** \brief A quick answer to collides(), if there is one: NO and YES always agree with collides(). If the answer
+            is YES, the last argument is set to a part that the body touches, or to NO_PART; it may be null. */
         virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
         {
             return Touching::UNKNOWN;
@@ -77,7 +77,8 @@ namespace ompl_certificates
             return -std::numeric_limits<double>::infinity();
         }
 
-        /** \brief Whether gap() mostly knows a bound, and quickly. Then it is asked of meshes, in place of clearances. */
+        /** \brief Whether gap() mostly knows a bound, and quickly. Then it is asked of meshes, in place of
+            clearances. */
         virtual bool hasGap() const
         {
             return false;

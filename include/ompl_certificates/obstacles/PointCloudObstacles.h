@@ -12,8 +12,8 @@ namespace ompl_certificates
 {
     class PointForest;
 
-    /** \brief Obstacles that are points with a radius, as a sensor sees them. A body collides if it is nowhere farther from
-        a point than its radius.
+    /** \brief Obstacles that are points with a radius, as a sensor sees them. A body collides if it is nowhere farther
+        from a point than its radius.
 
         Primitives are solid. A mesh is a surface, as in FclObstacles: a point wholly inside a closed mesh does not
         touch it. In the plane a mesh is what is seen of it from above, whatever its z.
@@ -26,8 +26,8 @@ namespace ompl_certificates
     public:
         /** \brief The points of a cloud, in a workspace of \e dimension 2 or 3. Give it with std::move() to keep the
             points once.
-            \throws ompl::Exception for another dimension; if the radius is negative or not finite; if a coordinate is not
-            finite or larger than 10^15, or in the plane has z other than 0; or for more than 2^31 points
+            \throws ompl::Exception for another dimension; if the radius is negative or not finite; if a coordinate is
+            not finite or larger than 10^15, or in the plane has z other than 0; or for more than 2^31 points
             Cost: n log n for n points, about 0.3 s for 10^6. */
         explicit PointCloudObstacles(PointCloud cloud, unsigned int dimension = 3);
 
@@ -42,8 +42,8 @@ namespace ompl_certificates
             return dimension_;
         }
 
-        /** \brief Takes some 0.1 µs where nothing is near. Each point within the bounds of a part costs some 10 ns more; for a
-            mesh in space about 0.1 µs, in the plane a time linear in its triangles. */
+        /** \brief Takes some 0.1 µs where nothing is near. Each point within the bounds of a part costs some 10 ns
+            more; for a mesh in space about 0.1 µs, in the plane a time linear in its triangles. */
         bool collides(const Body &body, const Pose &pose) const override;
 
         /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 3 µs. */

@@ -40,8 +40,8 @@ namespace ompl_certificates
         /** \brief Takes over the points of another set, which is then of no use */
         PointCloudSet &operator=(PointCloudSet &&) noexcept;
 
-        /** \brief Add points; one that is there already is there twice. Cost: for each point some log² n steps, averaged
-            over many calls, where n are there.
+        /** \brief Add points; one that is there already is there twice. Cost: for each point some log² n steps,
+            averaged over many calls, where n are there.
             \throws ompl::Exception as PointCloudObstacles::PointCloudObstacles(). Then none is added. */
         void insert(std::vector<Eigen::Vector3d> points);
 
@@ -49,7 +49,8 @@ namespace ompl_certificates
             \throws ompl::Exception if one is not there. Then none is removed. */
         void remove(const std::vector<Eigen::Vector3d> &points);
 
-        /** \brief Remove all points within \e box, its faces included; the box may be infinite. Cost: proportional to the points in and near it.
+        /** \brief Remove all points within \e box, its faces included; the box may be infinite. Cost: proportional to
+            the points in and near it.
             \return how many they were */
         std::size_t removeWithin(const Eigen::AlignedBox3d &box);
 

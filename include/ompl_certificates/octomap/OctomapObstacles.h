@@ -17,8 +17,8 @@ namespace ompl_certificates
     /** \brief Which cells of an octomap are obstacles */
     struct OctomapOptions
     {
-        /** \brief The depth of the smallest cells, from 1 to 16, the map's own. Each level less doubles their edges; such
-            a cell is occupied if any in it is. */
+        /** \brief The depth of the smallest cells, from 1 to 16, the map's own. Each level less doubles their edges;
+            such a cell is occupied if any in it is. */
         unsigned int depth{16};
 
         /** \brief Whether unknown cells are obstacles, too: those in the smallest box along the axes that contains all
@@ -32,8 +32,8 @@ namespace ompl_certificates
 
     /** \brief The occupied cells of an octomap: in space or, given a slice, in the plane.
 
-        Cells are occupied by the map's own threshold, see octomap::OcTree::isNodeOccupied(). The map is read once and not
-        kept. */
+        Cells are occupied by the map's own threshold, see octomap::OcTree::isNodeOccupied(). The map is read once and
+        not kept. */
     class OctomapObstacles : public CellObstacles
     {
     public:

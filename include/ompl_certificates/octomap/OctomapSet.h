@@ -15,8 +15,8 @@ namespace ompl_certificates
         map.insertPointCloud(scan, sensor);
         setup.getTeamChecker()->changeObstacles(set.takeChange());
         @endcode
-        The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is changed
-        without that, such as by reading a file into the map or by pruning to another occupancy, is not seen.
+        The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is
+        changed without that, such as by reading a file into the map or by pruning to another occupancy, is not seen.
         Not for several threads at once, and not while another changes the map. */
     class OctomapSet
     {
@@ -26,9 +26,9 @@ namespace ompl_certificates
             one more known cell may then make others occupied that are far away */
         explicit OctomapSet(octomap::OcTree &map, const OctomapOptions &options = {});
 
-        /** \brief The obstacles now, and what was added and removed since the last call. Resets the map's change detection.
-            Cost: some tens of µs for each block of 16 cells along each axis in which a cell has changed, in a slice
-            for each column of blocks; the first time as for OctomapObstacles. */
+        /** \brief The obstacles now, and what was added and removed since the last call. Resets the map's change
+            detection. Cost: some tens of µs for each block of 16 cells along each axis in which a cell has changed, in
+            a slice for each column of blocks; the first time as for OctomapObstacles. */
         ObstacleChange takeChange();
 
     private:

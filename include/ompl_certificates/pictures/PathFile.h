@@ -18,9 +18,9 @@ namespace ompl_certificates
         time by stateTimes(), all in full precision. See docs/plan-team.md. */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
 
-    /** \brief A path of a team of DynamicRobots as such a table, one line for each propagation step: the time in seconds, the
-        state's coordinates, and the controls that are held from there on, such as scout.steering. The last line has
-        none.
+    /** \brief A path of a team of DynamicRobots as such a table, one line for each propagation step: the time in
+        seconds, the state's coordinates, and the controls that are held from there on, such as scout.steering. The last
+        line has none.
         \throws ompl::Exception if its states are not those of a TeamStateSpace of DynamicRobots */
     std::string toCsv(const ompl::control::PathControl &path);
 

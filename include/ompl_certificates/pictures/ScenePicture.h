@@ -39,8 +39,8 @@ namespace ompl_certificates
             \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots */
         void setTree(const ompl::base::PlannerData &data);
 
-        /** \brief Add the balls that certificates prove free. Of very many in the plane every n-th is drawn. In space only
-            the largest are, and none whose point is within a larger one that is drawn. */
+        /** \brief Add the balls that certificates prove free. Of very many in the plane every n-th is drawn. In space
+            only the largest are, and none whose point is within a larger one that is drawn. */
         void setCertificates(const std::vector<Certificate> &certificates);
 
         /** \brief The picture as the text of an SVG file */

@@ -6,8 +6,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The cloud without the team that was seen with it. Drops points that are nearer to a body than \e padding and
-        the cloud's radius, or inside it, so that the state collides with no point. A mesh has an inside if it is
+    /** \brief The cloud without the team that was seen with it. Drops points that are nearer to a body than \e padding
+        and the cloud's radius, or inside it, so that the state collides with no point. A mesh has an inside if it is
         closed.
         \param team the robots
         \param state where they were, in the team's space

@@ -40,8 +40,8 @@ namespace ompl_certificates
             each body. */
         bool staysValid(const ompl::base::State *state) const;
 
-        /** \brief Whether a motion is still valid that was valid before. Cost: as for two states, if it is not near what was
-            added. */
+        /** \brief Whether a motion is still valid that was valid before. Cost: as for two states, if it is not near
+            what was added. */
         bool staysValid(const ompl::base::State *from, const ompl::base::State *to) const;
 
         /** \brief What is invalid of a planner's tree or roadmap */
@@ -57,8 +57,8 @@ namespace ompl_certificates
         /** \brief Which vertices and edges of \e data, all valid before, are no longer valid */
         Invalid findInvalid(const ompl::base::PlannerData &data) const;
 
-        /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to state i +
-            1. If it has a single state, 0 is that state. */
+        /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to
+            state i + 1. If it has a single state, 0 is that state. */
         std::vector<std::size_t> findInvalidEdges(const ompl::geometric::PathGeometric &path) const;
 
         /** \brief The checks made among the added obstacles; null if none were added */

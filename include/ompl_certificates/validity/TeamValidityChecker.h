@@ -18,11 +18,12 @@ namespace ompl_certificates
 {
     class TeamCheck;
 
-    /** \brief Checks every robot of a team against the obstacles and itself, and all pairs of robots against each other, by
-        any Method. Basic, Partial and SharedProjection are this class with a fixed method.
+    /** \brief Checks every robot of a team against the obstacles and itself, and all pairs of robots against each
+        other, by any Method. Basic, Partial and SharedProjection are this class with a fixed method.
 
         A state is valid if no robot touches an obstacle or another robot, no two bodies of Robot::getBodyPairs() touch,
-        and all coordinates are finite. As in OMPL, bounds are not checked. Threads: all methods may be called at once, unless stated otherwise. */
+        and all coordinates are finite. As in OMPL, bounds are not checked. Threads: all methods may be called at once,
+        unless stated otherwise. */
     class TeamValidityChecker : public ompl::base::StateValidityChecker
     {
     public:
@@ -66,14 +67,15 @@ namespace ompl_certificates
                               const ompl::base::State *secondTo) const;
 
         /** \brief A lower bound of the distance from the team to the nearest contact: with an obstacle, between
-            robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within the leaves of the
-            sphere trees. Not positive if \e state is not valid. Cost: some microseconds for each robot. */
+            robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within
+            the leaves of the sphere trees. Not positive if \e state is not valid. Cost: some microseconds for each
+            robot. */
         double clearance(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::clearance;
 
-        /** \brief One line that names the first collision in \e state, such as which robots touch, or which bodies of a robot; empty if \e state is
-            valid. Always asks FCL. */
+        /** \brief One line that names the first collision in \e state, such as which robots touch, or which bodies of a
+            robot; empty if \e state is valid. Always asks FCL. */
         std::string describeCollision(const ompl::base::State *state) const;
 
         /** \brief The method */
@@ -126,19 +128,19 @@ namespace ompl_certificates
 
         /** \brief Whether to skip certificates and clearances where they have not paid lately; the default. Some checks
             are then made with certificates and without, to compare the times. If not, all are tried for every pose.
-            Counts then depend only on the states, not on the clock, so experiments are repeatable. Verdicts never depend
-            on it. Not while others use the checker. */
+            Counts then depend only on the states, not on the clock, so experiments are repeatable. Verdicts never
+            depend on it. Not while others use the checker. */
         void setAdaptive(bool adaptive);
 
         /** \brief See setAdaptive() */
         bool isAdaptive() const;
 
-        /** \brief After how many samples an adaptive checker first makes certificates; 8192 by default. A sample is a robot
-            or a pair of robots at a state. Until then it is as quick as Method::STANDARD: a short plan ends before
-            certificates have saved what they cost. States, motions of the team, those of each robot and those of pairs
-            are counted each by themselves, in each thread. Certificates that are there already are used at once. So are
-            new ones for the rest of a motion of 128 segments or more whose first samples are free: they repay themselves
-            within it. Before the first check. */
+        /** \brief After how many samples an adaptive checker first makes certificates; 8192 by default. A sample is a
+            robot or a pair of robots at a state. Until then it is as quick as Method::STANDARD: a short plan ends
+            before certificates have saved what they cost. States, motions of the team, those of each robot and those of
+            pairs are counted each by themselves, in each thread. Certificates that are there already are used at once.
+            So are new ones for the rest of a motion of 128 segments or more whose first samples are free: they repay
+            themselves within it. Before the first check. */
         void setCertificatesAfter(std::size_t samples);
 
         /** \brief See setCertificatesAfter() */

@@ -10,8 +10,8 @@ namespace ompl_certificates
     /** \brief Lets any number of threads check at once, or one thread change the world.
 
         Threads enter checks at slots of their own, so they do not wait for each other and seldom share a cache line.
-        Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. A long change
-        may let them in between its steps. */
+        Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. A long
+        change may let them in between its steps. */
     class WorldLock
     {
     public:
@@ -85,7 +85,8 @@ namespace ompl_certificates
         std::atomic<bool> changing_{false};
         /** \brief How many checks wait for a change */
         std::atomic<int> waiting_{0};
-        /** \brief Held by a change, and while no checks may begin. A check waits for the second, never for the first. */
+        /** \brief Held by a change, and while no checks may begin. A check waits for the second, never for the
+            first. */
         std::mutex changes_, mutex_;
     };
 }
