@@ -226,7 +226,7 @@ TEST(CellSet, RefusesWhatMakesNoSense)
 {
     EXPECT_THROW(CellSet(SIZE, 4), ompl::Exception);
     EXPECT_THROW(CellSet(0.0), ompl::Exception);
-    EXPECT_THROW(CellSet(std::numeric_limits<double>::infinity()), ompl::Exception);
+    EXPECT_THROW(CellSet{std::numeric_limits<double>::infinity()}, ompl::Exception);
     CellSet set(SIZE);
     const CellBox good{{0, 0, 0}, {1, 1, 1}}, empty{{0, 0, 0}, {1, 0, 1}},
         far{{CellBox::FARTHEST, 0, 0}, {CellBox::FARTHEST + 1, 1, 1}};
