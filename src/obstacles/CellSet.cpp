@@ -56,6 +56,13 @@ namespace ompl_certificates
         set(boxes, false);
     }
 
+    std::size_t CellSet::indexOf(std::int32_t x, std::int32_t y, std::int32_t z)
+    {
+        constexpr auto block = static_cast<std::size_t>(BLOCK);
+        return static_cast<std::size_t>(x) +
+               block * (static_cast<std::size_t>(y) + block * static_cast<std::size_t>(z));
+    }
+
     CellSet::Cells CellSet::cellsOf(const Place &place) const
     {
         Cells cells;
@@ -64,9 +71,7 @@ namespace ompl_certificates
                 for (std::int32_t x = box.low[0]; x < box.high[0]; ++x)
                     for (std::int32_t y = box.low[1]; y < box.high[1]; ++y)
                         for (std::int32_t z = box.low[2]; z < std::max(box.high[2], box.low[2] + 1); ++z)
-                            cells.set(static_cast<std::size_t>(
-                                (x - BLOCK * place[0]) +
-                                BLOCK * ((y - BLOCK * place[1]) + BLOCK * (z - BLOCK * place[2]))));
+                            cells.set(indexOf(x - BLOCK * place[0], y - BLOCK * place[1], z - BLOCK * place[2]));
         return cells;
     }
 
@@ -110,18 +115,17 @@ namespace ompl_certificates
         for (std::int32_t z = low[2]; z < high[2]; ++z)
             for (std::int32_t y = low[1]; y < high[1]; ++y)
                 for (std::int32_t x = low[0]; x < high[0]; ++x)
-                    edited->second.set(static_cast<std::size_t>(x + BLOCK * (y + BLOCK * z)), occupied);
+                    edited->second.set(indexOf(x, y, z), occupied);
     }
 
     std::vector<CellBox> CellSet::boxesOf(const Place &place, const Cells &cells) const
     {
         std::vector<CellBox> boxes;
         const std::int32_t thickness = dimension_ == 2 ? 0 : 1;
-        std::int32_t index = 0;
         for (std::int32_t z = 0; z < BLOCK; ++z)
             for (std::int32_t y = 0; y < BLOCK; ++y)
                 for (std::int32_t x = 0; x < BLOCK; ++x)
-                    if (cells.test(static_cast<std::size_t>(index++)))
+                    if (cells.test(indexOf(x, y, z)))
                     {
                         const std::array<std::int32_t, 3> low{x + BLOCK * place[0], y + BLOCK * place[1],
                                                               z + BLOCK * place[2]};

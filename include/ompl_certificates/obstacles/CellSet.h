@@ -74,6 +74,9 @@ namespace ompl_certificates
         /** \brief The first cell of a block, divided by BLOCK */
         using Place = std::array<std::int32_t, 3>;
 
+        /** \brief The bit of a cell, given by its place in its block */
+        static std::size_t indexOf(std::int32_t x, std::int32_t y, std::int32_t z);
+
         Cells cellsOf(const Place &place) const;
 
         /** \brief Sets the cells of some boxes to \e occupied */
