@@ -100,6 +100,10 @@ def group(samples: list) -> dict:
     return counts
 
 
+class Unmeasured(Exception):
+    """Why a scene has no column"""
+
+
 def fail(message: str) -> None:
     print(f"budget.py: {message}", file=sys.stderr)
     sys.exit(2)
@@ -125,7 +129,7 @@ def first_robots(scene: str, robots: int, folder: str) -> str:
     return path
 
 
-def profile(name: str, arguments: list, iterations: int, options: argparse.Namespace, folder: str) -> tuple:
+def profile(arguments: list, iterations: int, options: argparse.Namespace, folder: str) -> tuple:
     """The motions of a plan, and the samples of the program"""
     data, report = os.path.join(folder, "perf.data"), os.path.join(folder, "report.json")
     plan = [os.path.join(options.programs, "plan_team"), *arguments, "--planner", "RRTstar", "--iterations",
@@ -133,19 +137,21 @@ def profile(name: str, arguments: list, iterations: int, options: argparse.Names
     run = subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", str(FREQUENCY), "-o", data, "--", *plan],
                          capture_output=True, text=True, check=False)
     if not os.path.exists(report):
-        fail(f"{name}: {run.stderr.strip().splitlines()[-1] if run.stderr.strip() else 'perf or plan_team failed'}")
+        raise Unmeasured(run.stderr.strip().splitlines()[-1] if run.stderr.strip() else "perf or plan_team failed")
     with open(report, encoding="utf-8") as file:
         motions = json.load(file)["checks"]["motions"]
     os.remove(report)
     listing = subprocess.run(["perf", "report", "-i", data, "-n", "--sort", "dso,symbol", "--stdio"], capture_output=True,
-                             text=True, check=True)
+                             text=True, check=False)
+    if listing.returncode != 0:
+        raise Unmeasured("perf report failed")
     return motions, read_samples(listing.stdout)
 
 
 def measure(name: str, arguments: list, robots: int, options: argparse.Namespace, folder: str) -> Row:
     # A plan of one iteration takes the time to start, which no motion should pay for.
-    motions_before, before = profile(name, arguments, 1, options, folder)
-    motions, samples = profile(name, arguments, options.iterations, options, folder)
+    motions_before, before = profile(arguments, 1, options, folder)
+    motions, samples = profile(arguments, options.iterations, options, folder)
     motions -= motions_before
     total = sum(sample.count for sample in samples)
     for sample in samples:
@@ -156,26 +162,29 @@ def measure(name: str, arguments: list, robots: int, options: argparse.Namespace
                                        for key, count in group(samples).items()})
 
 
+def plans_of(name: str, folder: str):
+    """The arguments of plan_team, and how many robots it has, for each plan of a scene"""
+    if name == PANDA:
+        robot = os.path.join(SHARED, "robots", "panda")
+        problem = os.path.join(robot, "problems", "bookshelf_small")
+        if not os.path.exists(robot):
+            raise Unmeasured(f"{robot} is not there")
+        yield [os.path.join(problem, "scene0001.yaml"), "--request", os.path.join(problem, "request0001.yaml"),
+               "--urdf", os.path.join(robot, "panda.urdf"), "--srdf", os.path.join(robot, "panda.srdf")], 1
+        return
+    for robots in (1, 3):
+        yield [first_robots(os.path.join(ROOT, SCENES[name]), robots, folder)], robots
+
+
 def measure_all(options: argparse.Namespace) -> list:
     rows = []
     for name in options.scenes:
         with tempfile.TemporaryDirectory() as folder:
-            if name == PANDA:
-                robot = os.path.join(SHARED, "robots", "panda")
-                problem = os.path.join(robot, "problems", "bookshelf_small")
-                arguments = [os.path.join(problem, "scene0001.yaml"), "--request", os.path.join(problem, "request0001.yaml"),
-                             "--urdf", os.path.join(robot, "panda.urdf"), "--srdf", os.path.join(robot, "panda.srdf")]
-                if os.path.exists(robot):
-                    rows.append(measure(name, arguments, 1, options, folder))
-                else:
-                    print(f"{name}: skipped, {robot} is not there", file=sys.stderr)
-                continue
-            scene = os.path.join(ROOT, SCENES[name])
-            if "scenes-shared" in scene and not os.path.exists(os.path.join(SHARED, "scenes")):
-                print(f"{name}: skipped, {SHARED}/scenes is not there", file=sys.stderr)
-                continue
-            for robots in (1, 3):
-                rows.append(measure(name, [first_robots(scene, robots, folder)], robots, options, folder))
+            try:
+                for arguments, robots in plans_of(name, folder):
+                    rows.append(measure(name, arguments, robots, options, folder))
+            except Unmeasured as reason:
+                print(f"{name}: skipped: {reason}", file=sys.stderr)
     return rows
 
 

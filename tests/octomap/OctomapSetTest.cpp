@@ -92,7 +92,7 @@ TEST_P(OctomapSets, FollowTheMap)
         const ObstacleChange none = set.takeChange();
         ASSERT_TRUE(!none.added && !none.removed);
     }
-    EXPECT_GT(changes, 2 * scaled(20));
+    EXPECT_GT(changes, scaled(20));  // one is the first
 }
 
 TEST_P(OctomapSets, LeaveVerdictsOfFreshCheckers)
