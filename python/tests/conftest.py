@@ -1,11 +1,18 @@
-"""Scenes that several tests use"""
+"""What several tests use"""
 
 import pathlib
+import signal
 
 import ompl_certificates as oc
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True)
+def interrupts() -> None:
+    """Python heeds Ctrl-C, also in a job of the background, which a shell starts with SIGINT ignored."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture()
