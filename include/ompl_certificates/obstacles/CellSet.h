@@ -51,8 +51,8 @@ namespace ompl_certificates
             \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST. Then none is added. */
         void insert(const std::vector<CellBox> &boxes);
 
-        /** \brief Remove all cells of some boxes that are there. Cost: as insert(), but blocks without cells cost
-            nothing.
+        /** \brief Remove all cells of some boxes that are there. Cost: as insert(), but little for blocks without
+            cells.
             \throws ompl::Exception as insert(). Then none is removed. */
         void remove(const std::vector<CellBox> &boxes);
 

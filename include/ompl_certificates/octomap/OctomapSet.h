@@ -16,7 +16,9 @@ namespace ompl_certificates
         setup.getTeamChecker()->changeObstacles(set.takeChange());
         @endcode
         The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is
-        changed without that, such as by reading a file into the map or by pruning to another occupancy, is not seen.
+        changed without that, such as by reading a file into the map, is not seen. So a map may have one such set only,
+        and nobody else may reset its change detection: certificates would stay that are no longer true.
+        Give depths near 16: a region of a lesser depth is a cube of many blocks, and all of them are visited.
         Not for several threads at once, and not while another changes the map. */
     class OctomapSet
     {
