@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace ompl_certificates
@@ -47,13 +48,47 @@ namespace ompl_certificates
     void CellSet::insert(const std::vector<CellBox> &boxes)
     {
         requireCells(boxes, dimension_);
-        set(boxes, true);
+        for (const CellBox &box : boxes)
+        {
+            const auto [first, last] = placesOf(box);
+            for (Place place = first; place[0] <= last[0]; ++place[0])
+                for (place[1] = first[1]; place[1] <= last[1]; ++place[1])
+                    for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
+                        setWithin(place, box, true);
+        }
     }
 
     void CellSet::remove(const std::vector<CellBox> &boxes)
     {
         requireCells(boxes, dimension_);
-        set(boxes, false);
+        for (const CellBox &box : boxes)
+        {
+            const auto [first, last] = placesOf(box);
+            std::set<Place> met;
+            const auto meet = [&met, first = first, last = last](const auto &blocks)
+            {
+                for (auto block = blocks.lower_bound(first); block != blocks.end() && block->first[0] <= last[0];
+                     ++block)
+                    if (const Place &at = block->first;
+                        first[1] <= at[1] && at[1] <= last[1] && first[2] <= at[2] && at[2] <= last[2])
+                        met.insert(at);
+            };
+            meet(blocks_);
+            meet(edited_);
+            for (const Place &place : met)
+                setWithin(place, box, false);
+        }
+    }
+
+    std::pair<CellSet::Place, CellSet::Place> CellSet::placesOf(const CellBox &box) const
+    {
+        Place first{}, last{};
+        for (std::size_t axis = 0; axis < dimension_; ++axis)
+        {
+            first[axis] = divided(box.low[axis], BLOCK);
+            last[axis] = divided(box.high[axis] - 1, BLOCK);
+        }
+        return {first, last};
     }
 
     std::size_t CellSet::indexOf(std::int32_t x, std::int32_t y, std::int32_t z)
@@ -75,39 +110,14 @@ namespace ompl_certificates
         return cells;
     }
 
-    void CellSet::set(const std::vector<CellBox> &boxes, bool occupied)
-    {
-        for (CellBox box : boxes)
-        {
-            if (dimension_ == 2)
-            {
-                box.low[2] = 0;
-                box.high[2] = 1;
-            }
-            Place first, last;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-            {
-                first[axis] = divided(box.low[axis], BLOCK);
-                last[axis] = divided(box.high[axis] - 1, BLOCK);
-            }
-            for (Place place = first; place[0] <= last[0]; ++place[0])
-                for (place[1] = first[1]; place[1] <= last[1]; ++place[1])
-                    for (place[2] = first[2]; place[2] <= last[2]; ++place[2])
-                        setWithin(place, box, occupied);
-        }
-    }
-
     void CellSet::setWithin(const Place &place, const CellBox &box, bool occupied)
     {
         auto edited = edited_.find(place);
         if (edited == edited_.end())
-        {
-            if (!occupied && blocks_.count(place) == 0)
-                return;
             edited = edited_.emplace(place, cellsOf(place)).first;
-        }
-        std::array<std::int32_t, 3> low, high;
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        // In the plane all cells are at height 0.
+        Place low{}, high{1, 1, 1};
+        for (std::size_t axis = 0; axis < dimension_; ++axis)
         {
             low[axis] = std::max(box.low[axis] - BLOCK * place[axis], 0);
             high[axis] = std::min(box.high[axis] - BLOCK * place[axis], BLOCK);

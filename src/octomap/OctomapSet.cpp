@@ -10,14 +10,31 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Cells are read anew by cubes of at least so many along an axis, those of a CellSet. */
+        /** Cells are read anew by cubes of so many along an axis, the blocks of a CellSet. */
         constexpr std::int32_t BLOCK = 16;
+
+        /** How many cells of the map a cell of a depth has along an axis */
+        std::int32_t edgeOf(const OctomapOptions &options)
+        {
+            requireValid(options);
+            return OCTOMAP_CELLS >> options.depth;
+        }
+
+        /** A box of cells of the map in cells with an edge of so many */
+        CellBox inCellsOf(std::int32_t edge, CellBox box)
+        {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                box.low[axis] /= edge;
+                box.high[axis] /= edge;
+            }
+            return box;
+        }
     }
 
     OctomapSet::OctomapSet(octomap::OcTree &map, const OctomapOptions &options)
-      : map_(map), options_(options), cells_(map.getResolution(), options.slice ? 2 : 3)
+      : map_(map), options_(options), edge_(edgeOf(options)), cells_(edge_ * map.getResolution(), options.slice ? 2 : 3)
     {
-        requireValid(options);
         if (options.unknownIsOccupied)
             throw ompl::Exception("Unknown cells of an octomap that changes cannot be occupied");
         map_.enableChangeDetection(true);
@@ -25,18 +42,20 @@ namespace ompl_certificates
 
     void OctomapSet::read(const CellBox &region)
     {
-        cells_.remove({region});
-        cells_.insert(cellsOf(map_, options_, region));
+        std::vector<CellBox> boxes = cellsOf(map_, options_, region);
+        for (CellBox &box : boxes)
+            box = inCellsOf(edge_, box);
+        cells_.remove({inCellsOf(edge_, region)});
+        cells_.insert(boxes);
     }
 
     ObstacleChange OctomapSet::takeChange()
     {
         if (!isRead_)
-            cells_.insert(cellsOf(map_, options_));
+            read(WHOLE_OCTOMAP);
         else
         {
-            // A cell of a depth less may be larger than a block.
-            const std::int32_t edge = std::max(BLOCK, OCTOMAP_CELLS >> options_.depth);
+            const std::int32_t edge = BLOCK * edge_;
             std::set<std::array<std::int32_t, 3>> regions;
             for (auto changed = map_.changedKeysBegin(); changed != map_.changedKeysEnd(); ++changed)
             {

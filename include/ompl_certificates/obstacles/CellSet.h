@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -46,13 +47,12 @@ namespace ompl_certificates
         CellSet &operator=(CellSet &&) noexcept;
 
         /** \brief Add all cells of some boxes; those that are there stay. In the plane a cell stands for an endless
-            prism, and its place along z does not count. Cost: linear in the cells, and in the blocks that the boxes
-            reach into.
+            prism, and its place along z does not count. Cost: linear in the cells.
             \throws ompl::Exception if a box is empty or too far away, see CellBox::FARTHEST. Then none is added. */
         void insert(const std::vector<CellBox> &boxes);
 
-        /** \brief Remove all cells of some boxes that are there. Cost: as insert(), but little for blocks without
-            cells.
+        /** \brief Remove all cells of some boxes that are there. Cost: linear in the cells of blocks that the
+            boxes reach into, and in the blocks that are as far along x.
             \throws ompl::Exception as insert(). Then none is removed. */
         void remove(const std::vector<CellBox> &boxes);
 
@@ -79,8 +79,8 @@ namespace ompl_certificates
 
         Cells cellsOf(const Place &place) const;
 
-        /** \brief Sets the cells of some boxes to \e occupied */
-        void set(const std::vector<CellBox> &boxes, bool occupied);
+        /** \brief The first and the last block that a box reaches into */
+        std::pair<Place, Place> placesOf(const CellBox &box) const;
 
         /** \brief Sets those cells of a box that are in a block */
         void setWithin(const Place &place, const CellBox &box, bool occupied);

@@ -18,7 +18,6 @@ namespace ompl_certificates
         The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is
         changed without that, such as by reading a file into the map, is not seen. So a map may have one such set only,
         and nobody else may reset its change detection: certificates would stay that are no longer true.
-        Give depths near 16: a region of a lesser depth is a cube of many blocks, and all of them are visited.
         Not for several threads at once, and not while another changes the map. */
     class OctomapSet
     {
@@ -34,11 +33,13 @@ namespace ompl_certificates
         ObstacleChange takeChange();
 
     private:
-        /** \brief Makes the cells of a box those of the map */
+        /** \brief Makes the cells of a box of whole cells, in the map's own ones, those of the map */
         void read(const CellBox &region);
 
         octomap::OcTree &map_;
         OctomapOptions options_;
+        /** \brief How many cells of the map a cell has along an axis, as the depth is */
+        std::int32_t edge_;
         CellSet cells_;
         bool isRead_{false};
     };
