@@ -101,7 +101,9 @@ TEST_P(OctomapSets, FollowTheMap)
     }
     // The first is one. Large cells hardly ever become free.
     if (GetParam().depth > 4)
+    {
         EXPECT_GT(changes, scaled(20));
+    }
 }
 
 TEST_P(OctomapSets, LeaveVerdictsOfFreshCheckers)

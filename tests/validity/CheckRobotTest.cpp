@@ -7,7 +7,6 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/spaces/SE3StateSpace.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -120,7 +119,7 @@ namespace
     std::string complaintOf(Fault fault)
     {
         const TwoBoxes robot(fault);
-        return complaintOf([&] { checkRobot(robot); });
+        return test::complaintOf([&] { checkRobot(robot); });
     }
 }
 
