@@ -3,6 +3,7 @@
 #include "ompl_certificates/octomap/OctomapSet.h"
 #include "support/Quiet.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace ompl_certificates;
@@ -39,15 +40,17 @@ namespace
 
     using Cells = std::set<std::array<std::int32_t, 3>>;
 
-    /** The cells with an edge of so many of the obstacles' own */
+    /** The cells with an edge of so many of the obstacles' own; a box may be a part of one */
     Cells cellsOf(const Obstacles &obstacles, std::int32_t edge)
     {
+        const auto divided = [edge](std::int32_t index)
+        { return static_cast<std::int32_t>(std::floor(static_cast<double>(index) / edge)); };
         Cells cells;
         for (const auto &[low, high] : dynamic_cast<const CellObstacles &>(obstacles).getBoxes())
             for (std::int32_t x = low[0]; x < high[0]; x += edge)
                 for (std::int32_t y = low[1]; y < high[1]; y += edge)
                     for (std::int32_t z = low[2]; z < std::max(high[2], low[2] + 1); z += edge)
-                        cells.insert({x / edge, y / edge, z / edge});
+                        cells.insert({divided(x), divided(y), divided(z)});
         return cells;
     }
 
