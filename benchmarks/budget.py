@@ -52,7 +52,7 @@ CATEGORIES = [
     ("counters, locks", r"Statistics|WorldLock|pthread|tls_get_addr|atomic"),
     ("checks", r"Method::|TeamCheck|MotionCheck|MotionValidator|ValidityChecker|CertifiedEnvironment|SwitchingPolicy"
                r"|ProvenTimes|ExactCheck|PoseQuery|SampledMotion|Body::"),
-    ("planner", r"libompl\.so|plan_team|PlannerTerminationCondition"),
+    ("planner", r"libompl\.so|\bcertificates\b|PlannerTerminationCondition"),
 ]
 OTHER = "other"
 
@@ -132,12 +132,12 @@ def first_robots(scene: str, robots: int, folder: str) -> str:
 def profile(arguments: list, iterations: int, options: argparse.Namespace, folder: str) -> tuple:
     """The motions of a plan, and the samples of the program"""
     data, report = os.path.join(folder, "perf.data"), os.path.join(folder, "report.json")
-    plan = [os.path.join(options.programs, "plan_team"), *arguments, "--planner", "RRTstar", "--iterations",
+    plan = [os.path.join(options.programs, "certificates"), "plan", *arguments, "--planner", "RRTstar", "--iterations",
             str(iterations), "--method", options.method, "--seed", "1", "--quiet", "--report", report]
     run = subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", str(FREQUENCY), "-o", data, "--", *plan],
                          capture_output=True, text=True, check=False)
     if not os.path.exists(report):
-        raise Unmeasured(run.stderr.strip().splitlines()[-1] if run.stderr.strip() else "perf or plan_team failed")
+        raise Unmeasured(run.stderr.strip().splitlines()[-1] if run.stderr.strip() else "perf or certificates plan failed")
     with open(report, encoding="utf-8") as file:
         motions = json.load(file)["checks"]["motions"]
     os.remove(report)
@@ -163,7 +163,7 @@ def measure(name: str, arguments: list, robots: int, options: argparse.Namespace
 
 
 def plans_of(name: str, folder: str):
-    """The arguments of plan_team, and how many robots it has, for each plan of a scene"""
+    """The arguments of certificates plan, and how many robots it has, for each plan of a scene"""
     if name == PANDA:
         robot = os.path.join(SHARED, "robots", "panda")
         problem = os.path.join(robot, "problems", "bookshelf_small")
@@ -200,7 +200,7 @@ def print_table(rows: list) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("programs", help="folder of plan_team, such as build/bin")
+    parser.add_argument("programs", help="folder of certificates, such as build/bin")
     parser.add_argument("--method", default="shared", choices=["fcl", "standard", "basic", "partial", "shared"])
     parser.add_argument("--iterations", type=int, default=20000, help="iterations of each plan")
     parser.add_argument("--scenes", default=[*SCENES, PANDA], type=lambda text: text.split(","),
@@ -213,8 +213,8 @@ def main() -> None:
         fail("perf is not installed (Debian: linux-perf)")
     if yaml is None:
         fail("Python's yaml is not installed (Debian: python3-yaml)")
-    if not os.access(os.path.join(options.programs, "plan_team"), os.X_OK):
-        fail(f"{options.programs} has no program plan_team")
+    if not os.access(os.path.join(options.programs, "certificates"), os.X_OK):
+        fail(f"{options.programs} has no program certificates")
     print_table(measure_all(options))
 
 

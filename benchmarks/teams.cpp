@@ -140,7 +140,7 @@ namespace
                 settings.size = options.size;
             const generators::SceneTexts texts = kind->make(settings);
             if (!texts.meshes.empty())
-                throw ompl::Exception("--kind", options.kind + " has meshes: generate_scene writes its files");
+                throw ompl::Exception("--kind", options.kind + " has meshes: certificates generate writes its files");
             scenes.push_back(sceneFromYaml(texts.yaml, options.kind));
         }
         return scenes;
@@ -176,7 +176,7 @@ int main(int argc, char **argv)
     app.add_option("SCENES", options.scenes, "Scene files")->check(CLI::ExistingFile);
     benchmarks::addList(app, "--planners", options.planners, "Planners, separated by commas");
     benchmarks::addAllMethods(app, options.methods);
-    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see generate_scene --help");
+    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see certificates generate --help");
     benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
     app.add_option("--size", options.size, "The side of generated scenes")->check(CLI::PositiveNumber);
     app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(CLI::PositiveNumber);

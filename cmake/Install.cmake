@@ -28,15 +28,18 @@ endif()
 
 # The programs that serve users; they find the libraries next to them, wherever both are moved.
 file(RELATIVE_PATH libraries_from_programs "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
-foreach(program plan_team benchmark_team generate_scene certificate_experiment)
-  if(TARGET ${program})
-    set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
-    install(TARGETS ${program} RUNTIME COMPONENT tools)
+if(TARGET certificates)
+  set_target_properties(certificates PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+  install(TARGETS certificates RUNTIME COMPONENT tools)
+  foreach(program IN LISTS ompl_certificates_programs)
+    if(NOT program STREQUAL certificates)
+      # A link to it, which stays one
+      install(FILES "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program}" TYPE BIN COMPONENT tools)
+    endif()
     install(FILES "${PROJECT_BINARY_DIR}/completions/${program}"
       DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)
-    list(APPEND installed_programs ${program})
-  endif()
-endforeach()
+  endforeach()
+endif()
 
 configure_package_config_file(cmake/ompl_certificatesConfig.cmake.in ompl_certificatesConfig.cmake
   INSTALL_DESTINATION "${package_dir}"

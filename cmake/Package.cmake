@@ -67,7 +67,8 @@ ${about}
 This package has the headers and the package for CMake.")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "plan for teams of robots by safety certificates (programs)
 ${about}
-This package has plan_team, which plans for the scene of a file, and others.")
+This package has the program certificates. Among other things it plans for
+the scene of a file.")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "plan for teams of robots by safety certificates (Python 3)
 ${about}
 This package has the Python module, which takes and gives numpy arrays.")
@@ -85,12 +86,12 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   install(FILES cmake/debian/copyright "${debian}/changelog.Debian.gz" "${debian}/changelog.gz"
     DESTINATION "share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}" COMPONENT ${component})
 endforeach()
-foreach(program IN LISTS installed_programs)
+foreach(program IN LISTS ompl_certificates_programs)
   add_custom_command(OUTPUT "${debian}/${program}.1.gz"
     COMMAND sh -c "help2man --no-info --output $0.1 --name \"$($1 --help | head -n 1)\" $1"
-      "${debian}/${program}" $<TARGET_FILE:${program}>
+      "${debian}/${program}" $<TARGET_FILE_DIR:certificates>/${program}
     COMMAND "${GZIP_PROGRAM}" -9nf "${debian}/${program}.1"
-    DEPENDS ${program}
+    DEPENDS certificates
     VERBATIM)
   list(APPEND manuals "${debian}/${program}.1.gz")
 endforeach()

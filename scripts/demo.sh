@@ -5,6 +5,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/build.sh compare_with_ompl
+scripts/build.sh certificates
 echo
-exec build/bin/compare_with_ompl "$@"
+exec build/bin/certificates compare "$@"

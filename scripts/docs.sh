@@ -21,11 +21,11 @@ mkdir -p "$folder" "$work/api"
 
 # Plans to look at, where the program that makes them is built and knows how.
 views=()
-if [[ -x build/bin/plan_team ]] && build/bin/plan_team --help | grep -q -- --view; then
+if [[ -x build/bin/certificates ]] && build/bin/certificates plan --help | grep -q -- --view; then
   views=("$work/views")
   mkdir "$work/views"
   for scene in paper_five_discs drones_3d sixteen_robots; do
-    build/bin/plan_team "demos/scenes/$scene.yaml" --time 2 --quiet --view "$work/views/$scene.html"
+    build/bin/certificates plan "demos/scenes/$scene.yaml" --time 2 --quiet --view "$work/views/$scene.html"
   done
 fi
 

@@ -3,7 +3,7 @@
 #
 #     scripts/viewer.sh            build it
 #     scripts/viewer.sh --check    only tell whether the page is what the sources give
-#     scripts/viewer.sh --test     open plans of build/bin/plan_team, or of the program that is named, in Chromium
+#     scripts/viewer.sh --test     open plans of build/bin/certificates, or of the program that is named, in Chromium
 #
 # Returns 77, which ctest takes for skipped, where a check or a test lacks what it needs.
 set -euo pipefail
@@ -23,8 +23,8 @@ if [[ $mode == --test ]]; then
   CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
   [[ -n $CHROMIUM ]] || skip "no Chromium here"
   export CHROMIUM
-  PLAN_TEAM=$(realpath "${2:-build/bin/plan_team}")
-  export PLAN_TEAM
+  CERTIFICATES=$(realpath "${2:-build/bin/certificates}")
+  export CERTIFICATES
 fi
 
 # What package-lock.json names, once. Tests at the same time wait for each other.

@@ -15,13 +15,21 @@ namespace demos
 {
     namespace
     {
+        /** The command of \e app that is being parsed, or \e app itself */
+        const CLI::App &commandOf(const CLI::App &app)
+        {
+            return app.get_subcommands().empty() ? app : *app.get_subcommands().front();
+        }
+
         int complain(const CLI::App &app, const std::string &message)
         {
+            const CLI::App &command = commandOf(app);
+            const std::string name = app.get_name() + (&command == &app ? "" : " " + command.get_name());
             std::string line = message;
             for (char &c : line)
                 if (c == '\n' || c == '\r')
                     c = ' ';
-            std::cerr << app.get_name() << ": " << line << std::endl;
+            std::cerr << name << ": " << line << std::endl;
             return BAD_INPUT;
         }
 
@@ -59,21 +67,35 @@ namespace demos
             return best.empty() ? "" : "; did you mean " + best + "?";
         }
 
+        /** What is told of an error if no command was named: the one that was meant, if \e app has commands */
+        std::string complaintOfCommand(const CLI::ParseError &error, const CLI::App &app)
+        {
+            std::vector<std::string> names;
+            for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+                names.push_back(command->get_name());
+            if (names.empty())
+                return error.what();
+            const std::vector<std::string> words = app.remaining();
+            return words.empty() ? "needs a command; " + app.get_name() + " --help lists them"
+                                 : "There is no command " + words.front() + didYouMean(words.front(), names);
+        }
+
         /** What is told of an error in the arguments: an option that does not exist comes first, for what else is wrong
             may be wrong only because of it. */
         std::string complaintOf(const CLI::ParseError &error, const CLI::App &app)
         {
             std::vector<std::string> known;
-            for (const CLI::Option *option : app.get_options())
+            const CLI::App &command = commandOf(app);
+            for (const CLI::Option *option : command.get_options())
                 for (const std::string &name : option->get_lnames())
                     known.push_back("--" + name);
-            for (const std::string &argument : app.remaining())
+            for (const std::string &argument : command.remaining())
                 if (argument.size() > 1 && argument[0] == '-')
                 {
                     const std::string name = argument.substr(0, argument.find('='));
                     return "There is no option " + name + didYouMean(name, known);
                 }
-            return error.what();
+            return &command == &app ? complaintOfCommand(error, app) : error.what();
         }
     }
 

@@ -22,29 +22,60 @@ namespace demos
             words.erase(std::remove(words.begin(), words.end(), ','), words.end());
             return words;
         }
+
+        /** The function of bash that completes the arguments of \e app, as \e name */
+        std::string completingFunction(const std::string &name, const CLI::App &app)
+        {
+            std::string options, cases;
+            for (const CLI::Option *option :
+                 app.get_options([](const CLI::Option *o) { return !o->get_group().empty(); }))
+                for (const std::string &word : option->get_lnames())
+                {
+                    options += (options.empty() ? "--" : " --") + word;
+                    if (const std::string words = wordsOf(*option); !words.empty())
+                        cases += "        --" + word + ") words='" + words + "' ;;\n";
+                }
+            return name +
+                   "()\n{\n"
+                   "    local word=${COMP_WORDS[COMP_CWORD]} words=''\n"
+                   "    case ${COMP_WORDS[COMP_CWORD - 1]} in\n" +
+                   cases + "        *) [[ $word == -* ]] && words='" + options +
+                   "' ;;\n    esac\n"
+                   "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+                   "}\n";
+        }
+
+        /** The function that completes the name of a command of \e app, or leaves the rest to that command's function */
+        std::string dispatchingFunction(const std::string &name, const CLI::App &app)
+        {
+            std::string functions = completingFunction(name + "_itself", app), names, cases;
+            for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+            {
+                const std::string function = name + "_" + command->get_name();
+                functions += completingFunction(function, *command);
+                names += (names.empty() ? "" : " ") + command->get_name();
+                cases += "        " + command->get_name() + ") " + function + " ;;\n";
+            }
+            return functions + name +
+                   "()\n{\n"
+                   "    local word=${COMP_WORDS[COMP_CWORD]}\n"
+                   "    if ((COMP_CWORD == 1)) && [[ $word != -* ]]; then\n"
+                   "        mapfile -t COMPREPLY < <(compgen -W '" +
+                   names +
+                   "' -- \"$word\")\n"
+                   "        return\n    fi\n"
+                   "    case ${COMP_WORDS[1]} in\n" +
+                   cases + "        *) " + name + "_itself ;;\n    esac\n}\n";
+        }
     }
 
     std::string bashCompletion(const CLI::App &app)
     {
         const std::string &program = app.get_name();
-        std::string options, cases;
-        for (const CLI::Option *option : app.get_options([](const CLI::Option *o) { return !o->get_group().empty(); }))
-            for (const std::string &name : option->get_lnames())
-            {
-                options += (options.empty() ? "--" : " --") + name;
-                if (const std::string words = wordsOf(*option); !words.empty())
-                    cases += "        --" + name + ") words='" + words + "' ;;\n";
-            }
+        const bool hasCommands = !app.get_subcommands([](const CLI::App *) { return true; }).empty();
         return "# Bash completes the arguments of " + program + " by this; " + program +
-               " --bash-completion has written it.\n_" + program +
-               "()\n{\n"
-               "    local word=${COMP_WORDS[COMP_CWORD]} words=''\n"
-               "    case ${COMP_WORDS[COMP_CWORD - 1]} in\n" +
-               cases + "        *) [[ $word == -* ]] && words='" + options +
-               "' ;;\n    esac\n"
-               "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
-               "}\n"
-               "complete -o default -F _" +
-               program + " " + program + "\n";
+               " --bash-completion has written it.\n" +
+               (hasCommands ? dispatchingFunction("_" + program, app) : completingFunction("_" + program, app)) +
+               "complete -o default -F _" + program + " " + program + "\n";
     }
 }

@@ -6,8 +6,8 @@
 
 namespace demos
 {
-    /** \brief A bash script that completes the options of \e app, and the words that an option takes. What else there
-        is to complete are files. */
+    /** \brief A bash script that completes the commands of \e app if it has any, options, and the words that an option
+        takes. What else there is to complete are files. */
     std::string bashCompletion(const CLI::App &app);
 }
 

@@ -5,7 +5,7 @@
 
 namespace demos
 {
-    /** \brief Plan for a team that moves by controls, print and write: plan_team --dynamics
+    /** \brief Plan for a team that moves by controls, print and write: certificates plan --dynamics
         \return the program's exit code
         \throws ompl::Exception for bad input */
     int runDynamics(PlanTeamOptions options);

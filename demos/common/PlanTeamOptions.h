@@ -10,8 +10,8 @@
 
 namespace demos
 {
-    /** \brief What the command line of plan_team asks for; declare() says what each option means. Files are empty where
-        there are none. */
+    /** \brief What the arguments of certificates plan ask for; declare() says what each option means. Files are empty
+        where there are none. */
     struct PlanTeamOptions
     {
         std::string scene;

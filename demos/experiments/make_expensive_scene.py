@@ -2,7 +2,7 @@
 """Makes a planar scene whose checks are expensive from one whose checks are cheap: discs and convex polygons become upright
 meshes of the same outlines, finely triangulated, with as many triangles as asked for.
 
-    generate_scene --obstacles 40 --output polygons.yaml
+    certificates generate --obstacles 40 --output polygons.yaml
     make_expensive_scene.py polygons.yaml --triangles 100000 --output expensive.yaml
 
 All obstacles together are one mesh of so many triangles, and each robot is one.

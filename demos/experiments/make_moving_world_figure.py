@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what moving_world measured, frame by frame: times, their sums, and how many poses were asked.
+"""Draws what certificates moving-world measured, frame by frame: times, their sums, and how many poses were asked.
 
     make_moving_world_figure.py FRAMES.csv FIGURE.png
 """
@@ -70,7 +70,7 @@ def draw(frames):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("frames", help="the file that moving_world --csv has written")
+    parser.add_argument("frames", help="the file that certificates moving-world --csv has written")
     parser.add_argument("figure", help="the picture to write: PNG, PDF or SVG, by its name")
     arguments = parser.parse_args()
     figure = draw(read_frames(arguments.frames))

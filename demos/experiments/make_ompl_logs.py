@@ -82,7 +82,7 @@ def log_of(trial, grid):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("results", help="the folder that certificate_experiment has filled")
+    parser.add_argument("results", help="the folder that certificates experiment has filled")
     parser.add_argument("logs", help="the folder for the logs")
     arguments = parser.parse_args()
     grid = trials.read_grid(arguments.results)

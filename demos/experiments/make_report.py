@@ -148,7 +148,7 @@ def machines(done):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("results", help="the folder that certificate_experiment has filled")
+    parser.add_argument("results", help="the folder that certificates experiment has filled")
     parser.add_argument("tables", help="the folder that make_tables.py has filled")
     parser.add_argument("figures", help="the folder that make_figures.py has filled")
     parser.add_argument("report", help="the page to write")

@@ -13,7 +13,7 @@ import trials
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("results", help="the folder that certificate_experiment has filled")
+    parser.add_argument("results", help="the folder that certificates experiment has filled")
     parser.add_argument("tables", help="the folder for the tables")
     parser.add_argument("--complete", action="store_true", help="fail unless every trial of the grid is there")
     arguments = parser.parse_args()

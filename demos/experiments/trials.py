@@ -1,4 +1,4 @@
-"""Reads the trials that certificate_experiment has written."""
+"""Reads the trials that certificates experiment has written."""
 
 import json
 import sys
@@ -37,7 +37,7 @@ def read_grid(folder):
     try:
         return json.loads(file.read_text())
     except FileNotFoundError:
-        raise BadResults(f"{folder}: no results of certificate_experiment, which has experiment.json") from None
+        raise BadResults(f"{folder}: no results of certificates experiment, which has experiment.json") from None
     except ValueError as error:
         raise BadResults(f"{file}: damaged ({error})") from None
 
@@ -50,7 +50,7 @@ def read_trials(folder):
         try:
             trial = json.loads(file.read_text())
         except ValueError as error:
-            raise BadResults(f"{file}: damaged ({error}); certificate_experiment repairs it") from None
+            raise BadResults(f"{file}: damaged ({error}); certificates experiment repairs it") from None
         if trial.get("grid") != grid["grid"]:
             raise BadResults(f"{file}: is of another grid")
         trials.append(trial)

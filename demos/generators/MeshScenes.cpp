@@ -26,7 +26,7 @@ namespace generators
 
         std::string headOf(const std::string &what, const std::string &kind, const MeshSettings &settings)
         {
-            return "# " + what + "\n# Made by: generate_scene --kind " + kind + " --robots " +
+            return "# " + what + "\n# Made by: certificates generate --kind " + kind + " --robots " +
                    std::to_string(settings.robots) + " --seed " + std::to_string(settings.seed) + "\n";
         }
 

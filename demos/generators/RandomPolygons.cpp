@@ -97,7 +97,7 @@ namespace generators
         std::string yaml = "# " + std::to_string(settings.robots) + " disc" + (settings.robots == 1 ? "" : "s") +
                            " among " + std::to_string(settings.obstacles) +
                            " random convex polygons, the setting of the paper's experiments.\n" +
-                           "# Made by generate_scene, seed " + std::to_string(settings.seed) + ".\n";
+                           "# Made by certificates generate, seed " + std::to_string(settings.seed) + ".\n";
         yaml +=
             "environment:\n  min: [0, 0]\n  max: " + side + "\n  obstacles:" + (settings.obstacles ? "\n" : " []\n");
         std::vector<PlacedBody> polygons;

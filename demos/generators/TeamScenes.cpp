@@ -175,7 +175,7 @@ namespace generators
         written.size = rounded(settings.size, 1e2);
         SceneTexts scene = sketch(written);
         const std::string obstacles = hasObstacles ? " --obstacles " + std::to_string(settings.obstacles) : "";
-        scene.yaml = "# " + description + ".\n# Made by: generate_scene --kind " + name + " --robots " +
+        scene.yaml = "# " + description + ".\n# Made by: certificates generate --kind " + name + " --robots " +
                      std::to_string(settings.robots) + obstacles + " --size " + textOf(written.size) + " --seed " +
                      std::to_string(settings.seed) + "\n" + scene.yaml;
         return scene;

@@ -46,7 +46,7 @@ int main() { return ompl_certificates::allMethods().empty(); }' >"$project/main.
   } >"$project/CMakeLists.txt"
   grep -q '^target_link_libraries(your_program' "$project/CMakeLists.txt"
   # The scene library is not in each build.
-  if [[ $page == docs/install && ! -x "$work/moved/bin/plan_team" ]]; then
+  if [[ $page == docs/install && ! -x "$work/moved/bin/certificates" ]]; then
     continue
   fi
   cmake -S "$project" -B "$project/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved"
@@ -54,8 +54,8 @@ int main() { return ompl_certificates::allMethods().empty(); }' >"$project/main.
   "$project/build/your_program"
 done
 
-if [[ -x "$work/moved/bin/plan_team" ]]; then
-  for program in plan_team benchmark_team generate_scene certificate_experiment; do
+if [[ -x "$work/moved/bin/certificates" ]]; then
+  for program in certificates plan_team benchmark_team generate_scene certificate_experiment; do
     "$work/moved/bin/$program" --version
     # A library of ours that is found in the build folder would not be found elsewhere.
     if ! ldd "$work/moved/bin/$program" | grep -q "libompl_certificates.*$work/moved/"; then
@@ -64,7 +64,7 @@ if [[ -x "$work/moved/bin/plan_team" ]]; then
     fi
   done
   cd "$work"
-  moved/bin/generate_scene --robots 2 --obstacles 10 --seed 1 --output scene.yaml
-  moved/bin/plan_team scene.yaml --planner RRTConnect --simplify --path path.csv
+  moved/bin/certificates generate --robots 2 --obstacles 10 --seed 1 --output scene.yaml
+  moved/bin/certificates plan scene.yaml --planner RRTConnect --simplify --path path.csv
   head -n 1 path.csv
 fi

@@ -6,8 +6,10 @@
 
 namespace
 {
+    using Words = std::set<std::string>;
+
     /** The words that bash suggests when \e line is to be completed */
-    std::set<std::string> suggested(const std::string &program, const std::vector<std::string> &line)
+    Words suggested(const std::string &program, const std::vector<std::string> &line)
     {
         const Folder folder;
         Program writer(program, {"--bash-completion"});
@@ -21,7 +23,7 @@ namespace
         const std::string output = folder / "words";
         EXPECT_EQ(std::system(("bash -eu " + script + " > " + output).c_str()), 0);
         std::istringstream lines(contentOf(output));
-        std::set<std::string> result;
+        Words result;
         for (std::string word; std::getline(lines, word);)
             if (!word.empty())
                 result.insert(word);
@@ -29,12 +31,12 @@ namespace
     }
 
     /** The options that --help tells of */
-    std::set<std::string> optionsOf(const std::string &program)
+    Words optionsOf(const std::string &program, const std::vector<std::string> &arguments = {"--help"})
     {
-        Program help(program, {"--help"});
+        Program help(program, arguments);
         EXPECT_EQ(help.wait(), 0);
         std::istringstream lines(help.output());
-        std::set<std::string> options;
+        Words options;
         for (std::string line; std::getline(lines, line);)
             if (const std::size_t begin = line.find("--"); begin != std::string::npos && begin < 6 && line[0] == ' ')
                 options.insert(line.substr(begin, line.find_first_of(" =,[", begin) - begin));
@@ -44,9 +46,10 @@ namespace
 
 TEST(Completion, suggestsAllOptionsOfHelp)
 {
-    for (const std::string program : {"plan_team", "benchmark_team", "generate_scene", "certificate_experiment"})
+    for (const std::string program : {"plan_team", "benchmark_team", "generate_scene", "certificate_experiment",
+                                      "compare_with_ompl", "moving_world"})
     {
-        const std::set<std::string> options = optionsOf(program);
+        const Words options = optionsOf(program);
         EXPECT_GT(options.size(), 4u) << program;
         EXPECT_EQ(suggested(program, {"--"}), options) << program;
         // What the build has made for installation is what the program says now.
@@ -58,9 +61,21 @@ TEST(Completion, suggestsAllOptionsOfHelp)
 
 TEST(Completion, suggestsTheWordsOfAnOption)
 {
-    EXPECT_EQ(suggested("plan_team", {"--method", ""}),
-              (std::set<std::string>{"fcl", "standard", "basic", "partial", "shared"}));
-    EXPECT_EQ(suggested("plan_team", {"--quiet", "--planner", "DRRT"}), (std::set<std::string>{"DRRTstar"}));
-    EXPECT_EQ(suggested("plan_team", {"--picture-t"}), (std::set<std::string>{"--picture-tree"}));
+    EXPECT_EQ(suggested("plan_team", {"--method", ""}), (Words{"fcl", "standard", "basic", "partial", "shared"}));
+    EXPECT_EQ(suggested("plan_team", {"--quiet", "--planner", "DRRT"}), (Words{"DRRTstar"}));
+    EXPECT_EQ(suggested("plan_team", {"--picture-t"}), (Words{"--picture-tree"}));
     EXPECT_TRUE(suggested("plan_team", {"--picture", "pl"}).empty()) << "bash completes files then";
+}
+
+TEST(Completion, suggestsCommandsAndWhatTheyTake)
+{
+    EXPECT_EQ(suggested("certificates", {""}),
+              (Words{"plan", "benchmark", "generate", "experiment", "compare", "moving-world"}));
+    EXPECT_EQ(suggested("certificates", {"pl"}), Words{"plan"});
+    EXPECT_EQ(suggested("certificates", {"--"}), (Words{"--help", "--version"}));
+    for (const std::string command : {"plan", "generate", "moving-world"})
+        EXPECT_EQ(suggested("certificates", {command, "--"}), optionsOf("certificates", {command, "--help"}))
+            << command;
+    EXPECT_EQ(suggested("certificates", {"plan", "--planner", "DRRT"}), Words{"DRRTstar"});
+    EXPECT_TRUE(suggested("certificates", {"plan", "pl"}).empty()) << "bash completes files then";
 }

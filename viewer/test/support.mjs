@@ -21,7 +21,7 @@ const folder = mkdtempSync(join(tmpdir(), 'viewer-'))
 /** Plan for a scene with seed 1 (with --iterations, so that a slow machine finds the same), and return the page, the states of the path and the report */
 export function plan(scene, ...options) {
   const file = (ending) => join(folder, `${scene.replaceAll('/', '_')}.${ending}`)
-  execFileSync(process.env.PLAN_TEAM, [join(scenes, scene), '--quiet', '--seed', '1', '--view', file('html'), '--path', file('csv'), '--report', file('json'), ...options])
+  execFileSync(process.env.CERTIFICATES, ['plan', join(scenes, scene), '--quiet', '--seed', '1', '--view', file('html'), '--path', file('csv'), '--report', file('json'), ...options])
   return { page: file('html'), size: readFileSync(file('html')).length, states: readPath(file('csv')), report: JSON.parse(readFileSync(file('json'), 'utf8')) }
 }
 

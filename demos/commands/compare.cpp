@@ -2,8 +2,9 @@
 // certificates, and prints one table of what each took. All have the same planner, seeds, iterations and metric, so
 // their trees must be equal.
 //
-//     compare_with_ompl --scenes demos/scenes --out out
+//     certificates compare --scenes demos/scenes --out out
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/FclChecker.h"
 #include "common/Interrupt.h"
@@ -331,10 +332,9 @@ namespace
     }
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declareCompare(CLI::App &app)
 {
-    CLI::App app("Plan with OMPL and FCL as they are, and with this library, and compare the two", "compare_with_ompl");
-    Options options;
-    declare(app, options);
-    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+    const auto options = std::make_shared<Options>();
+    declare(app, *options);
+    return [options] { return run(*options); };
 }

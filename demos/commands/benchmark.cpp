@@ -1,8 +1,9 @@
 // Benchmarks planners for the teams of scenes, once with each method, with OMPL's own Benchmark.
 //
-//     benchmark_team scene.yaml --planners RRT,RRTConnect --runs 10 --time 5 --log scene.log
+//     certificates benchmark scene.yaml --planners RRT,RRTConnect --runs 10 --time 5 --log scene.log
 //     ompl_benchmark_statistics scene.log -d scene.db
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Outputs.h"
@@ -234,10 +235,9 @@ namespace
     }
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declareBenchmark(CLI::App &app)
 {
-    CLI::App app("Benchmark planners for the teams of scenes, with each method", "benchmark_team");
-    Options options;
-    declare(app, options);
-    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+    const auto options = std::make_shared<Options>();
+    declare(app, *options);
+    return [options] { return run(*options); };
 }

@@ -2,8 +2,9 @@
 // their path is still valid, and plan anew if not. Three ways side by side: certificates that are kept and repaired,
 // new ones for each frame, and the standard check. All must find the same.
 //
-//     moving_world --frames 100 --csv frames.csv --animation hall.svg
+//     certificates moving-world --frames 100 --csv frames.csv --animation hall.svg
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/MovingWorldPicture.h"
@@ -281,17 +282,16 @@ namespace
             std::puts("interrupted: later frames are left out");
         if (end == End::DIFFERENT)
             std::fputs(
-                "moving_world: in the next frame the three ways found different motions blocked, or made different "
-                "plans\n",
+                "certificates moving-world: in the next frame the three ways found different motions blocked, or "
+                "made different plans\n",
                 stderr);
         return end == End::ALL_DONE ? demos::SOLVED : demos::NOT_SOLVED;
     }
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declareMovingWorld(CLI::App &app)
 {
-    CLI::App app("Let drones plan anew, frame by frame, among people who walk about", "moving_world");
-    Options options;
-    declare(app, options);
-    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+    const auto options = std::make_shared<Options>();
+    declare(app, *options);
+    return [options] { return run(*options); };
 }

@@ -1,10 +1,11 @@
 // Plans for the team of a scene, tells how the collision checks were settled, and writes a picture, the path and a
 // report.
 //
-//     plan_team scene.yaml --time 2 --seed 1 --picture plan.svg --report plan.json
-//     plan_team team_with_controls.yaml --dynamics --time 10 --path plan.csv
-//     plan_team scene0001.yaml --request request0001.yaml --urdf panda.urdf --srdf panda.srdf
+//     certificates plan scene.yaml --time 2 --seed 1 --picture plan.svg --report plan.json
+//     certificates plan team_with_controls.yaml --dynamics --time 10 --path plan.csv
+//     certificates plan scene0001.yaml --request request0001.yaml --urdf panda.urdf --srdf panda.srdf
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/DynamicPlan.h"
 #include "common/Interrupt.h"
@@ -264,10 +265,9 @@ namespace
     }
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declarePlan(CLI::App &app)
 {
-    CLI::App app("Plan for the team of a scene", "plan_team");
-    demos::PlanTeamOptions options;
-    demos::declare(app, options);
-    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+    const auto options = std::make_shared<PlanTeamOptions>();
+    declare(app, *options);
+    return [options] { return run(*options); };
 }

@@ -1,8 +1,9 @@
 // Runs a grid of trials, every planner with every method in every scene, and records what the methods asked of the
 // obstacles and what it cost. See docs/experiments.md.
 //
-//     certificate_experiment demos/experiments/paper-small.yaml --out results --shard 1/2
+//     certificates experiment demos/experiments/paper-small.yaml --out results --shard 1/2
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/ExperimentFolder.h"
 #include "common/Interrupt.h"
@@ -210,7 +211,7 @@ namespace
             }
             catch (const std::exception &e)
             {
-                std::cerr << "certificate_experiment: " << e.what() << std::endl;
+                std::cerr << "certificates experiment: " << e.what() << std::endl;
                 return demos::BAD_INPUT;
             }
         }
@@ -239,7 +240,7 @@ namespace
             std::string damaged;
             const auto result = folder.read(trial, damaged);
             if (!damaged.empty())
-                std::cerr << "certificate_experiment: " << damaged
+                std::cerr << "certificates experiment: " << damaged
                           << " is damaged or of another grid; the trial is run again" << std::endl;
             if (result.is_null())
             {
@@ -272,10 +273,9 @@ namespace
     }
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declareExperiment(CLI::App &app)
 {
-    CLI::App app("Run a grid of planners, methods and scenes", "certificate_experiment");
-    Options options;
-    declare(app, options);
-    return demos::runProgram(app, argc, argv, [&options] { return run(options); });
+    const auto options = std::make_shared<Options>();
+    declare(app, *options);
+    return [options] { return run(*options); };
 }

@@ -2,10 +2,11 @@
 // among knots; drones in a point cloud; and larger teams of six kinds. Meshes and clouds are written next to the
 // scene's file.
 //
-//     generate_scene --robots 3 --seed 7 --output scene.yaml
-//     generate_scene --kind canyon --output canyon.yaml
-//     generate_scene --kind boxes --robots 16 --output boxes_16.yaml
+//     certificates generate --robots 3 --seed 7 --output scene.yaml
+//     certificates generate --kind canyon --output canyon.yaml
+//     certificates generate --kind boxes --robots 16 --output boxes_16.yaml
 
+#include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/Outputs.h"
 #include "generators/CloudScenes.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -95,49 +97,58 @@ namespace
         }
         return kinds;
     }
+
+    /** What the arguments say, and the work itself */
+    struct Generator
+    {
+        int generate() const
+        {
+            const Kind &kind =
+                *std::find_if(kinds.begin(), kinds.end(), [this](const Kind &other) { return other.name == name; });
+            for (const CLI::Option *option : ofSomeKinds)
+                if (option->count() > 0 &&
+                    std::find(kind.options.begin(), kind.options.end(), option->get_name()) == kind.options.end())
+                    throw CLI::ValidationError(option->get_name(), "is not for --kind " + kind.name);
+            const generators::SceneTexts scene = kind.make();
+            if (output != "-")
+                generators::writeScene(scene, output);
+            else if (scene.meshes.empty())
+                demos::writeOutput(output, scene.yaml);
+            else
+                throw CLI::ValidationError("--output", "must name a file: the meshes are written next to it");
+            return demos::SOLVED;
+        }
+
+        Given given;
+        std::vector<Kind> kinds{kindsOf(given)};
+        std::string name{"polygons"}, output{"-"};
+        std::vector<const CLI::Option *> ofSomeKinds;
+    };
 }
 
-int main(int argc, char **argv)
+demos::Work demos::declareGenerate(CLI::App &app)
 {
-    Given given;
-    const std::vector<Kind> kinds = kindsOf(given);
+    const auto generator = std::make_shared<Generator>();
+    Given &given = generator->given;
     std::vector<std::string> names;
     std::string footer = "Kinds, and their defaults:\n";
-    for (const Kind &kind : kinds)
+    for (const Kind &kind : generator->kinds)
     {
         names.push_back(kind.name);
         footer += "  " + kind.name + std::string(11 - kind.name.size(), ' ') + kind.description + "\n";
     }
-    std::string name = "polygons", output = "-";
-
-    CLI::App app("Make a scene", "generate_scene");
     app.footer(footer);
-    app.add_option("--kind", name, "the kind of scene, see below")->check(demos::oneOf(names))->capture_default_str();
-    app.add_option("--robots", given.robots, "number of robots");
-    const std::vector<CLI::Option *> someKinds{
-        app.add_option("--obstacles", given.obstacles, "number of random obstacles"),
-        app.add_option("--size", given.size, "side of the square that the robots are in"),
-        app.add_option("--radius", given.radius, "radius of the discs among polygons"),
-        app.add_option("--points", given.points, "number of points of a cloud")};
-    app.add_option("--seed", given.seed, "seed; the same settings make the same scene")->capture_default_str();
-    app.add_option("--output", output, "file to write, - for standard output (if the kind has no meshes and no cloud)")
+    app.add_option("--kind", generator->name, "the kind of scene, see below")
+        ->check(oneOf(names))
         ->capture_default_str();
-    const auto generate = [&]
-    {
-        const Kind &kind =
-            *std::find_if(kinds.begin(), kinds.end(), [&](const Kind &other) { return other.name == name; });
-        for (const CLI::Option *option : someKinds)
-            if (option->count() > 0 &&
-                std::find(kind.options.begin(), kind.options.end(), option->get_name()) == kind.options.end())
-                throw CLI::ValidationError(option->get_name(), "is not for --kind " + kind.name);
-        const generators::SceneTexts scene = kind.make();
-        if (output != "-")
-            generators::writeScene(scene, output);
-        else if (scene.meshes.empty())
-            demos::writeOutput(output, scene.yaml);
-        else
-            throw CLI::ValidationError("--output", "must name a file: the meshes are written next to it");
-        return 0;
-    };
-    return demos::runProgram(app, argc, argv, generate);
+    app.add_option("--robots", given.robots, "number of robots");
+    generator->ofSomeKinds = {app.add_option("--obstacles", given.obstacles, "number of random obstacles"),
+                              app.add_option("--size", given.size, "side of the square that the robots are in"),
+                              app.add_option("--radius", given.radius, "radius of the discs among polygons"),
+                              app.add_option("--points", given.points, "number of points of a cloud")};
+    app.add_option("--seed", given.seed, "seed; the same settings make the same scene")->capture_default_str();
+    app.add_option("--output", generator->output,
+                   "file to write, - for standard output (if the kind has no meshes and no cloud)")
+        ->capture_default_str();
+    return [generator] { return generator->generate(); };
 }
