@@ -239,11 +239,10 @@ namespace ompl_certificates_python
         return world_.getPoints(cloud);
     }
 
-    std::unique_lock<std::mutex> Checker::lockPlanning() const
+    std::shared_ptr<const Checker> Checker::beginPlanning() const
     {
-        std::unique_lock<std::mutex> lock(planning_, std::try_to_lock);
-        if (!lock)
-            throw ompl::Exception("plan", "another thread plans with this checker already");
-        return lock;
+        if (planning_.exchange(true))
+            throw ompl::Exception("plan", "a plan with this checker is under way");
+        return {this, [](const Checker *checker) { checker->planning_ = false; }};
     }
 }

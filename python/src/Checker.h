@@ -4,6 +4,7 @@
 #include "Arrays.h"
 #include "World.h"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -68,7 +69,7 @@ namespace ompl_certificates_python
             \param goal a state of the team */
         Scene getScene(const ompl::base::State *goal) const;
 
-        /** \brief The setup, for planning; see lockPlanning() */
+        /** \brief The setup, for planning; see beginPlanning() */
         TeamSetup &getSetup() const
         {
             return *setup_;
@@ -98,9 +99,9 @@ namespace ompl_certificates_python
             return motion_;
         }
 
-        /** \brief Returns a lock that no other plan holds
-            \throws ompl::Exception if a thread plans with this checker already */
-        std::unique_lock<std::mutex> lockPlanning() const;
+        /** \brief Begin a plan, which ends when what is returned is destroyed
+            \throws ompl::Exception if a plan with this checker is under way, in this thread (a callback) or another */
+        std::shared_ptr<const Checker> beginPlanning() const;
 
     private:
         class Row;
@@ -116,7 +117,8 @@ namespace ompl_certificates_python
         std::vector<std::size_t> angles_, quaternions_;
         World world_;
         std::unique_ptr<TeamSetup> setup_;
-        mutable std::mutex changing_, planning_;
+        mutable std::mutex changing_;
+        mutable std::atomic<bool> planning_{false};
     };
 }
 

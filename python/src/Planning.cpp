@@ -239,7 +239,7 @@ namespace ompl_certificates_python
 
         Plan planWith(Checker &checker, const Options &options, const py::object &start, const py::object &goal)
         {
-            const auto lock = checker.lockPlanning();
+            const auto planning = checker.beginPlanning();
             if (!(options.seconds > 0.0))
                 throw ompl::Exception("time", "must be positive, not " + std::to_string(options.seconds));
             const Quiet quiet(ompl::msg::LOG_ERROR);

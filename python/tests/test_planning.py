@@ -149,8 +149,9 @@ def test_one_checker_plans_once_at_a_time(room: oc.Scene) -> None:
     def callback(seconds: float, cost: float) -> None:
         oc.plan(checker, time=0.1)
 
-    with pytest.raises(oc.Error, match="plans with this checker already"):
+    with pytest.raises(oc.Error, match="a plan with this checker is under way"):
         oc.plan(checker, "RRTstar", time=20, callback=callback)
+    assert oc.plan(checker, "RRTConnect", time=20), "it plans again once that plan has ended"
 
 
 def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:

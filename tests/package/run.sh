@@ -21,11 +21,11 @@ install()
 cd /test
 install ./ompl-certificates-tools_*.deb ./libompl-certificates0*.deb
 certificates --version
-certificates plan --version
+plan_team --version
 certificates plan demos/scenes/paper_five_discs.yaml --planner RRTConnect --time 20 --path /tmp/path.csv --quiet
 test -s /tmp/path.csv
 test -s /usr/share/man/man1/certificates.1.gz
-test -s /usr/share/man/man1/certificates plan.1.gz
+test -s /usr/share/man/man1/plan_team.1.gz
 
 install ./python3-ompl-certificates_*.deb
 python3 python/examples/01_plan.py
