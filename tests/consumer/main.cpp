@@ -47,7 +47,7 @@ int main()
     for (ompl::geometric::SimpleSetup *setup : {&byHand, static_cast<ompl::geometric::SimpleSetup *>(&inOne)})
     {
         setup->setStartAndGoalStates(start, goal);
-        if (!setup->solve(30.0) || !setup->haveExactSolutionPath())
+        if (!setup->solve(5.0) || !setup->haveExactSolutionPath())
         {
             std::cerr << "The team found no way around the wall.\n";
             return 1;
