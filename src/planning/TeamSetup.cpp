@@ -106,6 +106,11 @@ namespace ompl_certificates
         pdef_->setOptimizationObjective(objective_);
     }
 
+    ob::PlannerStatus TeamSetup::solve(double time)
+    {
+        return SimpleSetup::solve(ob::timedPlannerTerminationCondition(time));
+    }
+
     void TeamSetup::setup()
     {
         choosePlanner();

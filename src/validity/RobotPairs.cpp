@@ -2,12 +2,14 @@
 
 #include "BodyClearance.h"
 #include "certificates/CertifiedEnvironment.h"
-#include "certificates/ExactCheck.h"
+#include "geometry/BodyContact.h"
 #include "geometry/ConvexCover.h"
+#include "obstacles/FclTolerance.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
+#include <mutex>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -37,12 +39,74 @@ namespace ompl_certificates
         }
     }
 
-    struct RobotPairs::BodyFrame
+    /** Most pairs never need the body as obstacles, and to make these takes milliseconds for a mesh. So they are made
+        when first asked for. */
+    class RobotPairs::BodyFrame
     {
-        Body body;
-        ObstaclesPtr obstacles;
-        /** \brief Null if the method makes no certificates */
-        std::unique_ptr<CertifiedEnvironment> certified;
+    public:
+        BodyFrame(const Body &body, const ZInterval &zInterval, std::shared_ptr<CertificateLimit> limit)
+          : body_(body), zInterval_(zInterval), limit_(std::move(limit)), tolerance_(fclTolerance(shapesOf(body), 0.0))
+        {
+        }
+
+        const Body &getBody() const
+        {
+            return body_;
+        }
+
+        /** \brief Whether another body touches this one, without FCL */
+        Touching touches(const Body &other, const Pose &pose) const
+        {
+            if (body_.getDimension() == 2)
+                return getObstacles().touches(other, pose, nullptr);
+            return touching(body_, other, pose, tolerance_ + exactCheckTolerance(other.getBoundingRadius()));
+        }
+
+        const FclObstacles &getObstacles() const
+        {
+            makeObstacles();
+            return *obstacles_;
+        }
+
+        CertifiedEnvironment &getCertified() const
+        {
+            makeObstacles();
+            return *certified_;
+        }
+
+        void clear()
+        {
+            if (certified_)
+                certified_->clear();
+        }
+
+    private:
+        static PlacedShapes shapesOf(const Body &body)
+        {
+            PlacedShapes shapes;
+            for (const auto &part : body.getParts())
+                shapes.push_back({part.shape, part.pose});
+            return shapes;
+        }
+
+        void makeObstacles() const
+        {
+            std::call_once(made_,
+                           [this]
+                           {
+                               obstacles_ = std::make_shared<FclObstacles>(std::vector<PlacedBody>{{body_}},
+                                                                           body_.getDimension(), zInterval_);
+                               certified_ = std::make_unique<CertifiedEnvironment>(obstacles_, limit_);
+                           });
+        }
+
+        const Body body_;
+        const ZInterval zInterval_;
+        const std::shared_ptr<CertificateLimit> limit_;
+        const double tolerance_;
+        mutable std::once_flag made_;
+        mutable std::shared_ptr<FclObstacles> obstacles_;
+        mutable std::unique_ptr<CertifiedEnvironment> certified_;
     };
 
     // The same arithmetic as in FCL's test of two spheres
@@ -141,14 +205,9 @@ namespace ompl_certificates
     RobotPairs::BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)
     {
         for (const auto &frame : frames_)
-            if (frame->body == body)
+            if (frame->getBody() == body)
                 return frame.get();
-        auto frame = std::unique_ptr<BodyFrame>(new BodyFrame{body, nullptr, nullptr});
-        frame->obstacles =
-            std::make_shared<FclObstacles>(std::vector<PlacedBody>{{body}}, body.getDimension(), zInterval);
-        if (makesCertificates(method_))
-            frame->certified = std::make_unique<CertifiedEnvironment>(frame->obstacles, limit_);
-        frames_.push_back(std::move(frame));
+        frames_.push_back(std::make_unique<BodyFrame>(body, zInterval, limit_));
         return frames_.back().get();
     }
 
@@ -225,8 +284,8 @@ namespace ompl_certificates
         if (sample.requiredInterval > 0.0)
         {
             SwitchingPolicy untrained;  // has no say where only a proof counts
-            verdict = bodies.frame->certified->settle({body, relative, &bound, sample.requiredInterval}, NO_CERTIFICATE,
-                                                      untrained, asked);
+            verdict = bodies.frame->getCertified().settle({body, relative, &bound, sample.requiredInterval},
+                                                          NO_CERTIFICATE, untrained, asked);
         }
         else if (isFinite(relative))
         {
@@ -234,10 +293,8 @@ namespace ompl_certificates
             if (method_ != Method::FCL)
                 verdict = settleByGap(bodies, relative, bound, searchesGaps(sample) ? LONG_STRETCH : 0.0,
                                       context.bodyPairDirections[number]);
-            ObstaclePart hit;
             if (!verdict.free)
-                verdict.free =
-                    !collides(*bodies.frame->obstacles, body, relative, method_ != Method::FCL, verdict.by, hit, asked);
+                verdict.free = !collides(bodies, relative, asked);
         }
         context.counts.clearanceQueries += asked.clearanceQueries;
         context.counts.contactTests += asked.contactTests;
@@ -245,13 +302,25 @@ namespace ompl_certificates
         return verdict;
     }
 
+    bool RobotPairs::collides(const TwoBodies &bodies, const Pose &relative, CheckCounts &counts) const
+    {
+        if (method_ != Method::FCL)
+        {
+            ++counts.contactTests;
+            if (const Touching answer = bodies.frame->touches(bodies.lookedUp(), relative); answer != Touching::UNKNOWN)
+                return answer == Touching::YES;
+        }
+        ++counts.exactCalls;
+        return bodies.frame->getObstacles().collides(bodies.lookedUp(), relative);
+    }
+
     PoseVerdict RobotPairs::settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
                                         double stretch, Eigen::Vector3d &direction) const
     {
         const Body &body = bodies.lookedUp();
         const double speed = bound.at(body.getBoundingRadius());
-        const double gap =
-            convexGap(bodies.frame->body, body, relative, bodies.margin, bodies.margin + stretch * speed, direction);
+        const double gap = convexGap(bodies.frame->getBody(), body, relative, bodies.margin,
+                                     bodies.margin + stretch * speed, direction);
         PoseVerdict verdict;
         verdict.free = gap > bodies.margin;
         if (verdict.free)
@@ -287,7 +356,7 @@ namespace ompl_certificates
             const double gap = bodies.gap(context);
             if (!bodies.frame || gap > bodies.margin)
                 return !(gap > 0.0);
-            return bodies.frame->obstacles->collides(bodies.lookedUp(), bodies.relativePose(context));
+            return bodies.frame->getObstacles().collides(bodies.lookedUp(), bodies.relativePose(context));
         };
         const Pair &robots = pairs_[pair];
         for (const TwoBodies &bodies : robots.bodies)
@@ -301,7 +370,7 @@ namespace ompl_certificates
     {
         double nearest = INF;
         for (const TwoBodies &bodies : pairs_[pair].bodies)
-            nearest = std::min(nearest, bodies.frame ? bodyClearance(*bodies.frame->obstacles, bodies.lookedUp(),
+            nearest = std::min(nearest, bodies.frame ? bodyClearance(bodies.frame->getObstacles(), bodies.lookedUp(),
                                                                      bodies.relativePose(context))
                                                      : bodies.gap(context));
         return nearest;
@@ -310,7 +379,6 @@ namespace ompl_certificates
     void RobotPairs::clear()
     {
         for (const auto &frame : frames_)
-            if (frame->certified)
-                frame->certified->clear();
+            frame->clear();
     }
 }

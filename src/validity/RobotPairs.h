@@ -85,7 +85,7 @@ namespace ompl_certificates
 
     private:
         /** \brief A body as the environment of others, seen from its own frame */
-        struct BodyFrame;
+        class BodyFrame;
 
         /** \brief A body of one robot and another body, of the same robot or not. Indices count the bodies of the whole
             team. */
@@ -153,6 +153,9 @@ namespace ompl_certificates
         /** \brief Settles two bodies in the environment's frame, where their bounding spheres do not decide */
         PoseVerdict settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,
                                  const MotionSample &sample) const;
+
+        /** \brief Whether two bodies collide: by the contact test unless the method is FCL, then by FCL if needed */
+        bool collides(const TwoBodies &bodies, const Pose &relative, CheckCounts &counts) const;
 
         /** \brief Tries to settle two bodies by the gap between their convex covers
             \param stretch how much of the motion the gap is to prove, if it can

@@ -37,6 +37,12 @@ namespace ompl_certificates
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
 
+        using SimpleSetup::solve;
+
+        /** \brief Plan for at most \e time seconds; see SimpleSetup. Returns when the planner has ended: OMPL's own
+            function then waits for a thread of its own, up to a millisecond, which is longer than many plans take. */
+        ompl::base::PlannerStatus solve(double time = 1.0) override;
+
         /** \brief Simplify the solution with OMPL's PathSimplifier, then robot by robot with a TeamPathSimplifier, for
             at most \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises.
             Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions that were never checked by
