@@ -206,7 +206,7 @@ namespace ompl_certificates
                     throw ompl::Exception(source_, describe(i) + " touches " +
                                                        describeObstacle(robot.getBodies()[k], poses[i][k]));
         }
-        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::FCL);
+        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
         // The obstacles leave each robot free.
         for (unsigned int i = 0; i < team->getRobotCount(); ++i)
             if (!checker.isRobotFree(i, teamState->components[i]))
