@@ -34,6 +34,14 @@ namespace ompl_certificates
             return chances % PROBE_INTERVAL == 0;
         }
 
+        /** \brief Whether to try what hardly ever pays: once in RARE_PROBE_INTERVAL calls, soon for the first time */
+        bool isRareProbe()
+        {
+            const std::uint32_t chances = chances_.load(std::memory_order_relaxed) + 1;
+            chances_.store(chances, std::memory_order_relaxed);
+            return chances % RARE_PROBE_INTERVAL == FIRST_RARE_PROBE;
+        }
+
         /** \brief Notes whether a lookup found a certificate */
         void noteLookup(bool found)
         {
@@ -70,7 +78,7 @@ namespace ompl_certificates
     private:
         static constexpr float SMALLEST_LOOKUP_RATE = 0.8F;
         static constexpr float LOOKUP_MEMORY = 128.0F;
-        static constexpr std::uint32_t PROBE_INTERVAL = 16;
+        static constexpr std::uint32_t PROBE_INTERVAL = 16, RARE_PROBE_INTERVAL = 256, FIRST_RARE_PROBE = 4;
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
 
         /** \brief The ways to settle a pose */
