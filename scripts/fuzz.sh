@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Feeds broken scenes, .cfg files, meshes, files of arms and of certificates to their readers: fuzz.sh [SECONDS each, 60
-# [SEED [INPUTS]]]. A number of inputs, of one seed, makes a run that can be repeated, if the time suffices for them.
+# Feeds broken scenes, .cfg files, meshes, clouds, octomaps, files of arms and of certificates to their readers:
+# fuzz.sh [SECONDS each, 60 [SEED [INPUTS]]]. A number of inputs, of one seed, makes a run that can be repeated, if the
+# time suffices for them.
 # What ends a reader otherwise than by ompl::Exception, takes over 20 s or over 2 GB of memory is kept in out/fuzz/,
 # with the inputs that later runs start from.
 set -euo pipefail
