@@ -137,7 +137,7 @@ def profile(arguments: list, iterations: int, options: argparse.Namespace, folde
     run = subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", str(FREQUENCY), "-o", data, "--", *plan],
                          capture_output=True, text=True, check=False)
     if not os.path.exists(report):
-        raise Unmeasured(run.stderr.strip().splitlines()[-1] if run.stderr.strip() else "perf or certificates plan failed")
+        raise Unmeasured(run.stderr.strip().splitlines()[-1] if run.stderr.strip() else "perf or the plan failed")
     with open(report, encoding="utf-8") as file:
         motions = json.load(file)["checks"]["motions"]
     os.remove(report)

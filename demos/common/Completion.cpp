@@ -45,7 +45,7 @@ namespace demos
                    "}\n";
         }
 
-        /** The function that completes the name of a command of \e app, or leaves the rest to that command's function */
+        /** The function that completes the name of a command of \e app, and leaves the rest to the command's own */
         std::string dispatchingFunction(const std::string &name, const CLI::App &app)
         {
             std::string functions = completingFunction(name + "_itself", app), names, cases;

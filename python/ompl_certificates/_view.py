@@ -9,8 +9,8 @@ from typing import Union
 
 
 class View:
-    """A page in which a plan can be looked at, as certificates plan --view writes it. As the value of a cell of a notebook it
-    is shown there."""
+    """A page in which a plan can be looked at, as certificates plan --view writes it. As the value of a cell of a
+    notebook it is shown there."""
 
     def __init__(self, html: str) -> None:
         self.html = html

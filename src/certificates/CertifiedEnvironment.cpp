@@ -69,7 +69,8 @@ namespace ompl_certificates
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
         // One search settles a ball either way, and mostly finds something.
-        const bool search = obstacles_->isClearanceCheap() ? policy.isRareProbe() : query.body.isBall() || policy.looksUp();
+        const bool search =
+            obstacles_->isClearanceCheap() ? policy.isRareProbe() : query.body.isBall() || policy.looksUp();
         if (!search)
             return ask(query, asksGap(query.body) ? Question::GAP : Question::CLEARANCES, policy, counts);
 
