@@ -8,7 +8,6 @@
 #include "support/Random.h"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/RandomNumbers.h>
 #include <set>
@@ -88,9 +87,6 @@ namespace
 TEST_P(EveryPlanner, GrowsTheSameTreeWithTheKdTreeAndWithGnat)
 {
     const Quiet quiet;
-    // OMPL's LBTRRT reads a cost of its root that it never sets. So that it is the same in both trees, new memory is
-    // filled.
-    mallopt(M_PERTURB, 1);
     // These grow their roadmaps by the clock, for 0.4 seconds, and then expand them.
     const bool isByTheClock = GetParam() == "PRM" || GetParam() == "PRMstar";
     const unsigned int iterations = scaled(isByTheClock ? 300 : 1500);
