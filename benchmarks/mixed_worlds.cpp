@@ -130,6 +130,7 @@ namespace
         const ob::StateSpacePtr &space = robot->getStateSpace();
         const auto si = std::make_shared<ob::SpaceInformation>(space);
         std::vector<std::shared_ptr<TeamValidityChecker>> checkers;
+        checkers.reserve(stores.size());
         for (const ObstaclesPtr &obstacles : stores)
             checkers.push_back(
                 std::make_shared<TeamValidityChecker>(si, obstacles, std::vector<RobotPtr>{robot}, method));
