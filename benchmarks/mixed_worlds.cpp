@@ -1,5 +1,5 @@
-// One store of certificates for obstacles of several kinds, or a store for each kind: one robot of a scene among
-// the scene's shapes and a cloud of standing people, RRT, RRTConnect and RRT* from equal seeds.
+// One robot of a scene among the scene's shapes and a cloud of standing people. Are certificates better kept in one
+// store, or in a store for each kind of obstacles? RRT, RRTConnect and RRT* plan with both, from equal seeds.
 //
 //     mixed_worlds demos/scenes/drones_3d.yaml --robot 2 --people 20 --points 20000
 

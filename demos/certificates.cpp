@@ -1,9 +1,9 @@
-// All programs of this library in one, each a command:
+// All programs of this library in one. Each is a command:
 //
 //     certificates plan scene.yaml --time 2 --picture plan.svg
 //     certificates --help
 //
-// Each is also there under a name of its own, a link to this program: plan_team is certificates plan.
+// Each also has a name of its own, which is a link to this program. plan_team is certificates plan.
 
 #include "commands/Commands.h"
 #include "common/CommandLine.h"

@@ -16,14 +16,14 @@ namespace demos
     namespace
     {
         /** The command of \e app that is being parsed, or \e app itself */
-        const CLI::App &commandOf(const CLI::App &app)
+        const CLI::App &parsedCommand(const CLI::App &app)
         {
             return app.get_subcommands().empty() ? app : *app.get_subcommands().front();
         }
 
         int complain(const CLI::App &app, const std::string &message)
         {
-            const CLI::App &command = commandOf(app);
+            const CLI::App &command = parsedCommand(app);
             const std::string name = app.get_name() + (&command == &app ? "" : " " + command.get_name());
             std::string line = message;
             for (char &c : line)
@@ -71,7 +71,7 @@ namespace demos
         std::string complaintOfCommand(const CLI::ParseError &error, const CLI::App &app)
         {
             std::vector<std::string> names;
-            for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+            for (const CLI::App *command : commandsOf(app))
                 names.push_back(command->get_name());
             if (names.empty())
                 return error.what();
@@ -85,7 +85,7 @@ namespace demos
         std::string complaintOf(const CLI::ParseError &error, const CLI::App &app)
         {
             std::vector<std::string> known;
-            const CLI::App &command = commandOf(app);
+            const CLI::App &command = parsedCommand(app);
             for (const CLI::Option *option : command.get_options())
                 for (const std::string &name : option->get_lnames())
                     known.push_back("--" + name);
@@ -125,6 +125,11 @@ namespace demos
         {
             return complain(app, e.what());
         }
+    }
+
+    std::vector<const CLI::App *> commandsOf(const CLI::App &app)
+    {
+        return app.get_subcommands([](const CLI::App *) { return true; });
     }
 
     void group(CLI::App &app, const std::vector<std::pair<std::string, std::vector<std::string>>> &groups)

@@ -22,6 +22,9 @@ namespace demos
         suggests a similar one. Adds the options --version and --bash-completion; see bashCompletion(). */
     int runProgram(CLI::App &app, int argc, char **argv, const std::function<int()> &work);
 
+    /** \brief The commands of \e app; none for most programs */
+    std::vector<const CLI::App *> commandsOf(const CLI::App &app);
+
     /** \brief Show options under headings in --help. Those that are not named stay under "Options". */
     void group(CLI::App &app, const std::vector<std::pair<std::string, std::vector<std::string>>> &groups);
 

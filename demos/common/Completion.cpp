@@ -1,5 +1,7 @@
 #include "common/Completion.h"
 
+#include "common/CommandLine.h"
+
 #include "ompl_certificates/planning/Planners.h"
 
 #include <algorithm>
@@ -49,7 +51,7 @@ namespace demos
         std::string dispatchingFunction(const std::string &name, const CLI::App &app)
         {
             std::string functions = completingFunction(name + "_itself", app), names, cases;
-            for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+            for (const CLI::App *command : commandsOf(app))
             {
                 const std::string function = name + "_" + command->get_name();
                 functions += completingFunction(function, *command);
@@ -72,10 +74,10 @@ namespace demos
     std::string bashCompletion(const CLI::App &app)
     {
         const std::string &program = app.get_name();
-        const bool hasCommands = !app.get_subcommands([](const CLI::App *) { return true; }).empty();
         return "# Bash completes the arguments of " + program + " by this; " + program +
                " --bash-completion has written it.\n" +
-               (hasCommands ? dispatchingFunction("_" + program, app) : completingFunction("_" + program, app)) +
+               (commandsOf(app).empty() ? completingFunction("_" + program, app)
+                                        : dispatchingFunction("_" + program, app)) +
                "complete -o default -F _" + program + " " + program + "\n";
     }
 }

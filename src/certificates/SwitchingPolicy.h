@@ -29,17 +29,13 @@ namespace ompl_certificates
         /** \brief Whether to try what has not paid lately: once in PROBE_INTERVAL calls */
         bool isProbe()
         {
-            const std::uint32_t chances = chances_.load(std::memory_order_relaxed) + 1;
-            chances_.store(chances, std::memory_order_relaxed);
-            return chances % PROBE_INTERVAL == 0;
+            return countChance() % PROBE_INTERVAL == 0;
         }
 
         /** \brief Whether to try what hardly ever pays: once in RARE_PROBE_INTERVAL calls, soon for the first time */
         bool isRareProbe()
         {
-            const std::uint32_t chances = chances_.load(std::memory_order_relaxed) + 1;
-            chances_.store(chances, std::memory_order_relaxed);
-            return chances % RARE_PROBE_INTERVAL == FIRST_RARE_PROBE;
+            return countChance() % RARE_PROBE_INTERVAL == FIRST_RARE_PROBE;
         }
 
         /** \brief Notes whether a lookup found a certificate */
@@ -80,6 +76,13 @@ namespace ompl_certificates
         static constexpr float LOOKUP_MEMORY = 128.0F;
         static constexpr std::uint32_t PROBE_INTERVAL = 16, RARE_PROBE_INTERVAL = 256, FIRST_RARE_PROBE = 4;
         static constexpr std::uint32_t TIMING_INTERVAL = 8;
+
+        std::uint32_t countChance()
+        {
+            const std::uint32_t chances = chances_.load(std::memory_order_relaxed) + 1;
+            chances_.store(chances, std::memory_order_relaxed);
+            return chances;
+        }
 
         /** \brief The ways to settle a pose */
         enum Way : std::uint32_t
