@@ -111,6 +111,15 @@ namespace ompl_certificates
         return *last;
     }
 
+    CertificateTree::Link CertificateTree::lastLink(const Bucket &bucket)
+    {
+        // Each link is read once: the last bucket may get a next one at any time.
+        Link link = bucket.link.load(std::memory_order_acquire);
+        while (const Bucket *next = link.next())
+            link = next->link.load(std::memory_order_acquire);
+        return link;
+    }
+
     bool CertificateTree::isFull(Subtree subtree)
     {
         if (subtree.isInnerNode() && subtree.innerNode()->isFull)

@@ -191,7 +191,7 @@ namespace ompl_certificates
     Covering CertificateTree::covering(const BallQuery &query, CertificateIndex seed) const
     {
         Bucket *bucket = findBucket(seed);
-        InnerNode *innerNode = bucket ? lastBucket(*bucket).link.load(std::memory_order_acquire).innerNode() : nullptr;
+        InnerNode *innerNode = bucket ? lastLink(*bucket).innerNode() : nullptr;
         if (!innerNode)
             return covering(query);
         return dimension_ == 2 ? coveringFromNode<2>(query, innerNode) : coveringFromNode<3>(query, innerNode);

@@ -49,7 +49,7 @@ namespace
     double hammerSeconds()
     {
         const char *text = std::getenv("OMPL_CERTIFICATES_HAMMER_SECONDS");
-        return text ? std::atof(text) : 0.5;
+        return text ? std::atof(text) : 1.0;
     }
 }
 
@@ -135,6 +135,7 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
         SCOPED_TRACE("round " + std::to_string(round));
         CertificateTree tree(GetParam());
         std::atomic<unsigned int> writing{writers}, wrong{0}, torn{0}, lost{0};
+        std::atomic<CertificateIndex> newest{0};
         std::vector<std::vector<std::pair<CertificateIndex, Certificate>>> added(writers);
         std::vector<std::thread> threads;
         for (unsigned int writer = 0; writer < writers; ++writer)
@@ -149,6 +150,7 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
                         Certificate certificate{own.point(GetParam(), half), 0.0};
                         certificate.clearance = clearanceAt(certificate.point);
                         const CertificateIndex index = tree.insert(certificate);
+                        newest = index;
                         added[writer].emplace_back(index, certificate);
                         const double r = certificate.clearance;
                         const BallQuery query = r > 0.0 ? BallQuery{certificate.point, 0.5 * r, -1e9}
@@ -169,9 +171,9 @@ TEST_P(TreeThreads, HammerLosesAndTearsNothing)
                     {
                         const double radius = own.uniform(0.0, 0.5);
                         const BallQuery query{own.point(GetParam(), own.logUniform(1e-3, 20.0)), radius, radius};
-                        // Seeds that are present, being added, or not yet present
-                        const Covering covering =
-                            own.chance(0.5) ? tree.covering(query) : tree.covering(query, own.below(tree.size() + 10));
+                        // Seeds that are present or not yet present, and the newest, whose cell changes meanwhile
+                        const CertificateIndex seed = own.chance(0.5) ? newest.load() : own.below(tree.size() + 10);
+                        const Covering covering = own.chance(0.5) ? tree.covering(query) : tree.covering(query, seed);
                         if (covering.verdict == Covering::UNKNOWN)
                             continue;
                         ++covered;

@@ -373,6 +373,9 @@ namespace ompl_certificates
 
         /** \brief The last bucket of a cell from one of its buckets on */
         static Bucket &lastBucket(Bucket &bucket);
+
+        /** \brief The link of that bucket, which leads to an inner node. Others may add meanwhile. */
+        static Link lastLink(const Bucket &bucket);
         static bool isFull(Subtree subtree);
 
         /** \brief Adds a certificate to a cell and returns its index */
