@@ -37,7 +37,15 @@ namespace ompl_certificates
     {
         if (options.unknownIsOccupied)
             throw ompl::Exception("Unknown cells of an octomap that changes cannot be occupied");
+        if (map_.isChangeDetectionEnabled())
+            throw ompl::Exception("An octomap's change detection is on: another OctomapSet, or somebody else, uses it");
         map_.enableChangeDetection(true);
+    }
+
+    OctomapSet::~OctomapSet()
+    {
+        map_.enableChangeDetection(false);
+        map_.resetChangeDetection();
     }
 
     void OctomapSet::read(const CellBox &region)

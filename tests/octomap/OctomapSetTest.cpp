@@ -1,6 +1,7 @@
 #include "MapTeams.h"
 #include "RandomMaps.h"
 #include "ompl_certificates/octomap/OctomapSet.h"
+#include "support/Message.h"
 #include "support/Quiet.h"
 
 #include <cmath>
@@ -52,21 +53,6 @@ namespace
                     for (std::int32_t z = low[2]; z < std::max(high[2], low[2] + 1); z += edge)
                         cells.insert({divided(x), divided(y), divided(z)});
         return cells;
-    }
-
-    /** Inserts a scan of a wall or of nothing, as a sensor in free space sees it */
-    void scan(Random &random, octomap::OcTree &map)
-    {
-        octomap::Pointcloud points;
-        const Eigen::Vector3d sensor = random.point(3, 3.0), middle = random.point(3, 3.0);
-        for (int i = 0; i < 40; ++i)
-        {
-            const Eigen::Vector3d point = middle + random.point(3, 0.8);
-            points.push_back(static_cast<float>(point.x()), static_cast<float>(point.y()),
-                             static_cast<float>(point.z()));
-        }
-        map.insertPointCloud(points, octomap::point3d(static_cast<float>(sensor.x()), static_cast<float>(sensor.y()),
-                                                      static_cast<float>(sensor.z())));
     }
 }
 
@@ -171,5 +157,9 @@ TEST(OctomapSet, RefusesWhatMakesNoSense)
     options.slice.reset();
     EXPECT_EQ(OctomapSet(map, options).takeChange().after->clearance({0.0, 0.0, 0.0}),
               std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(map.isChangeDetectionEnabled()) << "once no set is left";
+    const OctomapSet set(map, options);
     EXPECT_TRUE(map.isChangeDetectionEnabled());
+    EXPECT_NE(messageOf([&] { const OctomapSet second(map, options); }).find("another OctomapSet"), std::string::npos);
+    EXPECT_TRUE(map.isChangeDetectionEnabled()) << "for the first set";
 }

@@ -33,6 +33,22 @@ namespace ompl_certificates
                 map->prune();
             return map;
         }
+
+        /** \brief Inserts a scan of a wall or of nothing, as a sensor in free space sees it */
+        inline void scan(Random &random, octomap::OcTree &map)
+        {
+            octomap::Pointcloud points;
+            const Eigen::Vector3d sensor = random.point(3, 3.0), middle = random.point(3, 3.0);
+            for (int i = 0; i < 40; ++i)
+            {
+                const Eigen::Vector3d point = middle + random.point(3, 0.8);
+                points.push_back(static_cast<float>(point.x()), static_cast<float>(point.y()),
+                                 static_cast<float>(point.z()));
+            }
+            map.insertPointCloud(points,
+                                 octomap::point3d(static_cast<float>(sensor.x()), static_cast<float>(sensor.y()),
+                                                  static_cast<float>(sensor.z())));
+        }
     }
 }
 

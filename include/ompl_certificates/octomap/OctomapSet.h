@@ -16,16 +16,23 @@ namespace ompl_certificates
         setup.getTeamChecker()->changeObstacles(set.takeChange());
         @endcode
         The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is
-        changed without that, such as by reading a file into the map, is not seen. So a map may have one such set only,
-        and nobody else may reset its change detection: certificates would stay that are no longer true.
+        changed without that, such as by reading a file into the map, is not seen. A map can have one such set at a
+        time, and nobody else may reset its change detection: certificates would stay that are no longer true.
         Not for several threads at once, and not while another changes the map. */
     class OctomapSet
     {
     public:
         /** \brief The obstacles of \e map, which must outlive this object. Switches on the map's change detection.
-            \throws ompl::Exception if the depth or the slice is not valid, or if unknown cells are to be occupied:
-            one more known cell may then make others occupied that are far away */
+            \throws ompl::Exception if the depth or the slice is not valid; if the map's change detection is on, so
+            that another set or somebody else uses it; or if unknown cells are to be occupied: one more known cell may
+            then make others occupied that are far away */
         explicit OctomapSet(octomap::OcTree &map, const OctomapOptions &options = {});
+
+        /** \brief Switches the map's change detection off */
+        ~OctomapSet();
+
+        OctomapSet(const OctomapSet &) = delete;
+        OctomapSet &operator=(const OctomapSet &) = delete;
 
         /** \brief The obstacles now, and what was added and removed since the last call. Resets the map's change
             detection. Cost: some tens of µs for each block of 16 cells along each axis in which a cell has changed, in
