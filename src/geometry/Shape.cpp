@@ -13,6 +13,7 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <limits>
+#include <mutex>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -102,8 +103,14 @@ namespace ompl_certificates
         }
     }
 
+    struct Shape::ForFcl
+    {
+        std::once_flag once;
+        std::shared_ptr<fcl::CollisionGeometryd> geometry;
+    };
+
     Shape::Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size)
-      : kind_(kind), dimension_(dimension), radius_(radius), size_(size)
+      : kind_(kind), dimension_(dimension), radius_(radius), size_(size), forFcl_(std::make_shared<ForFcl>())
     {
         if (dimension != 2 && dimension != 3)
             throw ompl::Exception("A shape is for a workspace of 2 or 3 dimensions, not " + std::to_string(dimension));
@@ -114,7 +121,6 @@ namespace ompl_certificates
         if (!(radius >= 0.0) || !std::isfinite(radius))
             throw ompl::Exception("The radius must be finite and not negative, not " + std::to_string(radius));
         Shape shape(Kind::BALL, dimension, radius, Eigen::Vector3d::Zero());
-        shape.makeCollisionGeometry();
         return shape;
     }
 
@@ -122,7 +128,6 @@ namespace ompl_certificates
     {
         Shape shape(Kind::BOX, 2, 0.0, {checkedSize("size", size.x()), checkedSize("size", size.y()), 0.0});
         shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(shape.size_), 2));
-        shape.makeCollisionGeometry();
         return shape;
     }
 
@@ -132,7 +137,6 @@ namespace ompl_certificates
             checkedSize("size", extent);
         Shape shape(Kind::BOX, 3, 0.0, size);
         shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(size), 3));
-        shape.makeCollisionGeometry();
         return shape;
     }
 
@@ -140,14 +144,12 @@ namespace ompl_certificates
     {
         checkedSize("length", length);
         Shape shape(Kind::CAPSULE, dimension, checkedSize("radius", radius), {0.0, 0.0, length});
-        shape.makeCollisionGeometry();
         return shape;
     }
 
     Shape Shape::cylinder(double radius, double length)
     {
         Shape shape(Kind::CYLINDER, 3, checkedSize("radius", radius), {0.0, 0.0, checkedSize("length", length)});
-        shape.makeCollisionGeometry();
         return shape;
     }
 
@@ -155,7 +157,6 @@ namespace ompl_certificates
     {
         Shape shape(Kind::POLYTOPE, dimension, 0.0, Eigen::Vector3d::Zero());
         shape.hull_ = std::make_shared<ConvexHull>(convexHull(points, dimension));
-        shape.makeCollisionGeometry();
         return shape;
     }
 
@@ -165,11 +166,22 @@ namespace ompl_certificates
             throw ompl::Exception("A mesh must not be null");
         Shape shape(Kind::MESH, dimension, 0.0, Eigen::Vector3d::Zero());
         shape.mesh_ = std::move(mesh);
-        shape.makeCollisionGeometry();
         return shape;
     }
 
-    void Shape::makeCollisionGeometry()
+    const std::shared_ptr<fcl::CollisionGeometryd> &Shape::getCollisionGeometry() const
+    {
+        std::call_once(forFcl_->once,
+                       [this]
+                       {
+                           auto geometry = makeCollisionGeometry();
+                           geometry->computeLocalAABB();
+                           forFcl_->geometry = std::move(geometry);
+                       });
+        return forFcl_->geometry;
+    }
+
+    std::shared_ptr<fcl::CollisionGeometryd> Shape::makeCollisionGeometry() const
     {
         // Any height will do for a prism; one like its other extents keeps FCL's solver well conditioned.
         const double prismHeight = dimension_ == 2 ? getBounds().sizes().maxCoeff() : 0.0;
@@ -178,26 +190,20 @@ namespace ompl_certificates
         switch (kind_)
         {
             case Kind::BALL:
-                geometry_ = std::make_shared<fcl::Sphered>(radius);
-                break;
+                return std::make_shared<fcl::Sphered>(radius);
             case Kind::BOX:
-                geometry_ = std::make_shared<fcl::Boxd>(size.x(), size.y(),
-                                                        dimension_ == 2 ? FCL_SCALE * prismHeight : size.z());
-                break;
+                return std::make_shared<fcl::Boxd>(size.x(), size.y(),
+                                                   dimension_ == 2 ? FCL_SCALE * prismHeight : size.z());
             case Kind::CAPSULE:
-                geometry_ = std::make_shared<fcl::Capsuled>(radius, size.z());
-                break;
+                return std::make_shared<fcl::Capsuled>(radius, size.z());
             case Kind::CYLINDER:
-                geometry_ = std::make_shared<fcl::Cylinderd>(radius, size.z());
-                break;
+                return std::make_shared<fcl::Cylinderd>(radius, size.z());
             case Kind::POLYTOPE:
-                geometry_ = makeConvex(*hull_, prismHeight);
-                break;
+                return makeConvex(*hull_, prismHeight);
             case Kind::MESH:
-                geometry_ = makeHierarchy(*mesh_);
-                break;
+                return makeHierarchy(*mesh_);
         }
-        geometry_->computeLocalAABB();
+        throw ompl::Exception("Unknown kind of shape");
     }
 
     double Shape::signedDistance(const Eigen::Vector3d &point) const

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_OBSTACLES_PLACED_SHAPE_
 #define OMPL_CERTIFICATES_OBSTACLES_PLACED_SHAPE_
 
+#include "ompl_certificates/geometry/Body.h"
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Shape.h"
 
@@ -17,6 +18,15 @@ namespace ompl_certificates
 
     /** \brief All shapes of some obstacles, in their order */
     using PlacedShapes = std::vector<PlacedShape>;
+
+    /** \brief The shapes of a body, in its own frame */
+    inline PlacedShapes shapesOf(const Body &body)
+    {
+        PlacedShapes shapes;
+        for (const auto &part : body.getParts())
+            shapes.push_back({part.shape, part.pose});
+        return shapes;
+    }
 }
 
 #endif

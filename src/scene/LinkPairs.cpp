@@ -1,5 +1,8 @@
 #include "LinkPairs.h"
 
+#include "geometry/BodyContact.h"
+#include "obstacles/FclTolerance.h"
+
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
@@ -80,27 +83,36 @@ namespace ompl_certificates
             std::mt19937_64 random_{1};
         };
 
-        /** Whether two bodies of an arm collide, by FCL */
+        /** Whether two bodies of an arm collide: by the contact test, or by FCL where that is open. What FCL needs of a
+            mesh takes as long to make as the mesh takes to read. */
         class PairCheck
         {
         public:
             PairCheck(const Arm &arm, const BodyPair &bodies)
               : pair(bodies)
               , body_(arm.getBodies()[bodies.first])
-              , other_({{arm.getBodies()[bodies.second], Pose::Identity()}}, 3)
+              , other_(arm.getBodies()[bodies.second])
+              , margin_(fclTolerance(shapesOf(other_), 0.0) + exactCheckTolerance(body_.getBoundingRadius()))
             {
             }
 
-            bool collides(const std::vector<Pose> &poses) const
+            bool collides(const std::vector<Pose> &poses)
             {
-                return other_.collides(body_, poses[pair.second].inverse() * poses[pair.first]);
+                const Pose pose = poses[pair.second].inverse() * poses[pair.first];
+                const Touching contact = touching(other_, body_, pose, margin_);
+                if (contact != Touching::UNKNOWN)
+                    return contact == Touching::YES;
+                if (!forFcl_)
+                    forFcl_ = std::make_unique<FclObstacles>(std::vector<PlacedBody>{{other_, Pose::Identity()}}, 3);
+                return forFcl_->collides(body_, pose);
             }
 
             const BodyPair pair;
 
         private:
-            const Body body_;
-            const FclObstacles other_;
+            const Body body_, other_;
+            const double margin_;
+            std::unique_ptr<FclObstacles> forFcl_;
         };
     }
 

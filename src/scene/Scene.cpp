@@ -188,6 +188,11 @@ namespace ompl_certificates
             return "an obstacle";
         };
         const auto obstacles = makeObstacles();
+        const auto collides = [&](const Body &body, const Pose &pose)
+        {
+            const Touching contact = obstacles->touches(body, pose);
+            return contact == Touching::UNKNOWN ? obstacles->collides(body, pose) : contact == Touching::YES;
+        };
         const ob::ScopedState<> state = makeState(team, coordinates);
         const auto *teamState = state.get()->as<TeamStateSpace::StateType>();
         std::vector<std::vector<Pose>> poses;
@@ -202,7 +207,7 @@ namespace ompl_certificates
             poses.emplace_back(robot.getBodies().size());
             robot.computePoses(teamState->components[i], poses.back().data());
             for (std::size_t k = 0; k < robot.getBodies().size(); ++k)
-                if (obstacles->collides(robot.getBodies()[k], poses[i][k]))
+                if (collides(robot.getBodies()[k], poses[i][k]))
                     throw ompl::Exception(source_, describe(i) + " touches " +
                                                        describeObstacle(robot.getBodies()[k], poses[i][k]));
         }

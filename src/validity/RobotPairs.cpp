@@ -81,14 +81,6 @@ namespace ompl_certificates
         }
 
     private:
-        static PlacedShapes shapesOf(const Body &body)
-        {
-            PlacedShapes shapes;
-            for (const auto &part : body.getParts())
-                shapes.push_back({part.shape, part.pose});
-            return shapes;
-        }
-
         void makeObstacles() const
         {
             std::call_once(made_,

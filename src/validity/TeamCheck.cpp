@@ -80,17 +80,21 @@ namespace ompl_certificates
             }
         }
 
-        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a
-            tenth of a second. */
-        void prepareBodies(const Team &team)
+        /** Builds what FCL alone needs of the robots' bodies, or else the trees and covers of their meshes. That is done
+            now, not within the first check: 10^5 triangles take a tenth of a second. The other methods hardly ask FCL,
+            so its part waits until they do. */
+        void prepareBodies(const Team &team, bool isForFcl)
         {
             for (const auto &robot : team.getRobots())
                 for (const Body &body : robot->getBodies())
                 {
-                    body.getConvexCovers();
+                    if (!isForFcl)
+                        body.getConvexCovers();
                     for (const auto &part : body.getParts())
-                        if (const TriangleMesh *mesh = part.shape.getMesh())
+                        if (const TriangleMesh *mesh = part.shape.getMesh(); mesh && !isForFcl)
                             mesh->getTree();
+                        else if (isForFcl)
+                            part.shape.getCollisionGeometry();
                 }
         }
     }
@@ -134,8 +138,7 @@ namespace ompl_certificates
             if (first == second)
                 robotSubjects_[first].push_back(subjects_.back());
         }
-        if (method != Method::FCL)
-            prepareBodies(team_);
+        prepareBodies(team_, method == Method::FCL);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const

@@ -4,6 +4,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
+#include <thread>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -185,4 +186,25 @@ TEST(Shape, EqualsOnlyItsLike)
         others{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
     EXPECT_TRUE(Shape::polytope(2, corners) == Shape::polytope(2, corners));
     EXPECT_FALSE(Shape::polytope(2, corners) == Shape::polytope(2, others));
+}
+
+TEST(ShapeThreads, MakeOneGeometryForFclAndAllItsCopies)
+{
+    for (unsigned int seed = 1; seed <= scaled(50); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Shape shape = randomShape(random, 3, 1.0), copy = shape;
+        const Shape *const asked[]{&shape, &copy, &shape};
+        double radius[3];
+        std::vector<std::thread> threads;
+        for (std::size_t i = 0; i < 3; ++i)
+            threads.emplace_back([&, i] { radius[i] = asked[i]->getCollisionGeometry()->aabb_radius; });
+        for (auto &thread : threads)
+            thread.join();
+        EXPECT_GT(radius[0], 0.0);
+        EXPECT_EQ(radius[0], radius[1]);
+        EXPECT_EQ(radius[0], radius[2]);
+        EXPECT_EQ(shape.getCollisionGeometry(), copy.getCollisionGeometry());
+    }
 }
