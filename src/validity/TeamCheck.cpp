@@ -91,10 +91,10 @@ namespace ompl_certificates
                     if (!isForFcl)
                         body.getConvexCovers();
                     for (const auto &part : body.getParts())
-                        if (const TriangleMesh *mesh = part.shape.getMesh(); mesh && !isForFcl)
-                            mesh->getTree();
-                        else if (isForFcl)
+                        if (isForFcl)
                             part.shape.getCollisionGeometry();
+                        else if (const TriangleMesh *mesh = part.shape.getMesh())
+                            mesh->getTree();
                 }
         }
     }
