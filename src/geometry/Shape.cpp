@@ -120,8 +120,7 @@ namespace ompl_certificates
     {
         if (!(radius >= 0.0) || !std::isfinite(radius))
             throw ompl::Exception("The radius must be finite and not negative, not " + std::to_string(radius));
-        Shape shape(Kind::BALL, dimension, radius, Eigen::Vector3d::Zero());
-        return shape;
+        return {Kind::BALL, dimension, radius, Eigen::Vector3d::Zero()};
     }
 
     Shape Shape::box(const Eigen::Vector2d &size)
@@ -143,14 +142,12 @@ namespace ompl_certificates
     Shape Shape::capsule(unsigned int dimension, double radius, double length)
     {
         checkedSize("length", length);
-        Shape shape(Kind::CAPSULE, dimension, checkedSize("radius", radius), {0.0, 0.0, length});
-        return shape;
+        return {Kind::CAPSULE, dimension, checkedSize("radius", radius), {0.0, 0.0, length}};
     }
 
     Shape Shape::cylinder(double radius, double length)
     {
-        Shape shape(Kind::CYLINDER, 3, checkedSize("radius", radius), {0.0, 0.0, checkedSize("length", length)});
-        return shape;
+        return {Kind::CYLINDER, 3, checkedSize("radius", radius), {0.0, 0.0, checkedSize("length", length)}};
     }
 
     Shape Shape::polytope(unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
