@@ -84,10 +84,7 @@ namespace ompl_certificates
             const ZInterval &meshes = surface_->getZInterval();
             if (std::any_of(shapes.begin(), shapes.end(), isMesh))
                 prismHeight = std::max(0.0, meshes.high - meshes.low);
-            check_ = std::make_unique<PlanarCheck>(shapes, meshes);
         }
-        else
-            check_ = std::make_unique<SpatialCheck>(shapes);
         tolerance_ = fclTolerance(shapes, prismHeight);
         primitives_ = std::make_unique<PrimitiveList>(shapes);
         contactTest_ = std::make_unique<ContactTest>(*surface_, *primitives_, dimension, tolerance_);
@@ -103,7 +100,21 @@ namespace ompl_certificates
 
     bool FclObstacles::collides(const Body &body, const Pose &pose) const
     {
-        return check_->collides(body, pose);
+        return fclCheck().collides(body, pose);
+    }
+
+    const FclCheck &FclObstacles::fclCheck() const
+    {
+        std::call_once(fclCheckMade_,
+                       [this]
+                       {
+                           const PlacedShapes shapes = placed(bodies_, dimension_);
+                           if (dimension_ == 2)
+                               fclCheck_ = std::make_unique<PlanarCheck>(shapes, surface_->getZInterval());
+                           else
+                               fclCheck_ = std::make_unique<SpatialCheck>(shapes);
+                       });
+        return *fclCheck_;
     }
 
     double FclObstacles::clearance(const Eigen::Vector3d &point) const

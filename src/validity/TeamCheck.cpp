@@ -80,22 +80,27 @@ namespace ompl_certificates
             }
         }
 
-        /** Builds what FCL alone needs of the robots' bodies, or else the trees and covers of their meshes. That is done
-            now, not within the first check: 10^5 triangles take a tenth of a second. The other methods hardly ask FCL,
-            so its part waits until they do. */
-        void prepareBodies(const Team &team, bool isForFcl)
+        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a
+            tenth of a second. */
+        void prepareBodies(const Team &team)
         {
             for (const auto &robot : team.getRobots())
                 for (const Body &body : robot->getBodies())
                 {
-                    if (!isForFcl)
-                        body.getConvexCovers();
+                    body.getConvexCovers();
                     for (const auto &part : body.getParts())
-                        if (isForFcl)
-                            part.shape.getCollisionGeometry();
-                        else if (const TriangleMesh *mesh = part.shape.getMesh())
+                        if (const TriangleMesh *mesh = part.shape.getMesh())
                             mesh->getTree();
                 }
+        }
+
+        /** Has the obstacles make what FCL needs of them and of the robots' bodies, as they do when first asked about
+            these. The methods that hardly ask FCL wait until they do. */
+        void prepareFcl(const Team &team, const Obstacles &obstacles)
+        {
+            for (const auto &robot : team.getRobots())
+                for (const Body &body : robot->getBodies())
+                    obstacles.collides(body, Pose::Identity());
         }
     }
 
@@ -138,7 +143,10 @@ namespace ompl_certificates
             if (first == second)
                 robotSubjects_[first].push_back(subjects_.back());
         }
-        prepareBodies(team_, method == Method::FCL);
+        if (method == Method::FCL)
+            prepareFcl(team_, *obstacles_);
+        else
+            prepareBodies(team_);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const

@@ -2,9 +2,11 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
+#include <atomic>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/util/Exception.h>
+#include <thread>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -307,5 +309,28 @@ TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
         EXPECT_FALSE(obstacles.collides(body, planarPose(5.0, 0.0, 0.3)));
         const FclObstacles again({{body}}, body.getDimension());
         EXPECT_EQ(radius, before);
+    }
+}
+
+/** What FCL needs is made when it is first asked for, here by all threads at once. */
+TEST(MeshObstaclesThreads, AskFclForTheFirstTime)
+{
+    for (unsigned int seed = 1; seed <= scaled(30); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const auto bodyOf = [&](const TriangleMeshPtr &mesh)
+        { return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh); };
+        const FclObstacles obstacles({{bodyOf(boxMesh({2, 2, 10})), Pose::Identity()}}, dimension);
+        const Body body = bodyOf(boxMesh({1, 1, 1}));
+        const double x = random.uniform(1.0, 2.0);
+        std::atomic<unsigned int> wrong{0};
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 4; ++i)
+            threads.emplace_back([&] { wrong += obstacles.collides(body, planarPose(x, 0.0)) != (x < 1.5) ? 1 : 0; });
+        for (auto &thread : threads)
+            thread.join();
+        EXPECT_EQ(wrong, 0U);
     }
 }

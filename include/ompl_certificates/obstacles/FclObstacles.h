@@ -6,6 +6,7 @@
 
 #include <fcl/narrowphase/collision_object.h>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace ompl_certificates
@@ -101,6 +102,10 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief FCL's view of the obstacles. It is made when it is first asked for: that takes most of the time and
+            memory of a mesh, and the contact test leaves FCL little to do. */
+        const FclCheck &fclCheck() const;
+
         unsigned int dimension_;
         ZInterval zInterval_;
         std::vector<PlacedBody> bodies_;
@@ -108,7 +113,8 @@ namespace ompl_certificates
         std::unique_ptr<ClearanceTree> clearances_;
         std::unique_ptr<MeshSurface> surface_;
         std::unique_ptr<PrimitiveList> primitives_;
-        std::unique_ptr<FclCheck> check_;
+        mutable std::once_flag fclCheckMade_;
+        mutable std::unique_ptr<const FclCheck> fclCheck_;
         std::unique_ptr<ContactTest> contactTest_;
         double tolerance_{0.0};
     };
