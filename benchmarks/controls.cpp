@@ -47,7 +47,7 @@ namespace
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
-    /** What the clock says of nothing: its own time, a third of some checks */
+    /** The time between two readings of the clock with nothing between them: up to a third of a check here */
     double secondsOfTheClock()
     {
         constexpr unsigned int count = 100000;

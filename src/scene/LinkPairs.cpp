@@ -83,8 +83,8 @@ namespace ompl_certificates
             std::mt19937_64 random_{1};
         };
 
-        /** Whether two bodies of an arm collide: by the contact test, or by FCL where that is open. What FCL needs of a
-            mesh takes as long to make as the mesh takes to read. */
+        /** Whether two bodies of an arm collide: by the contact test, or by FCL where that leaves it open. FCL is
+            seldom asked, so what it needs of the bodies is made then. */
         class PairCheck
         {
         public:

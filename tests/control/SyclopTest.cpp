@@ -66,7 +66,7 @@ namespace
         const auto &si = setup.getSpaceInformation();
         setup.setPlanner(std::make_shared<Planner>(si, std::make_shared<Grid>(setup.getStateSpace())));
         setup.setup();
-        // Syclop asks some hundred times within each of its rounds.
+        // Syclop asks whether to end for each selection of a region, not only for each round.
         ob::IterationTerminationCondition limit(10000);
         Plan plan{setup.solve(limit) == ob::PlannerStatus::EXACT_SOLUTION, {}};
         ob::PlannerData data(si);

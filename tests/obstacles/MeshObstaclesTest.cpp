@@ -320,10 +320,8 @@ TEST(MeshObstaclesThreads, AskFclForTheFirstTime)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const unsigned int dimension = 2 + seed % 2;
-        const auto bodyOf = [&](const TriangleMeshPtr &mesh)
-        { return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh); };
-        const FclObstacles obstacles({{bodyOf(boxMesh({2, 2, 10})), Pose::Identity()}}, dimension);
-        const Body body = bodyOf(boxMesh({1, 1, 1}));
+        const FclObstacles obstacles({{meshBody(dimension, boxMesh({2, 2, 10}))}}, dimension);
+        const Body body = meshBody(dimension, boxMesh({1, 1, 1}));
         const double x = random.uniform(1.0, 2.0);
         std::atomic<unsigned int> wrong{0};
         std::vector<std::thread> threads;

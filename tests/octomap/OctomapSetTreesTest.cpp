@@ -1,4 +1,4 @@
-// Plans in a map that changes: the trees are those of a fresh map, and checks of other threads see one map or the other.
+// Plans in a map that changes: the trees are those of a fresh map. Checks of other threads see one map or the other.
 
 #include "MapTeams.h"
 #include "MapTrees.h"
@@ -64,8 +64,8 @@ TEST(OctomapSetTrees, AreThoseOfAFreshMap)
     EXPECT_GT(kept, 0U);
 }
 
-/** Some threads check states while another lets the map change, there and back. A state that both maps agree on has that
-    verdict at all times; any other state that of the map before the call or after it. */
+/** Some threads check states while another lets the map change again and again. A verdict must be that of one of the
+    maps there were during the check. */
 TEST(OctomapSetThreads, SeeOneMapOrTheOther)
 {
     for (const unsigned int dimension : {2U, 3U})

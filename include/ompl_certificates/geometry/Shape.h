@@ -117,8 +117,8 @@ namespace ompl_certificates
         static constexpr double FCL_SCALE = 1024.0;
 
         /** \brief The shape as FCL sees it, FCL_SCALE times as large, shared by all copies. It is made when it is first
-            asked for, which any thread may do. Cost then: n log n for the n triangles of a mesh, whose bounding volumes
-            FCL arranges; some 0.1 s for 10^5. */
+            asked for, which any thread may do. Cost then: n log n for the n triangles of a mesh, for FCL's tree of
+            bounding volumes; later nothing. */
         const std::shared_ptr<fcl::CollisionGeometryd> &getCollisionGeometry() const;
 
         /** \brief Whether the two are the same shape in the same frame */
@@ -127,7 +127,7 @@ namespace ompl_certificates
     private:
         Shape(Kind kind, unsigned int dimension, double radius, const Eigen::Vector3d &size);
 
-        /** \brief The shape as FCL sees it, once it has been asked for */
+        /** \brief Where the shape as FCL sees it is kept, for all copies */
         struct ForFcl;
 
         std::shared_ptr<fcl::CollisionGeometryd> makeCollisionGeometry() const;
