@@ -44,15 +44,19 @@ namespace ompl_certificates
             Touching all_{Touching::NO};
             unsigned int unknown_{0};
         };
+
+        Eigen::AlignedBox3d boxOf(const TriangleTree::Facet &triangle)
+        {
+            const auto &[a, b, c] = triangle.corners;
+            return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+        }
     }
 
     Touching TriangleTree::touches(const Facet &triangle, double margin) const
     {
         if (nodes_.empty())
             return Touching::NO;
-        Eigen::AlignedBox3d box;
-        for (const auto &corner : triangle.corners)
-            box.extend(corner);
+        const Eigen::AlignedBox3d box = boxOf(triangle);
         const double slack = margin + ROUNDING * (extent_ + (box.center() - origin_).norm());
         const Eigen::Vector3f low = (box.min() - origin_).cast<float>().array() - static_cast<float>(slack);
         const Eigen::Vector3f high = (box.max() - origin_).cast<float>().array() + static_cast<float>(slack);
@@ -110,9 +114,16 @@ namespace ompl_certificates
             const Open pair = stack[--open];
             if (isLeaf(pair.here) && isLeaf(pair.there))
             {
+                // Half of the other leaf's triangles, or more, lie beside this leaf's box.
+                Eigen::AlignedBox3d box(origin_ + (pair.boxHere.center - pair.boxHere.half).cast<double>(),
+                                        origin_ + (pair.boxHere.center + pair.boxHere.half).cast<double>());
+                box.min().array() -= slack;
+                box.max().array() += slack;
                 for (std::uint32_t j = firstOf(pair.there), lastJ = j + countOf(pair.there); j < lastJ; ++j)
                 {
                     const Facet triangle(other.triangles_[j], pose);
+                    if (!box.intersects(boxOf(triangle)))
+                        continue;
                     for (std::uint32_t i = firstOf(pair.here), lastI = i + countOf(pair.here); i < lastI; ++i)
                         if (answers.note(crossing(triangles_[i], triangle, margin), i, hit))
                             return answers.get();
