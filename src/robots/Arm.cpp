@@ -94,6 +94,11 @@ namespace ompl_certificates
             pairBounds[i] = {bound(model_->pairChains[2 * i]), bound(model_->pairChains[2 * i + 1])};
     }
 
+    std::shared_ptr<JointCells> Arm::getJointCells(std::size_t pair) const
+    {
+        return model_->getJointCells(pair);
+    }
+
     bool Arm::mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const
     {
         const auto *arm = dynamic_cast<const Arm *>(&other);

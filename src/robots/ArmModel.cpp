@@ -182,6 +182,43 @@ namespace ompl_certificates
         }
     }
 
+    std::optional<JointCells::Coordinate> ArmModel::coordinateOf(std::size_t coordinate, double reach) const
+    {
+        std::size_t first = 0;
+        for (const std::string &name : group)
+        {
+            const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
+            if (first == coordinate && isLimited(joint.type) && joint.lower < joint.upper)
+                return JointCells::Coordinate{coordinate, joint.lower, joint.upper, reach};
+            if (first == coordinate && joint.type == JointType::CONTINUOUS)
+                return JointCells::Coordinate{coordinate, -M_PI, M_PI, reach, true};
+            first += ompl_certificates::coordinatesOf(joint.type);
+        }
+        return {};
+    }
+
+    std::shared_ptr<JointCells> ArmModel::getJointCells(std::size_t pair) const
+    {
+        const auto [first, second] = pairs[pair];
+        const JointChain &chain = pairChains[2 * pair], &back = pairChains[2 * pair + 1];
+        LinkMemory::Pair key{bodies[first], bodies[second], {}, {}};
+        const std::map<std::size_t, double> others = back.reaches(frames, bodies[second].getBoundingRadius());
+        for (const auto &[coordinate, reach] : chain.reaches(frames, bodies[first].getBoundingRadius()))
+        {
+            const auto known = coordinateOf(coordinate, std::min(reach, others.at(coordinate)));
+            if (!known || key.coordinates.size() == JointCells::MOST_COORDINATES)
+                return nullptr;
+            key.coordinates.push_back(*known);
+        }
+        for (const std::size_t body : {first, second})
+        {
+            const Eigen::Matrix4d &pose = places[body].pose.matrix();
+            key.numbers.insert(key.numbers.end(), pose.data(), pose.data() + pose.size());
+        }
+        chain.describe(frames, key.numbers);
+        return tree.memory_->getCells(key);
+    }
+
     bool ArmModel::isPartWith(const ArmModel &other) const
     {
         return options.links && other.options.links && options.base.matrix() == other.options.base.matrix() &&

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_ROBOTS_ARM_MODEL_
 
 #include "JointChain.h"
+#include "LinkMemory.h"
 
 #include <ompl/base/StateSpace.h>
 #include <set>
@@ -44,6 +45,9 @@ namespace ompl_certificates
         /** \brief The frames of a state, in memory of this thread: valid until the next call */
         const JointFrames::Frame *framesOf(const ompl::base::State *state) const;
 
+        /** \brief See Arm::getJointCells() */
+        std::shared_ptr<JointCells> getJointCells(std::size_t pair) const;
+
         /** \brief A motion along the space's interpolation: in memory of this thread, valid until the next call */
         struct Motion
         {
@@ -67,6 +71,10 @@ namespace ompl_certificates
         void makeBodies();
         void makePairs();
         void requirePlane() const;
+
+        /** \brief The joint cell's coordinate for a coordinate of the group that bodies move along; none if it has no
+            bounds of its own or is a part of a PLANAR or FLOATING joint */
+        std::optional<JointCells::Coordinate> coordinateOf(std::size_t coordinate, double reach) const;
 
         bool isPlain_{false};
         std::vector<Component> components_;

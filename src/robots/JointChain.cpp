@@ -147,6 +147,30 @@ namespace ompl_certificates
         }
     }
 
+    std::map<std::size_t, double> JointChain::reaches(const JointFrames &frames, double radius) const
+    {
+        std::map<std::size_t, double> reaches;
+        for (const Step &step : steps_)
+        {
+            const Mover &mover = frames.getMovers()[step.mover];
+            const double reach = mover.kind == Kind::REVOLUTE ? step.reach + radius : 1.0;
+            reaches[mover.coordinate] += ROUNDED_UP * std::abs(mover.multiplier) * reach;
+        }
+        return reaches;
+    }
+
+    void JointChain::describe(const JointFrames &frames, std::vector<double> &numbers) const
+    {
+        for (const Step &step : steps_)
+        {
+            const Mover &mover = frames.getMovers()[step.mover];
+            const Eigen::Matrix4d &fixed = mover.fixed.matrix();
+            numbers.insert(numbers.end(), {step.sign, static_cast<double>(mover.kind),
+                                           static_cast<double>(mover.coordinate), mover.multiplier, mover.offset});
+            numbers.insert(numbers.end(), fixed.data(), fixed.data() + fixed.size());
+        }
+    }
+
     MotionBound JointChain::bound(const JointFrames &frames, const JointFrames::Frame *middle,
                                   const JointMotion *motions, bool within) const
     {

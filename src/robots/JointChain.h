@@ -4,6 +4,9 @@
 #include "JointFrames.h"
 #include "ompl_certificates/geometry/MotionBound.h"
 
+#include <map>
+#include <vector>
+
 namespace ompl_certificates
 {
     /** \brief How a frame moves in its parent along a motion */
@@ -38,6 +41,13 @@ namespace ompl_certificates
             Cost: some 10 ns for each joint between. */
         MotionBound bound(const JointFrames &frames, const JointFrames::Frame *middle, const JointMotion *motions,
                           bool within) const;
+
+        /** \brief For each coordinate of the joints between: how far any point at \e radius from the target's origin
+            moves while it changes by one, at most, if all joints keep to their limits */
+        std::map<std::size_t, double> reaches(const JointFrames &frames, double radius) const;
+
+        /** \brief Adds to \e numbers all that says how the target's frame moves in the observer's */
+        void describe(const JointFrames &frames, std::vector<double> &numbers) const;
 
     private:
         struct Step

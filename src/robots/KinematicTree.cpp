@@ -1,5 +1,7 @@
 #include "ompl_certificates/robots/KinematicTree.h"
 
+#include "LinkMemory.h"
+
 #include <cmath>
 #include <ompl/util/Exception.h>
 #include <sstream>
@@ -96,6 +98,7 @@ namespace ompl_certificates
     }
 
     KinematicTree::KinematicTree(const std::string &root, const std::optional<Body> &body)
+      : memory_(std::make_shared<LinkMemory>())
     {
         if (root.empty())
             throw ompl::Exception("A link needs a name");
@@ -133,6 +136,7 @@ namespace ompl_certificates
     KinematicTree KinematicTree::hungOn(const std::string &root, const Joint &joint) const
     {
         KinematicTree tree(root);
+        tree.memory_ = memory_;
         for (std::size_t i = 0; i < links_.size(); ++i)
         {
             Link link = links_[i];

@@ -11,6 +11,8 @@ namespace ompl_certificates
       , to(team.getRobotCount())
       , sampledAt(team.getRobotCount())
       , motionBounds(team.getBodyCount())
+      , placed(team.getRobotCount())
+      , sparePoses(team.getBodyCount())
       , knowsMotionBounds(team.getRobotCount())
       , knowsPairMotionBounds(team.getRobotCount())
       , bodyTimes(team.getBodyCount())
@@ -25,6 +27,7 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
         {
             samples.push_back(team.getRobotSpace(robot).allocState());
+            spare.push_back(team.getRobotSpace(robot).allocState());
             pairMotionBounds.emplace_back(team.getRobot(robot).getBodyPairs().size());
         }
     }
@@ -38,7 +41,10 @@ namespace ompl_certificates
     CheckContext::~CheckContext()
     {
         for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+        {
             team.getRobotSpace(robot).freeState(samples[robot]);
+            team.getRobotSpace(robot).freeState(spare[robot]);
+        }
         team.getStateSpace()->freeState(sample);
         team.getStateSpace()->freeState(last);
     }

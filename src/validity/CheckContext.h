@@ -55,6 +55,13 @@ namespace ompl_certificates
         std::vector<MotionBound> motionBounds;
         std::vector<ompl::base::State *> samples;
 
+        /** \brief For each robot: the state that its poses are those of */
+        std::vector<const ompl::base::State *> placed;
+
+        /** \brief For each robot a state, and poses for its bodies, which anyone may use for a moment */
+        std::vector<ompl::base::State *> spare;
+        std::vector<Pose> sparePoses;
+
         /** \brief For each robot: the relative motion bounds of its own body pairs */
         std::vector<std::vector<PairMotionBound>> pairMotionBounds;
 
@@ -72,9 +79,15 @@ namespace ompl_certificates
         /** \brief Notes that a body, or a pair of bodies, is free at less than \e interval from \e time */
         void noteFree(ProvenTimes &times, double time, double interval) const
         {
-            const double most = std::min(interval, 1.0) * (1.0 - OVERLAP);
-            if (most > 0.0)
-                times.add(motion, {time - most, time + most});
+            noteFree(times, time, interval, interval);
+        }
+
+        /** \brief The same if it is free for so long before \e time, and so long after */
+        void noteFree(ProvenTimes &times, double time, double before, double after) const
+        {
+            constexpr double most = 1.0 - OVERLAP;
+            if (before > 0.0 || after > 0.0)
+                times.add(motion, {time - most * std::min(before, 1.0), time + most * std::min(after, 1.0)});
         }
 
         /** \brief Intervals overlap by this fraction, which pays for the rounding of times */

@@ -51,6 +51,24 @@ namespace ompl_certificates
             return {true, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
         }
 
+        /** \brief Takes into account the verdict about one of them */
+        void narrow(const SubjectVerdict &one)
+        {
+            free = free && one.free;
+            before = std::min(before, one.before);
+            after = std::min(after, one.after);
+        }
+
+        /** \brief Takes into account that this, too, was found to be free, and for how long */
+        void widen(const PoseVerdict &other)
+        {
+            if (!other.free)
+                return;
+            free = true;
+            before = std::max(before, other.validInterval);
+            after = std::max(after, other.validInterval);
+        }
+
         /** \brief Takes into account that one of them stays free for no longer than this */
         void narrow(double least)
         {

@@ -59,7 +59,13 @@ namespace ompl_certificates
         {
             if (body_.getDimension() == 2)
                 return getObstacles().touches(other, pose, nullptr);
-            return touching(body_, other, pose, tolerance_ + exactCheckTolerance(other.getBoundingRadius()));
+            return touching(body_, other, pose, getContactMargin(other));
+        }
+
+        /** \brief The margin of the contact test of bodies of space */
+        double getContactMargin(const Body &other) const
+        {
+            return tolerance_ + exactCheckTolerance(other.getBoundingRadius());
         }
 
         const FclObstacles &getObstacles() const
@@ -167,6 +173,10 @@ namespace ompl_certificates
                 TwoBodies bodies = makeTwoBodies(team, i, own[k].first, i, own[k].second);
                 bodies.robot = i;
                 bodies.ownPair = k;
+                if (const auto cells = makesCertificates(method) ? team.getRobot(i).getJointCells(k) : nullptr;
+                    cells && bodies.frame)
+                    bodies.cells.emplace(i, team.getRobot(i), k, cells, bodies.margin,
+                                         bodies.frame->getContactMargin(bodies.lookedUp()));
                 pairs_.back().bodies.push_back(bodies);
             }
         }
@@ -229,40 +239,63 @@ namespace ompl_certificates
                     whole.narrow(*known, sample.time);
                     continue;
                 }
-            const PoseVerdict one = settleTwo(all[i], firstBodyPairs_[pair] + i, context, sample);
-            whole.free = one.free;
+            const SubjectVerdict one = settleTwo(all[i], firstBodyPairs_[pair] + i, context, sample);
+            whole.narrow(one);
             if (!one.free)
                 context.lastCollidingPair[pair] = i;
-            whole.narrow(one.validInterval);
-            if (usesOtherTimes && one.free)
-                context.noteFree(times[i], sample.time, one.validInterval);
+            else if (usesOtherTimes)
+                context.noteFree(times[i], sample.time, one.before, one.after);
         }
         return whole;
     }
 
-    PoseVerdict RobotPairs::settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
-                                      const MotionSample &sample) const
+    SubjectVerdict RobotPairs::settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
+                                         const MotionSample &sample) const
     {
-        PoseVerdict verdict;
+        SubjectVerdict verdict;
         const double gap = bodies.gap(context);
         const double speed = sample.moves ? bodies.speed(context) : 0.0;
         if (gap > bodies.margin + (sample.requiredInterval > 0.0 ? sample.requiredInterval * speed : 0.0))
         {
             verdict.free = true;
-            verdict.validInterval = intervalOf(gap, bodies.margin, speed);
-            if (!bodies.frame || !searchesGaps(sample) || verdict.validInterval >= SHORT_STRETCH)
+            verdict.before = verdict.after = intervalOf(gap, bodies.margin, speed);
+            if (!bodies.frame || !searchesGaps(sample) || verdict.after >= SHORT_STRETCH)
                 return verdict;
-            const PoseVerdict closer =
-                settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context), LONG_STRETCH,
-                            context.bodyPairDirections[number]);
-            return closer.validInterval > verdict.validInterval ? closer : verdict;
         }
-        if (!bodies.frame)
+        else if (!bodies.frame)
         {
             verdict.free = gap > 0.0 && sample.requiredInterval == 0.0;  // False for NaN
             return verdict;
         }
-        return settleBodies(bodies, number, context, sample);
+        if (bodies.cells && sample.requiredInterval == 0.0 && settleByCells(*bodies.cells, context, sample, verdict))
+            return verdict;
+        verdict.widen(verdict.free
+                          ? settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context),
+                                        LONG_STRETCH, context.bodyPairDirections[number])
+                          : settleBodies(bodies, number, context, sample));
+        return verdict;
+    }
+
+    bool RobotPairs::settleByCells(const JointCellCheck &cells, CheckContext &context, const MotionSample &sample,
+                                   SubjectVerdict &verdict) const
+    {
+        // Where the bounding spheres are apart, new cells are not worth their proof.
+        switch (verdict.free ? cells.find(context) : cells.settle(context))
+        {
+            case JointCells::Answer::TOUCHING:
+                return true;
+            case JointCells::Answer::APART:
+                break;
+            default:
+                return false;
+        }
+        verdict.free = true;
+        if (!searchesGaps(sample))
+            return true;
+        const auto [before, after] = cells.apartFor(context);
+        verdict.before = std::max(verdict.before, before);
+        verdict.after = std::max(verdict.after, after);
+        return std::max(before, after) >= SHORT_STRETCH;
     }
 
     PoseVerdict RobotPairs::settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
 
 #include "CheckMethod.h"
+#include "JointCellCheck.h"
 
 #include "certificates/CertificateLimit.h"
 
@@ -110,6 +111,9 @@ namespace ompl_certificates
             /** \brief Whether all centers of either body's sphere tree lie within its bounding radius */
             bool centersWithin{false};
 
+            /** \brief The joint cells of two bodies of one robot, if it has some */
+            std::optional<JointCellCheck> cells{};
+
             /** \brief The body that is looked up in the frame of the other */
             const Body &lookedUp() const
             {
@@ -147,8 +151,14 @@ namespace ompl_certificates
         }
 
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */
-        PoseVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
-                              const MotionSample &sample) const;
+        SubjectVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
+                                 const MotionSample &sample) const;
+
+        /** \brief Settles two bodies by their joint cells, if these have an answer
+            \param verdict what their bounding spheres say; takes the times at which the cells know them apart
+            \return whether the verdict stands */
+        bool settleByCells(const JointCellCheck &cells, CheckContext &context, const MotionSample &sample,
+                           SubjectVerdict &verdict) const;
 
         /** \brief Settles two bodies in the environment's frame, where their bounding spheres do not decide */
         PoseVerdict settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,

@@ -206,6 +206,7 @@ namespace ompl_certificates
         void place(unsigned int robot, const ompl::base::State *robotState, CheckContext &context) const
         {
             team_.getRobot(robot).placeBodies(robotState, context.poses.data() + team_.getFirstBody(robot));
+            context.placed[robot] = robotState;
         }
 
         /** \brief Takes the references of \e state as hints; those of \e other for a body that has none */

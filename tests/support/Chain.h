@@ -3,6 +3,7 @@
 
 #include "RandomBodies.h"
 
+#include "ompl_certificates/robots/JointCells.h"
 #include "ompl_certificates/robots/Robot.h"
 
 #include <cmath>
@@ -35,6 +36,9 @@ namespace ompl_certificates
               , links_(std::move(links))
               , factor_(factor)
             {
+                for (const BodyPair &pair : getBodyPairs())
+                    cells_.push_back(
+                        makeCells(std::min(pair.first, pair.second) + 1, std::max(pair.first, pair.second) + 1));
             }
 
             void computePoses(const ompl::base::State *state, Pose *poses) const override
@@ -75,6 +79,11 @@ namespace ompl_certificates
                     *pairBounds++ =
                         pair.first < pair.second ? PairMotionBound{earlier, later} : PairMotionBound{later, earlier};
                 }
+            }
+
+            std::shared_ptr<JointCells> getJointCells(std::size_t pair) const override
+            {
+                return cells_[pair];
             }
 
         private:
@@ -148,8 +157,24 @@ namespace ompl_certificates
                 return bound;
             }
 
+            /** \brief For the joints between link \e first - 1 and link \e end - 1 */
+            std::shared_ptr<JointCells> makeCells(std::size_t first, std::size_t end) const
+            {
+                std::vector<JointCells::Coordinate> coordinates;
+                const double radius = links_[end - 1].body.getBoundingRadius();
+                for (std::size_t joint = first; joint < end; ++joint)
+                {
+                    const double most = turns(joint) ? M_PI : links_[joint].slide;
+                    const double far = factor_ * (turns(joint) ? reach(joint + 1, end) + radius : 1.0);
+                    coordinates.push_back({joint, -most, most, far, turns(joint)});
+                }
+                return end - first <= JointCells::MOST_COORDINATES ? std::make_shared<JointCells>(coordinates)
+                                                                   : nullptr;
+            }
+
             std::vector<Link> links_;
             double factor_;
+            std::vector<std::shared_ptr<JointCells>> cells_;
         };
 
         /** \brief All pairs of \e count links but those that follow each other */

@@ -2,6 +2,8 @@
 
 #include "validity/RobotPairs.h"
 
+#include "ompl_certificates/robots/Arm.h"
+
 #include "support/Chain.h"
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
@@ -150,6 +152,9 @@ TEST_P(SelfCollision, IsExcludedForAsLongAsAValidIntervalSays)
         robot->computePairMotionBounds(from.get(), to.get(), context.motionBounds.data(),
                                        context.pairMotionBounds[0].data());
         ob::ScopedState<> at(space);
+        context.from[0] = from.get();
+        context.to[0] = to.get();
+        context.placed[0] = at.get();
         const auto moveTo = [&](double time)
         {
             space->interpolate(from.get(), to.get(), time, at.get());
@@ -227,7 +232,78 @@ TEST_P(SelfCollision, NeverOccursInMotionsAcceptedByTheContinuousMode)
     EXPECT_GT(refused, scaled(20));
 }
 
+TEST_P(SelfCollision, IsTheSameAnywhereInTheCellOfAStateThatWasChecked)
+{
+    unsigned int touching = 0, apart = 0;
+    for (unsigned int seed = 0; seed < scaled(100); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const RobotPtr robot = randomChain(random, GetParam());
+        const auto team = teamOf({robot});
+        const Checkers checkers(team, noObstacles(GetParam()));
+        for (int i = 0; i < 10; ++i)
+        {
+            const auto middle = randomState(random, team);
+            for (int k = 0; k < 12; ++k)
+            {
+                const auto state = randomStateNear(random, middle, random.logUniform(1e-3, 0.1));
+                const bool touches = touchesItself(*robot, state->as<ob::CompoundState>()->components[0]);
+                ++(touches ? touching : apart);
+                for (const auto &setup : checkers.setups)
+                    ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), !touches)
+                        << nameOf(setup->getTeamChecker()->getMethod());
+            }
+        }
+    }
+    EXPECT_GT(touching, scaled(1000));
+    EXPECT_GT(apart, scaled(1000));
+}
+
 INSTANTIATE_TEST_SUITE_P(Dimension, SelfCollision, testing::Values(2U, 3U));
+
+TEST(SelfCollisions, BeginWithinACellWhereFclSaysSo)
+{
+    // A small box at the end of a bar of length 1 turns towards a wall through the axis: points of it move hardly less
+    // than their reach, so that a cell which reaches too far is found out.
+    unsigned int touching = 0, apart = 0;
+    for (unsigned int seed = 0; seed < scaled(200); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double angle = random.uniform(-2.0, 2.0), half = 0.01;
+        Pose wall = Pose::Identity();
+        wall.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+        wall.translate(Eigen::Vector3d(1.0, 0.25, 0.0));
+        KinematicTree tree("wall", Body({{Shape::box(Eigen::Vector3d(0.5, 0.5, 0.5)), wall}}));
+        KinematicTree::Joint joint;
+        joint.name = "joint";
+        joint.type = KinematicTree::JointType::REVOLUTE;
+        joint.lower = random.uniform(-3.0, -2.5);
+        joint.upper = random.uniform(2.5, 3.0);
+        tree.addLink(
+            "wall", joint, "end",
+            Body({{Shape::box(Eigen::Vector3d(2.0 * half, 2.0 * half, 2.0 * half)), poseAt({1.0, 0.0, 0.0})}}));
+        ArmOptions options;
+        options.linkPairs = {{"wall", "end"}};
+        const auto arm = std::make_shared<const Arm>("arm", tree, std::vector<std::string>{"joint"}, options);
+        ASSERT_TRUE(arm->getJointCells(0));
+        const auto team = teamOf({arm});
+        const Checkers checkers(team, noObstacles(3));
+        for (int i = 0; i < 60; ++i)
+        {
+            ob::ScopedState<> state(team);
+            state[0] = angle - half + random.uniform(-0.01, 0.01);
+            const bool touches = touchesItself(*arm, state->as<ob::CompoundState>()->components[0]);
+            ++(touches ? touching : apart);
+            for (const auto &setup : checkers.setups)
+                ASSERT_EQ(setup->getTeamChecker()->isValid(state.get()), !touches)
+                    << nameOf(setup->getTeamChecker()->getMethod());
+        }
+    }
+    EXPECT_GT(touching, scaled(3000));
+    EXPECT_GT(apart, scaled(3000));
+}
 
 TEST(SelfCollisions, IsSaidWithTheBodies)
 {

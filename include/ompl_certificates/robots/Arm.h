@@ -108,6 +108,10 @@ namespace ompl_certificates
         void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                      const MotionBound *bodyBounds, PairMotionBound *pairBounds) const override;
 
+        /** \brief See Robot. There are cells if the group moves up to three joints between the two links, none of them
+            PLANAR or FLOATING. Arms of copies of a tree share them. */
+        std::shared_ptr<JointCells> getJointCells(std::size_t pair) const override;
+
         /** \brief False if \e other is a part of the same mechanism and the two links are none of the pairs that may
             collide; see ArmOptions::links. Costs a comparison of the trees. */
         bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;

@@ -4,17 +4,20 @@
 #include "ompl_certificates/geometry/Body.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ompl_certificates
 {
+    class LinkMemory;
+
     /** \brief Links and the joints between them, as in a URDF file: every link but the root has one joint, to its
         parent.
 
         A tree says what can move; an Arm says which of its joints do. Lengths are in the scene's unit, angles in
-        radians. Copies share the bodies. */
+        radians. Copies share the bodies, and what checkers find out about pairs of links; see JointCells. */
     class KinematicTree
     {
     public:
@@ -149,8 +152,11 @@ namespace ompl_certificates
         bool operator==(const KinematicTree &other) const;
 
     private:
+        friend class ArmModel;
+
         std::size_t add(Link link);
 
+        std::shared_ptr<LinkMemory> memory_;
         std::vector<Link> links_;
         std::map<std::string, std::size_t> linkIndices_, jointIndices_;
     };

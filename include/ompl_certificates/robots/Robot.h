@@ -12,6 +12,8 @@
 
 namespace ompl_certificates
 {
+    class JointCells;
+
     /** \brief One member of a team: its component of the team's state space, and the bodies that it moves.
 
         Derive from this class to bring your own kind of robot, such as an arm. Say where each body is for a state, and
@@ -100,6 +102,17 @@ namespace ompl_certificates
             \param bodyBounds what computeMotionBounds() writes for the same motion */
         virtual void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                              const MotionBound *bodyBounds, PairMotionBound *pairBounds) const;
+
+        /** \brief The joint cells of a pair of bodies, if their relative pose depends on few coordinates. In them,
+            checkers remember where the two are apart. Null if there are none, as here.
+
+            Return the same cells each time, and share them among robots for which the relative pose is the same
+            function of the same coordinates, within the same bounds. Called when a checker is made, and never later.
+            \param pair the index in getBodyPairs() */
+        virtual std::shared_ptr<JointCells> getJointCells(std::size_t /*pair*/) const
+        {
+            return nullptr;
+        }
 
         /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both
             are free where one is. Such robots share a roadmap. False if in doubt, as here for all but the robot

@@ -1,0 +1,153 @@
+#ifndef OMPL_CERTIFICATES_ROBOTS_JOINT_CELLS_
+#define OMPL_CERTIFICATES_ROBOTS_JOINT_CELLS_
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What checks have found out about two bodies of a robot whose relative pose depends on few coordinates,
+        such as two links with up to three joints between them: where they are apart, and where they touch.
+
+        The values of these coordinates are divided into cells, on three levels; a cell has up to four parts along each
+        coordinate on the next level. Checkers settle a cell when they first need it, once and for all: it is the
+        certificate of two links, true of the robot alone, whatever the obstacles are. So all checkers of a robot, and
+        robots that are alike in this respect, can share it.
+
+        A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
+        them at once. Uses a byte for each cell: at most 350 kB. */
+    class JointCells
+    {
+    public:
+        /** \brief A coordinate that moves the two bodies relative to each other, such as that of a joint */
+        struct Coordinate
+        {
+            /** \brief Its index in the order of ompl::base::StateSpace::copyToReals() */
+            std::size_t index;
+
+            /** \brief The least value within its bounds. States outside are checked without cells. */
+            double lower;
+
+            /** \brief The greatest value within its bounds */
+            double upper;
+
+            /** \brief How far a point of one body moves in the frame of the other while this value alone changes by one,
+                at most; either body may be the one that moves. So distances between points of the two change by no
+                more. It must hold wherever all coordinates are within their bounds. One that is too large costs time;
+                one that is too small makes verdicts wrong. */
+            double reach;
+
+            /** \brief Whether it is an angle from -pi to pi that states interpolate the shorter way round */
+            bool wraps{false};
+        };
+
+        /** \brief The most coordinates */
+        static constexpr std::size_t MOST_COORDINATES = 3;
+
+        /** \brief The values of the coordinates, in their order; others are not used */
+        using Values = std::array<double, MOST_COORDINATES>;
+
+        /** \brief What is known of a cell */
+        enum class Answer : std::uint8_t
+        {
+            /// Nothing: it was not looked at.
+            UNKNOWN,
+            /// The gap between the bodies does not prove them apart. Their contact test may, if it pays.
+            NEAR,
+            /// No answer holds in the whole cell, as far as is known.
+            OPEN,
+            /// The bodies are apart.
+            APART,
+            /// They touch.
+            TOUCHING
+        };
+
+        /** \brief A cell, or none */
+        struct Cell
+        {
+            /** \brief The level, from 0 for the largest cells */
+            unsigned int level;
+
+            /** \brief The number of the cell among those of all levels */
+            std::size_t number;
+
+            /** \brief What is known of it */
+            Answer answer;
+        };
+
+        /** \brief Cells of which nothing is known
+            \param coordinates all coordinates on which the relative pose of the two bodies depends. None if it never
+            changes.
+            \throws ompl::Exception if there are more than MOST_COORDINATES, or if a bound or a reach is not finite, or
+            a lower bound not below the upper one, or a reach negative */
+        explicit JointCells(std::vector<Coordinate> coordinates);
+
+        /** \brief The coordinates on which the relative pose depends */
+        const std::vector<Coordinate> &getCoordinates() const
+        {
+            return coordinates_;
+        }
+
+        /** \brief The largest cell around \e values of which APART or TOUCHING holds; if there is none, the largest one
+            that is UNKNOWN or NEAR, and else the smallest one. OPEN, and no cell, if a value is beyond its bounds or
+            not a number. Cost: some 10 ns. */
+        Cell find(const Values &values) const;
+
+        /** \brief Whether a cell is one of the smallest */
+        static bool isSmallest(const Cell &cell)
+        {
+            return cell.level + 1 == LEVELS;
+        }
+
+        /** \brief Moves \e values to the middle of the cell that contains them
+            \return by how much the distance between any two points of the bodies changes, at most, from there to
+            anywhere in the cell */
+        double moveToMiddle(const Cell &cell, Values &values) const;
+
+        /** \brief Notes what is true of the whole cell */
+        void note(const Cell &cell, Answer answer)
+        {
+            answers_[cell.number].store(answer, std::memory_order_relaxed);
+        }
+
+        /** \brief How long the bodies are known to be apart before and after the time at which they are at \e values
+            \param change how the values change in one unit of time
+            \return the two times, at most 1 each; 0 if they are not known to be apart. Cost: some 10 ns for each cell
+            that is passed, of which it follows at most 24. */
+        std::array<double, 2> apartFor(const Values &values, const Values &change) const;
+
+    private:
+        static constexpr unsigned int LEVELS = 3;
+
+        /** \brief Which of the smallest cells along each coordinate */
+        using Index = std::array<std::uint32_t, MOST_COORDINATES>;
+
+        /** \brief The values in units of the smallest cells, from 0 to their number */
+        Values scaled(const Values &values) const;
+
+        /** \brief Finds the index of the smallest cell; false if there is none */
+        bool findIndex(const Values &scaled, Index &index) const;
+
+        Cell findAt(const Index &index) const;
+
+        /** \brief How long the bodies are apart from now on, at that speed in smallest cells */
+        double apartAfter(const Values &scaled, const Values &speed, Index index) const;
+
+        const std::vector<Coordinate> coordinates_;
+
+        /** \brief For each coordinate: the number of the smallest cells along it, and how many of them there are for each
+            unit */
+        Index counts_{};
+        Values scales_{};
+
+        /** \brief The number of the first cell of each level */
+        std::array<std::size_t, LEVELS> firsts_{};
+        std::unique_ptr<std::atomic<Answer>[]> answers_;
+    };
+}
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef OMPL_CERTIFICATES_ROBOTS_LINK_MEMORY_
+#define OMPL_CERTIFICATES_ROBOTS_LINK_MEMORY_
+
+#include "ompl_certificates/geometry/Body.h"
+#include "ompl_certificates/robots/JointCells.h"
+
+#include <list>
+#include <mutex>
+
+namespace ompl_certificates
+{
+    /** \brief The joint cells of pairs of links, shared by all arms that move two links alike. Any number of threads may
+        use it at once. */
+    class LinkMemory
+    {
+    public:
+        /** \brief Two links, and how they move relative to each other */
+        struct Pair
+        {
+            Body first, second;
+            std::vector<JointCells::Coordinate> coordinates;
+
+            /** \brief All other numbers on which the relative pose depends */
+            std::vector<double> numbers;
+        };
+
+        /** \brief The cells of a pair: new ones if there are none */
+        std::shared_ptr<JointCells> getCells(const Pair &pair);
+
+    private:
+        /** \brief So many pairs are remembered when no arm uses them any more: with grasped objects, new ones come and
+            go. Those of a robot of two arms are some 60. */
+        static constexpr std::size_t MOST_PAIRS = 128;
+
+        struct Known
+        {
+            Pair pair;
+            std::shared_ptr<JointCells> cells;
+        };
+
+        std::mutex mutex_;
+
+        /** \brief The one that was asked for last comes first. */
+        std::list<Known> known_;
+    };
+}
+
+#endif

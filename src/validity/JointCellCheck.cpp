@@ -1,0 +1,106 @@
+#include "JointCellCheck.h"
+
+#include "geometry/BodyContact.h"
+#include "geometry/ConvexCover.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <ompl/util/Exception.h>
+#include <string>
+
+namespace ompl_certificates
+{
+    using Answer = JointCells::Answer;
+
+    JointCellCheck::JointCellCheck(unsigned int robot, const Robot &description, std::size_t pair,
+                                   std::shared_ptr<JointCells> cells, double margin, double contactMargin)
+      : robot_(robot)
+      , description_(description)
+      , pair_(description.getBodyPairs()[pair])
+      , cells_(std::move(cells))
+      , margin_(margin)
+      , contactMargin_(contactMargin)
+    {
+        const auto &all = description.getStateSpace()->getValueLocations();
+        for (const JointCells::Coordinate &coordinate : cells_->getCoordinates())
+        {
+            if (coordinate.index >= all.size())
+                throw ompl::Exception(description.getName(), "its joint cells name coordinate " +
+                                                                 std::to_string(coordinate.index) + " of " +
+                                                                 std::to_string(all.size()));
+            locations_.push_back(all[coordinate.index]);
+        }
+    }
+
+    JointCells::Values JointCellCheck::valuesOf(const ompl::base::State *state) const
+    {
+        JointCells::Values values{};
+        for (std::size_t i = 0; i < locations_.size(); ++i)
+            values[i] = *description_.getStateSpace()->getValueAddressAtLocation(state, locations_[i]);
+        return values;
+    }
+
+    Answer JointCellCheck::settle(CheckContext &context) const
+    {
+        const JointCells::Values values = valuesOf(context.placed[robot_]);
+        while (true)
+        {
+            const JointCells::Cell cell = cells_->find(values);
+            if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::NEAR)
+                return cell.answer;
+            const Answer answer = prove(cell, context);
+            cells_->note(cell, answer);
+            if (answer == Answer::NEAR)
+                return answer;
+        }
+    }
+
+    Answer JointCellCheck::prove(const JointCells::Cell &cell, CheckContext &context) const
+    {
+        const auto &space = description_.getStateSpace();
+        ompl::base::State *middle = context.spare[robot_];
+        space->copyState(middle, context.placed[robot_]);
+        JointCells::Values values = valuesOf(middle);
+        const double within = cells_->moveToMiddle(cell, values);
+        for (std::size_t i = 0; i < locations_.size(); ++i)
+            *space->getValueAddressAtLocation(middle, locations_[i]) = values[i];
+        Pose *poses = context.sparePoses.data();
+        description_.placeBodies(middle, poses);
+        const Pose relative = poses[pair_.first].inverse() * poses[pair_.second];
+        const Body &first = description_.getBodies()[pair_.first], &second = description_.getBodies()[pair_.second];
+        if (cell.answer == Answer::UNKNOWN)
+        {
+            const double needed = margin_ + within;
+            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+            if (convexGap(first, second, relative, needed, needed, direction) > needed)
+                return Answer::APART;
+            const bool mayContactSettle =
+                JointCells::isSmallest(cell) && locations_.size() <= MOST_FOR_CONTACT && first.getDimension() == 3;
+            return mayContactSettle ? Answer::NEAR : Answer::OPEN;
+        }
+        switch (touching(first, second, relative, contactMargin_ + within))
+        {
+            case Touching::YES:
+                return Answer::TOUCHING;
+            case Touching::NO:
+                return Answer::APART;
+            case Touching::UNKNOWN:
+                break;
+        }
+        return Answer::OPEN;
+    }
+
+    std::array<double, 2> JointCellCheck::apartFor(const CheckContext &context) const
+    {
+        const JointCells::Values from = valuesOf(context.from[robot_]), to = valuesOf(context.to[robot_]);
+        JointCells::Values change{};
+        for (std::size_t i = 0; i < locations_.size(); ++i)
+        {
+            constexpr double turn = boost::math::constants::two_pi<double>();
+            change[i] = to[i] - from[i];
+            if (cells_->getCoordinates()[i].wraps && std::abs(change[i]) > 0.5 * turn)
+                change[i] -= std::copysign(turn, change[i]);
+        }
+        return cells_->apartFor(valuesOf(context.placed[robot_]), change);
+    }
+}

@@ -1,0 +1,51 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_JOINT_CELL_CHECK_
+#define OMPL_CERTIFICATES_VALIDITY_JOINT_CELL_CHECK_
+
+#include "CheckContext.h"
+
+#include "ompl_certificates/robots/JointCells.h"
+
+namespace ompl_certificates
+{
+    /** \brief Asks the joint cells of two bodies of a robot, and settles cells that are new */
+    class JointCellCheck
+    {
+    public:
+        /** \brief The check of a pair of a robot's bodies, which has \e cells
+            \param margin what a gap between the bodies must exceed for the exact check to find them apart
+            \param contactMargin the margin of their contact test */
+        JointCellCheck(unsigned int robot, const Robot &description, std::size_t pair,
+                       std::shared_ptr<JointCells> cells, double margin, double contactMargin);
+
+        /** \brief What is known of the two bodies where \e context has placed the robot: APART, TOUCHING or nothing */
+        JointCells::Answer find(const CheckContext &context) const
+        {
+            return cells_->find(valuesOf(context.placed[robot_])).answer;
+        }
+
+        /** \brief The same, but settles the cell if it is new: by the gap between convex covers, which costs less than
+            a microsecond. By the contact test, where that is what it takes, only when a cell is asked for again. */
+        JointCells::Answer settle(CheckContext &context) const;
+
+        /** \brief How long the bodies are known to be apart before and after the time of their poses, along the motion
+            that is checked */
+        std::array<double, 2> apartFor(const CheckContext &context) const;
+
+    private:
+        /** \brief Only with up to so many coordinates are cells so small that the contact test settles them. */
+        static constexpr std::size_t MOST_FOR_CONTACT = 2;
+
+        JointCells::Values valuesOf(const ompl::base::State *state) const;
+
+        JointCells::Answer prove(const JointCells::Cell &cell, CheckContext &context) const;
+
+        const unsigned int robot_;
+        const Robot &description_;
+        const BodyPair pair_;
+        const std::shared_ptr<JointCells> cells_;
+        const double margin_, contactMargin_;
+        std::vector<ompl::base::StateSpace::ValueLocation> locations_;
+    };
+}
+
+#endif
