@@ -45,24 +45,21 @@ namespace ompl_certificates
                                   std::to_string(coordinates_.size()));
         constexpr std::uint32_t parts = 1U << shiftOf(0, LEVELS);
         std::size_t all = 1;
+        Values widths{};  // how far each coordinate moves points within a cell
         for (std::size_t i = 0; i < coordinates_.size(); ++i)
         {
-            require(coordinates_[i]);
+            const Coordinate &one = coordinates_[i];
+            require(one);
             counts_[i] = parts;
             all *= parts;
+            widths[i] = one.reach * (one.upper - one.lower) / parts;
         }
-        // How far a coordinate moves points within a cell: those that move them farther have more cells.
-        const auto farthest = [this](const Coordinate &one)
+        for (; all < MOST_CELLS[coordinates_.size()]; all *= 2)
         {
-            const std::size_t i = static_cast<std::size_t>(&one - coordinates_.data());
-            return one.reach * (one.upper - one.lower) / counts_[i];
-        };
-        for (; !coordinates_.empty() && 2 * all <= MOST_CELLS[coordinates_.size()]; all *= 2)
-        {
-            const auto one =
-                std::max_element(coordinates_.begin(), coordinates_.end(),
-                                 [&](const Coordinate &a, const Coordinate &b) { return farthest(a) < farthest(b); });
-            counts_[static_cast<std::size_t>(one - coordinates_.begin())] *= 2;
+            const auto widest =
+                std::max_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(coordinates_.size()));
+            *widest *= 0.5;
+            counts_[static_cast<std::size_t>(widest - widths.begin())] *= 2;
         }
         for (std::size_t i = 0; i < coordinates_.size(); ++i)
             scales_[i] = counts_[i] / (coordinates_[i].upper - coordinates_[i].lower);

@@ -9,8 +9,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief The joint cells of pairs of links, shared by all arms that move two links alike. Any number of threads may
-        use it at once. */
+    /** \brief The joint cells of pairs of links, shared by all arms that move two links alike. Any number of threads
+        may use it at once. */
     class LinkMemory
     {
     public:

@@ -19,7 +19,7 @@ namespace ompl_certificates
         robots that are alike in this respect, can share it.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
-        them at once. Uses a byte for each cell: at most 350 kB. */
+        them at once. Uses a byte for each cell: at most 270 kB. */
     class JointCells
     {
     public:
@@ -35,8 +35,8 @@ namespace ompl_certificates
             /** \brief The greatest value within its bounds */
             double upper;
 
-            /** \brief How far a point of one body moves in the frame of the other while this value alone changes by one,
-                at most; either body may be the one that moves. So distances between points of the two change by no
+            /** \brief How far a point of one body moves in the frame of the other while this value alone changes by
+                one, at most; either body may be the one that moves. So distances between points of the two change by no
                 more. It must hold wherever all coordinates are within their bounds. One that is too large costs time;
                 one that is too small makes verdicts wrong. */
             double reach;
@@ -139,8 +139,8 @@ namespace ompl_certificates
 
         const std::vector<Coordinate> coordinates_;
 
-        /** \brief For each coordinate: the number of the smallest cells along it, and how many of them there are for each
-            unit */
+        /** \brief For each coordinate: the number of the smallest cells along it, and how many of them there are for
+            each unit */
         Index counts_{};
         Values scales_{};
 
