@@ -6,6 +6,7 @@ namespace ompl_certificates
       : team(theTeam)
       , poses(team.getBodyCount())
       , hints(team.getBodyCount(), NO_CERTIFICATE)
+      , sphereCenters(team.getBodyCount())
       , fresh(team.getBodyCount())
       , from(team.getRobotCount())
       , to(team.getRobotCount())

@@ -45,6 +45,9 @@ namespace ompl_certificates
         std::vector<Pose> poses;
         std::vector<CertificateIndex> hints;
 
+        /** \brief For each body: where the center of its bounding sphere is, if pairs need it */
+        std::vector<Eigen::Vector3d> sphereCenters;
+
         /** \brief The latest clearance of each body, from which Basic makes a team certificate */
         std::vector<Certificate> fresh;
 

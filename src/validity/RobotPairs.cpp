@@ -1,15 +1,11 @@
 #include "RobotPairs.h"
 
 #include "BodyClearance.h"
+#include "BodyFrame.h"
 #include "certificates/CertifiedEnvironment.h"
-#include "geometry/BodyContact.h"
 #include "geometry/ConvexCover.h"
-#include "obstacles/FclTolerance.h"
-
-#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <algorithm>
-#include <mutex>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -21,6 +17,9 @@ namespace ompl_certificates
         /** Bounding spheres that prove so much of a motion on either side are not looked into; a gap that proves so
             much is not made more precise. */
         constexpr double SHORT_STRETCH = 0.06, LONG_STRETCH = 0.12;
+
+        /** Covers the rounding of squared distances */
+        constexpr double ROUNDING = 1e-12;
 
         /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that
             interval prove this, too. */
@@ -38,74 +37,6 @@ namespace ompl_certificates
                                { return node.ball.center.norm() <= body.getBoundingRadius(); });
         }
     }
-
-    /** Most pairs never need the body as obstacles, and to make these takes milliseconds for a mesh. So they are made
-        when first asked for. */
-    class RobotPairs::BodyFrame
-    {
-    public:
-        BodyFrame(const Body &body, const ZInterval &zInterval, std::shared_ptr<CertificateLimit> limit)
-          : body_(body), zInterval_(zInterval), limit_(std::move(limit)), tolerance_(fclTolerance(shapesOf(body), 0.0))
-        {
-        }
-
-        const Body &getBody() const
-        {
-            return body_;
-        }
-
-        /** \brief Whether another body touches this one, without FCL */
-        Touching touches(const Body &other, const Pose &pose) const
-        {
-            if (body_.getDimension() == 2)
-                return getObstacles().touches(other, pose, nullptr);
-            return touching(body_, other, pose, getContactMargin(other));
-        }
-
-        /** \brief The margin of the contact test of bodies of space */
-        double getContactMargin(const Body &other) const
-        {
-            return tolerance_ + exactCheckTolerance(other.getBoundingRadius());
-        }
-
-        const FclObstacles &getObstacles() const
-        {
-            makeObstacles();
-            return *obstacles_;
-        }
-
-        CertifiedEnvironment &getCertified() const
-        {
-            makeObstacles();
-            return *certified_;
-        }
-
-        void clear()
-        {
-            if (certified_)
-                certified_->clear();
-        }
-
-    private:
-        void makeObstacles() const
-        {
-            std::call_once(made_,
-                           [this]
-                           {
-                               obstacles_ = std::make_shared<FclObstacles>(std::vector<PlacedBody>{{body_}},
-                                                                           body_.getDimension(), zInterval_);
-                               certified_ = std::make_unique<CertifiedEnvironment>(obstacles_, limit_);
-                           });
-        }
-
-        const Body body_;
-        const ZInterval zInterval_;
-        const std::shared_ptr<CertificateLimit> limit_;
-        const double tolerance_;
-        mutable std::once_flag made_;
-        mutable std::shared_ptr<FclObstacles> obstacles_;
-        mutable std::unique_ptr<CertifiedEnvironment> certified_;
-    };
 
     // The same arithmetic as in FCL's test of two spheres
     double RobotPairs::TwoBodies::gap(const CheckContext &context) const
@@ -200,11 +131,14 @@ namespace ompl_certificates
         bodies.frame =
             one.isBall() && other.isBall() ? nullptr : frameOf(bodies.swapped ? one : other, team.getZInterval());
         bodies.margin = 2.0 * exactCheckTolerance(one.getBoundingRadius() + other.getBoundingRadius());
+        bodies.farthest =
+            (one.getSphereTree().getRoot().radius + other.getSphereTree().getRoot().radius + bodies.margin) *
+            (1.0 + ROUNDING);
         bodies.centersWithin = areCentersWithin(one) && areCentersWithin(other);
         return bodies;
     }
 
-    RobotPairs::BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)
+    BodyFrame *RobotPairs::frameOf(const Body &body, const ZInterval &zInterval)
     {
         for (const auto &frame : frames_)
             if (frame->getBody() == body)
@@ -230,9 +164,15 @@ namespace ompl_certificates
         const bool usesOtherTimes = sample.usesOtherTimes() && all.size() > 1;
         ProvenTimes *times = context.bodyPairTimes.data() + firstBodyPairs_[pair];
         const std::size_t likely = method_ == Method::FCL ? 0 : context.lastCollidingPair[pair];
+        // In a motion, most pairs are known.
+        const bool placesSpheres = !sample.moves && all.size() > context.team.getBodyCount();
+        if (placesSpheres)
+            placeSpheres(pair, context);
         for (std::size_t k = 0; whole.free && k < all.size(); ++k)
         {
             const std::size_t i = CheckContext::inOrder(k, likely);
+            if (placesSpheres && areSpheresApart(all[i], context))
+                continue;
             if (usesOtherTimes)
                 if (const auto *known = times[i].find(context.motion, sample.time))
                 {
@@ -247,6 +187,26 @@ namespace ompl_certificates
                 context.noteFree(times[i], sample.time, one.before, one.after);
         }
         return whole;
+    }
+
+    void RobotPairs::placeSpheres(unsigned int pair, CheckContext &context) const
+    {
+        for (const unsigned int robot : {pairs_[pair].first, pairs_[pair].second})
+        {
+            std::size_t index = context.team.getFirstBody(robot);
+            for (const Body &body : context.team.getRobot(robot).getBodies())
+            {
+                context.sphereCenters[index] = context.poses[index] * body.getSphereTree().getRoot().center;
+                ++index;
+            }
+        }
+    }
+
+    bool RobotPairs::areSpheresApart(const TwoBodies &bodies, const CheckContext &context)
+    {
+        const Eigen::Vector3d &a = context.sphereCenters[bodies.firstIndex],
+                              &b = context.sphereCenters[bodies.secondIndex];
+        return (a - b).squaredNorm() > bodies.farthest * bodies.farthest;
     }
 
     SubjectVerdict RobotPairs::settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,

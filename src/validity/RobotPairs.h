@@ -15,6 +15,8 @@
 
 namespace ompl_certificates
 {
+    class BodyFrame;
+
     /** \brief Checks the robots of a team against each other, and each against itself: the pairs of robots, and one
         pair more for each robot that names pairs of its own bodies.
 
@@ -85,9 +87,6 @@ namespace ompl_certificates
         void clear();
 
     private:
-        /** \brief A body as the environment of others, seen from its own frame */
-        class BodyFrame;
-
         /** \brief A body of one robot and another body, of the same robot or not. Indices count the bodies of the whole
             team. */
         struct TwoBodies
@@ -101,6 +100,10 @@ namespace ompl_certificates
 
             /** \brief The possible error of rounding and of FCL when bounding spheres are compared */
             double margin;
+
+            /** \brief Bodies are apart if the centers of their bounding spheres are farther from each other than
+                this. */
+            double farthest;
 
             /** \brief Where the relative motion bound of two bodies of one robot is in
                 CheckContext::pairMotionBounds */
@@ -149,6 +152,13 @@ namespace ompl_certificates
         {
             return makesCertificates(method_) && sample.samplesAhead > 0.0 && sample.requiredInterval == 0.0;
         }
+
+        /** \brief Puts the centers of the bounding spheres of a pair of robots into the context: where most pairs of
+            bodies are far apart, that settles them soonest */
+        void placeSpheres(unsigned int pair, CheckContext &context) const;
+
+        /** \brief Whether these bounding spheres prove two bodies apart */
+        static bool areSpheresApart(const TwoBodies &bodies, const CheckContext &context);
 
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */
         SubjectVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,

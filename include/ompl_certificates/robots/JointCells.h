@@ -56,9 +56,9 @@ namespace ompl_certificates
         {
             /// Nothing: it was not looked at.
             UNKNOWN,
-            /// The gap between the bodies does not prove them apart. Their contact test may, if it pays.
+            /// The gap between the bodies does not prove them apart. Their contact test may.
             NEAR,
-            /// No answer holds in the whole cell, as far as is known.
+            /// Nothing proves one answer for the whole cell.
             OPEN,
             /// The bodies are apart.
             APART,
