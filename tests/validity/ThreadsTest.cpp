@@ -1,3 +1,4 @@
+#include "support/Chain.h"
 #include "support/Checkers.h"
 
 #include <gtest/gtest.h>
@@ -95,6 +96,47 @@ TEST_P(Threads, MayAskForClearances)
     for (auto &thread : threads)
         thread.join();
     EXPECT_EQ(wrong, 0U);
+}
+
+TEST(ThreadsOnArms, SettleTheJointCellsOfOneRobotForAllItsCheckers)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    for (unsigned int seed = 0; seed < scaled(10); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(randomChain(random, 3));
+        const auto obstacles = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3);
+        const Checkers checkers(team, obstacles);
+        const auto certified = checkers.certified();
+        const auto &alone = *checkers.reference().getSpaceInformation();
+        std::vector<ob::ScopedState<>> states;
+        std::vector<bool> valid, motions;
+        for (unsigned int i = 0; i <= 200; ++i)
+            states.push_back(i % 5 == 0 ? randomState(random, team) : randomStateNear(random, states.back(), 0.1));
+        for (std::size_t i = 0; i + 1 < states.size(); ++i)
+        {
+            valid.push_back(alone.isValid(states[i].get()));
+            motions.push_back(alone.checkMotion(states[i].get(), states[i + 1].get()));
+        }
+        std::atomic<unsigned int> wrong{0};
+        std::vector<std::thread> threads;
+        for (unsigned int thread = 0; thread < 4; ++thread)
+            threads.emplace_back(
+                [&, thread]
+                {
+                    // Two of them have the same checker; all checkers share the robot's cells.
+                    const auto &si = *certified[thread % certified.size()]->getSpaceInformation();
+                    for (std::size_t i = 0; i < valid.size(); ++i)
+                        if (si.isValid(states[i].get()) != valid[i] ||
+                            si.checkMotion(states[i].get(), states[i + 1].get()) != motions[i])
+                            ++wrong;
+                });
+        for (auto &thread : threads)
+            thread.join();
+        EXPECT_EQ(wrong, 0U);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, Threads, testing::Range(0U, TEAMS));
