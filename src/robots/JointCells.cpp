@@ -14,8 +14,9 @@ namespace ompl_certificates
         /** A cell has two to this power parts along each coordinate on the next level. */
         constexpr unsigned int BITS = 2;
 
-        /** How many of the smallest cells there are, for 0, 1, 2 and 3 coordinates */
-        constexpr std::size_t MOST_CELLS[] = {1, 1U << 10, 1U << 16, 1U << 18};
+        /** How many of the smallest cells there are, for 0, 1, 2 and 3 coordinates. With more of them, more checks find
+            an answer in the end, but later. */
+        constexpr std::size_t MOST_CELLS[] = {1, 1U << 10, 1U << 15, 1U << 15};
 
         /** A motion is followed through so many cells. */
         constexpr int MOST_STEPS = 24;

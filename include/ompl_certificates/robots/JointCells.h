@@ -19,7 +19,7 @@ namespace ompl_certificates
         robots that are alike in this respect, can share it.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
-        them at once. Uses a byte for each cell: at most 270 kB. */
+        them at once. Uses a byte for each cell: at most 35 kB. */
     class JointCells
     {
     public:
