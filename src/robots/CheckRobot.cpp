@@ -2,6 +2,8 @@
 
 #include "geometry/TrialText.h"
 
+#include "ompl_certificates/robots/JointCells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +59,9 @@ namespace ompl_certificates
                                             to.get());
                     tryMotion(from.get(), to.get());
                 }
+                for (unsigned int i = 0; i < motions; ++i)
+                    for (std::size_t pair = 0; pair < robot_.getBodyPairs().size(); ++pair)
+                        tryCells(pair);
             }
 
         private:
@@ -220,15 +225,34 @@ namespace ompl_certificates
                 }
             }
 
-            /** Tries the motion bound of a body seen from the frame of another: for points of both, their distance */
+            /** Tries the motion bound of a body seen from the frame of another */
             void tryPair(const Interval &interval, std::size_t body, std::size_t other, const MotionBound &bound) const
             {
-                const Pose before = interval.before[other].inverse() * interval.before[body],
-                           after = interval.after[other].inverse() * interval.after[body];
+                tryDistances(
+                    {interval.before, interval.after, body, other, interval.last - interval.first}, bound,
+                    [&] { return intervalText(interval) + ", "; }, "the relative motion bound " + wordsOf(bound));
+            }
+
+            /** A change of the poses of two bodies, and its length in units of a bound */
+            struct Change
+            {
+                const std::vector<Pose> &before, &after;
+                std::size_t body, other;
+                double length;
+            };
+
+            /** Tries by how much the distances between points of two bodies change */
+            template <typename Where>
+            void tryDistances(const Change &change, const MotionBound &bound, const Where &where,
+                              const std::string &limit) const
+            {
+                const std::size_t body = change.body, other = change.other;
+                const Pose before = change.before[other].inverse() * change.before[body],
+                           after = change.after[other].inverse() * change.after[body];
                 const double radius = robot_.getBodies()[other].getBoundingRadius();
-                const double slack = ROUNDING * (1.0 + radius + robot_.getBodies()[body].getBoundingRadius() +
-                                                 interval.before[body].translation().norm() +
-                                                 interval.before[other].translation().norm());
+                const double slack =
+                    ROUNDING * (1.0 + radius + robot_.getBodies()[body].getBoundingRadius() +
+                                change.before[body].translation().norm() + change.before[other].translation().norm());
                 for (const Eigen::Vector3d &point : pointsOf(body, before, after))
                 {
                     const Eigen::Vector3d start = before * point, end = after * point, moved = end - start;
@@ -239,14 +263,62 @@ namespace ompl_certificates
                             others.emplace_back(side * moved.normalized());
                     for (const Eigen::Vector3d &still : others)
                     {
-                        const double change = std::abs((end - still).norm() - (start - still).norm()),
-                                     most = bound.at(point.norm()) * (interval.last - interval.first);
-                        if (!(change <= most * (1.0 + ROUNDING) + slack))
-                            fail(intervalText(interval) + ", the distance of the point " + textOf(point) + " of body " +
+                        const double changed = std::abs((end - still).norm() - (start - still).norm()),
+                                     most = bound.at(point.norm()) * change.length;
+                        if (!(changed <= most * (1.0 + ROUNDING) + slack))
+                            fail(where() + "the distance of the point " + textOf(point) + " of body " +
                                  std::to_string(body) + " to the point " + textOf(still) + " of body " +
-                                 std::to_string(other) + " changes by " + textOf(change) +
-                                 ", but the relative motion bound " + wordsOf(bound) + " allows " + textOf(most));
+                                 std::to_string(other) + " changes by " + textOf(changed) + ", but " + limit +
+                                 " allows " + textOf(most));
                     }
+                }
+            }
+
+            double &valueAt(ob::ScopedState<> &state, std::size_t index) const
+            {
+                return *space_->getValueAddressAtLocation(state.get(), space_->getValueLocations()[index]);
+            }
+
+            /** Tries the joint cells of a pair: nothing else may move its bodies relative to each other, and each
+                coordinate no farther than its reach. */
+            void tryCells(std::size_t pair)
+            {
+                const auto cells = robot_.getJointCells(pair);
+                if (!cells)
+                    return;
+                const auto [first, second] = robot_.getBodyPairs()[pair];
+                const std::string words = "the joint cells of " + wordsOf(robot_.getBodyPairs()[pair]);
+                ob::ScopedState<> state(space_), other(space_);
+                sampler_->sampleUniform(state.get());
+                sampler_->sampleUniform(other.get());
+                for (const JointCells::Coordinate &one : cells->getCoordinates())
+                {
+                    if (one.index >= space_->getValueLocations().size())
+                        fail(words + " name coordinate " + std::to_string(one.index) + ", but a state has " +
+                             std::to_string(space_->getValueLocations().size()));
+                    valueAt(state, one.index) = random_.uniformReal(one.lower, one.upper);
+                    valueAt(other, one.index) = valueAt(state, one.index);
+                }
+                const auto where = [&] {
+                    return "between the states " + textOf(*space_, state.get()) + " and " +
+                           textOf(*space_, other.get());
+                };
+                tryDistances(
+                    {posesOf(state.get()), posesOf(other.get()), first, second, 0.0}, {},
+                    [&] { return where() + ", which differ in other coordinates than those of " + words + ", "; },
+                    "what they leave out");
+                other = state;
+                for (const JointCells::Coordinate &one : cells->getCoordinates())
+                {
+                    double &value = valueAt(other, one.index);
+                    const double before = value, to = random_.uniformReal(one.lower, one.upper);
+                    value += std::pow(10.0, random_.uniformReal(-3.0, 0.0)) * (to - value);
+                    tryDistances(
+                        {posesOf(state.get()), posesOf(other.get()), first, second, std::abs(value - before)},
+                        {one.reach, 0.0}, [&] { return where() + ", "; },
+                        "the reach " + textOf(one.reach) + " of coordinate " + std::to_string(one.index) + " in " +
+                            words);
+                    valueAt(state, one.index) = value;
                 }
             }
 

@@ -116,6 +116,32 @@ namespace
         std::function<void(PairMotionBound *)> write_;
     };
 
+    /** A chain that says something else of the coordinates between its links */
+    class WithCells : public WithDefaultPairBounds
+    {
+    public:
+        using Change = std::function<void(std::vector<JointCells::Coordinate> &)>;
+
+        WithCells(const std::shared_ptr<Chain> &chain, Change change)
+          : WithDefaultPairBounds(chain), chain_(chain), change_(std::move(change))
+        {
+        }
+
+        std::shared_ptr<JointCells> getJointCells(std::size_t pair) const override
+        {
+            const auto cells = chain_->getJointCells(pair);
+            if (!cells)
+                return nullptr;
+            std::vector<JointCells::Coordinate> coordinates = cells->getCoordinates();
+            change_(coordinates);
+            return std::make_shared<JointCells>(coordinates);
+        }
+
+    private:
+        const std::shared_ptr<Chain> chain_;
+        const Change change_;
+    };
+
     std::string complaintOf(Fault fault)
     {
         const TwoBoxes robot(fault);
@@ -166,6 +192,31 @@ TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreTooSmall)
                                 "changes by", "the relative motion bound (linear", "allows"});
     }
     EXPECT_GE(found, 18U);
+}
+
+TEST(CheckRobot, FindsJointCellsThatLeaveOutWhatMoves)
+{
+    using Coordinates = std::vector<JointCells::Coordinate>;
+    const auto complaint = [](const WithCells::Change &change)
+    {
+        Random random(4);
+        const auto chain = randomChain(random, 3);
+        EXPECT_EQ(complaintOf([&] { checkRobot(WithCells(chain, [](Coordinates &) {}), 100); }), "");
+        return complaintOf([&] { checkRobot(WithCells(chain, change), 100); });
+    };
+    expectWords(complaint(
+                    [](Coordinates &coordinates)
+                    {
+                        for (auto &one : coordinates)
+                            one.reach *= 0.2;
+                    }),
+                {"Robot 'chain'", "between the states (", "changes by", "the reach", "of coordinate",
+                 "in the joint cells of bodies", "allows"});
+    expectWords(complaint([](Coordinates &coordinates) { coordinates.pop_back(); }),
+                {"between the states (", "which differ in other coordinates than those of the joint cells of bodies",
+                 "changes by"});
+    expectWords(complaint([](Coordinates &coordinates) { coordinates.back().index = 99; }),
+                {"the joint cells of bodies", "name coordinate 99, but a state has"});
 }
 
 TEST(CheckRobot, FindsABoundOfABodyPairThatIsTooSmallFromEitherEnd)

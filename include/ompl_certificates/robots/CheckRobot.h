@@ -17,7 +17,9 @@ namespace ompl_certificates
         - in no interval of the motion does a point within a body's bounding radius move farther than its motion bound
           allows;
         - in no such interval does the distance between points of a pair of bodies change by more than the bounds of
-          computePairMotionBounds() allow.
+          computePairMotionBounds() allow;
+        - the joint cells of a pair name all coordinates on which its relative pose depends, and none reaches farther
+          than they say.
 
         \param robot the robot; its space is set up
         \param motions how many motions to try. Cost: some 10 µs each for a rigid robot.
