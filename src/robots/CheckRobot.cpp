@@ -5,6 +5,7 @@
 #include "ompl_certificates/robots/JointCells.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <ompl/base/ScopedState.h>
@@ -279,6 +280,26 @@ namespace ompl_certificates
                 return *space_->getValueAddressAtLocation(state.get(), space_->getValueLocations()[index]);
             }
 
+            /** Tries whether a coordinate of joint cells changes at a steady speed along a motion */
+            void tryInterpolation(ob::ScopedState<> &from, ob::ScopedState<> &to, const JointCells::Coordinate &one,
+                                  const std::string &words)
+            {
+                constexpr double turn = boost::math::constants::two_pi<double>();
+                const double start = valueAt(from, one.index), time = random_.uniform01();
+                double change = valueAt(to, one.index) - start;
+                if (one.wraps && std::abs(change) > 0.5 * turn)
+                    change -= std::copysign(turn, change);
+                ob::ScopedState<> between(space_);
+                space_->interpolate(from.get(), to.get(), time, between.get());
+                double error = valueAt(between, one.index) - (start + time * change);
+                if (one.wraps)
+                    error = std::remainder(error, turn);
+                if (!(std::abs(error) <= ROUNDING * (1.0 + std::abs(start) + std::abs(change))))
+                    fail(motionText(from.get(), to.get()) + ", at time " + textOf(time) + ", coordinate " +
+                         std::to_string(one.index) + " in " + words + " is " + textOf(error) +
+                         " from where a steady change would take it");
+            }
+
             /** Tries the joint cells of a pair: nothing else may move its bodies relative to each other, and each
                 coordinate no farther than its reach. */
             void tryCells(std::size_t pair)
@@ -307,6 +328,9 @@ namespace ompl_certificates
                     {posesOf(state.get()), posesOf(other.get()), first, second, 0.0}, {},
                     [&] { return where() + ", which differ in other coordinates than those of " + words + ", "; },
                     "what they leave out");
+                sampler_->sampleUniform(other.get());
+                for (const JointCells::Coordinate &one : cells->getCoordinates())
+                    tryInterpolation(state, other, one, words);
                 other = state;
                 for (const JointCells::Coordinate &one : cells->getCoordinates())
                 {

@@ -78,6 +78,7 @@ namespace ompl_certificates
                 JointCells::isSmallest(cell) && locations_.size() <= MOST_FOR_CONTACT && first.getDimension() == 3;
             return mayContactSettle ? Answer::NEAR : Answer::OPEN;
         }
+        ++context.counts.contactTests;
         switch (touching(first, second, relative, contactMargin_ + within))
         {
             case Touching::YES:

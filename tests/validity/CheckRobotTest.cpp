@@ -215,6 +215,14 @@ TEST(CheckRobot, FindsJointCellsThatLeaveOutWhatMoves)
     expectWords(complaint([](Coordinates &coordinates) { coordinates.pop_back(); }),
                 {"between the states (", "which differ in other coordinates than those of the joint cells of bodies",
                  "changes by"});
+    expectWords(complaint(
+                    [](Coordinates &coordinates)
+                    {
+                        for (auto &one : coordinates)
+                            one.wraps = false;
+                    }),
+                {"on the motion from the state (", "at time", "in the joint cells of bodies",
+                 "from where a steady change would take it"});
     expectWords(complaint([](Coordinates &coordinates) { coordinates.back().index = 99; }),
                 {"the joint cells of bodies", "name coordinate 99, but a state has"});
 }

@@ -19,7 +19,7 @@ namespace ompl_certificates
         - in no such interval does the distance between points of a pair of bodies change by more than the bounds of
           computePairMotionBounds() allow;
         - the joint cells of a pair name all coordinates on which its relative pose depends, and none reaches farther
-          than they say.
+          than they say or changes otherwise than steadily along a motion.
 
         \param robot the robot; its space is set up
         \param motions how many motions to try. Cost: some 10 µs each for a rigid robot.

@@ -107,7 +107,8 @@ namespace ompl_certificates
             checkers remember where the two are apart. Null if there are none, as here.
 
             Return the same cells each time, and share them among robots for which the relative pose is the same
-            function of the same coordinates, within the same bounds. Called when a checker is made, and never later.
+            function of the same coordinates, within the same bounds. The space must interpolate these values linearly,
+            or the shorter way round where they wrap. Called when a checker is made, and never later.
             \param pair the index in getBodyPairs() */
         virtual std::shared_ptr<JointCells> getJointCells(std::size_t /*pair*/) const
         {
