@@ -1,28 +1,79 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_BOX_OVERLAP_
 #define OMPL_CERTIFICATES_GEOMETRY_BOX_OVERLAP_
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
+#include <cstring>
 
 namespace ompl_certificates
 {
-    /** \brief A box along the axes of its own frame, in single precision */
+    /** \brief Four numbers: an instruction takes all of them. */
+    using FourFloats = float __attribute__((vector_size(16)));
+
+    /** \brief A box along the axes of its own frame, in single precision. Of each vector, the last number is not
+        used. */
     struct FloatBox
     {
-        Eigen::Vector3f center;
-        Eigen::Vector3f half;
+        FourFloats center;
+        FourFloats half;
+
+        FloatBox() = default;
+
+        FloatBox(const FourFloats &middle, const FourFloats &halfSizes) : center(middle), half(halfSizes)
+        {
+        }
+
+        explicit FloatBox(const Eigen::AlignedBox3d &box) : center{}, half{}
+        {
+            const Eigen::Vector3d middle = box.center(), sizes = box.sizes();
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                center[axis] = static_cast<float>(middle[axis]);
+                half[axis] = static_cast<float>(0.5 * sizes[axis]);
+            }
+        }
+
+        /** \brief Half the sum of its sizes */
+        float size() const
+        {
+            return half[0] + half[1] + half[2];
+        }
     };
 
-    /** \brief The transform of boxes from one frame to another */
+    /** \brief Four numbers that stand in a row, whatever type they have */
+    template <typename Four>
+    inline FourFloats fourFloats(const Four &numbers)
+    {
+        static_assert(sizeof(Four) == sizeof(FourFloats));
+        FourFloats four;
+        std::memcpy(&four, &numbers, sizeof(four));
+        return four;
+    }
+
+    /** \brief The transform of boxes from one frame to another, laid out for overlaps() */
     struct BoxTurn
     {
-        Eigen::Matrix3f rotation;
-        Eigen::Matrix3f absolute;
-        Eigen::Vector3f shift;
+        /** \brief The columns of the rotation and of its absolute values, and the shift; the last number is 0 */
+        FourFloats columns[3], absoluteColumns[3], shift{};
+
+        /** \brief The elements of the columns: each of them four times */
+        FourFloats elements[3][3], absoluteElements[3][3];
 
         BoxTurn(const Eigen::Matrix3d &r, const Eigen::Vector3d &t)
-          : rotation(r.cast<float>()), absolute(rotation.cwiseAbs()), shift(t.cast<float>())
         {
+            for (int column = 0; column < 3; ++column)
+            {
+                columns[column] = absoluteColumns[column] = FourFloats{};
+                shift[column] = static_cast<float>(t[column]);
+                for (int row = 0; row < 3; ++row)
+                {
+                    const auto element = static_cast<float>(r(row, column));
+                    columns[column][row] = element;
+                    absoluteColumns[column][row] = std::abs(element);
+                    elements[column][row] = FourFloats{} + element;
+                    absoluteElements[column][row] = FourFloats{} + std::abs(element);
+                }
+            }
         }
     };
 
@@ -31,31 +82,25 @@ namespace ompl_certificates
     template <typename Node>
     inline void overlaps(const Node &node, const FloatBox &box, const BoxTurn &turn, float slack, bool *overlap)
     {
-        const Eigen::Vector3f center = turn.rotation * box.center + turn.shift;
-        const Eigen::Vector3f half = turn.absolute * box.half + Eigen::Vector3f::Constant(slack);
-        int outside[4] = {0, 0, 0, 0};
-        float middles[3][4], halves[3][4];
+        using FourFlags = int __attribute__((vector_size(16)));
+        const auto sumOf = [](const FourFloats *three, const auto &factors)
+        { return three[0] * factors[0] + three[1] * factors[1] + three[2] * factors[2]; };
+        const FourFloats center = sumOf(turn.columns, box.center) + turn.shift;
+        const FourFloats half = sumOf(turn.absoluteColumns, box.half) + slack;
+        FourFlags outside{};
+        FourFloats middles[3], halves[3];
         for (int axis = 0; axis < 3; ++axis)
         {
-            const float low = center[axis] - half[axis], high = center[axis] + half[axis];
-            for (int k = 0; k < 4; ++k)
-            {
-                outside[k] |= static_cast<int>(node.low[axis][k] > high) | static_cast<int>(node.high[axis][k] < low);
-                middles[axis][k] = 0.5F * (node.low[axis][k] + node.high[axis][k]) - center[axis];
-                halves[axis][k] = 0.5F * (node.high[axis][k] - node.low[axis][k]);
-            }
+            const FourFloats low = fourFloats(node.low[axis]), high = fourFloats(node.high[axis]);
+            outside |= (low > center[axis] + half[axis]) | (high < center[axis] - half[axis]);
+            middles[axis] = 0.5F * (low + high) - center[axis];
+            halves[axis] = 0.5F * (high - low);
         }
         for (int axis = 0; axis < 3; ++axis)
         {
-            const float x = turn.rotation(0, axis), y = turn.rotation(1, axis), z = turn.rotation(2, axis);
-            const float ax = turn.absolute(0, axis), ay = turn.absolute(1, axis), az = turn.absolute(2, axis);
-            const float extent = box.half[axis] + slack;
-            for (int k = 0; k < 4; ++k)
-            {
-                const float gap = std::abs(x * middles[0][k] + y * middles[1][k] + z * middles[2][k]);
-                const float both = extent + ax * halves[0][k] + ay * halves[1][k] + az * halves[2][k];
-                outside[k] |= static_cast<int>(gap > both);
-            }
+            const FourFloats gap = sumOf(turn.elements[axis], middles);
+            const FourFloats both = sumOf(turn.absoluteElements[axis], halves) + (box.half[axis] + slack);
+            outside |= (gap > both) | (gap < -both);
         }
         for (int k = 0; k < 4; ++k)
             overlap[k] = outside[k] == 0;
@@ -63,10 +108,10 @@ namespace ompl_certificates
 
     /** \brief The box of a node's child */
     template <typename Node>
-    FloatBox boxOf(const Node &node, int k)
+    inline FloatBox boxOf(const Node &node, int k)
     {
-        const Eigen::Vector3f low(node.low[0][k], node.low[1][k], node.low[2][k]);
-        const Eigen::Vector3f high(node.high[0][k], node.high[1][k], node.high[2][k]);
+        const FourFloats low{node.low[0][k], node.low[1][k], node.low[2][k]};
+        const FourFloats high{node.high[0][k], node.high[1][k], node.high[2][k]};
         return {0.5F * (low + high), 0.5F * (high - low)};
     }
 }

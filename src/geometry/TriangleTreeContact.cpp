@@ -107,7 +107,10 @@ namespace ompl_certificates
         };
         Open stack[2 * STACK_SIZE];
         std::size_t open = 0;
-        stack[open++] = {0, 0, {Eigen::Vector3f::Zero(), half_}, {Eigen::Vector3f::Zero(), other.half_}};
+        const auto whole = [](const Eigen::Vector3f &half) {
+            return FloatBox(FourFloats{}, FourFloats{half.x(), half.y(), half.z()});
+        };
+        stack[open++] = {0, 0, whole(half_), whole(other.half_)};
         Answers answers;
         while (open > 0)
         {
@@ -115,10 +118,10 @@ namespace ompl_certificates
             if (isLeaf(pair.here) && isLeaf(pair.there))
             {
                 // Half of the other leaf's triangles, or more, lie beside this leaf's box.
-                Eigen::AlignedBox3d box(origin_ + (pair.boxHere.center - pair.boxHere.half).cast<double>(),
-                                        origin_ + (pair.boxHere.center + pair.boxHere.half).cast<double>());
-                box.min().array() -= slack;
-                box.max().array() += slack;
+                const FourFloats low = pair.boxHere.center - pair.boxHere.half - slack,
+                                 high = pair.boxHere.center + pair.boxHere.half + slack;
+                const Eigen::AlignedBox3d box(origin_ + Eigen::Vector3d(low[0], low[1], low[2]),
+                                              origin_ + Eigen::Vector3d(high[0], high[1], high[2]));
                 for (std::uint32_t j = firstOf(pair.there), lastJ = j + countOf(pair.there); j < lastJ; ++j)
                 {
                     const Facet triangle(other.triangles_[j], pose);
@@ -131,7 +134,7 @@ namespace ompl_certificates
                 continue;
             }
             bool overlap[4];
-            if (isLeaf(pair.there) || (!isLeaf(pair.here) && pair.boxHere.half.sum() >= pair.boxThere.half.sum()))
+            if (isLeaf(pair.there) || (!isLeaf(pair.here) && pair.boxHere.size() >= pair.boxThere.size()))
             {
                 const Node &node = nodes_[pair.here];
                 overlaps(node, pair.boxThere, toHere, slack, overlap);
@@ -156,7 +159,7 @@ namespace ompl_certificates
         if (nodes_.empty())
             return Touching::NO;
         const Eigen::AlignedBox3d bounds = primitive.getBounds();
-        const FloatBox box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
+        const FloatBox box(bounds);
         const Eigen::Matrix3d toHere = pose.linear().transpose();
         const Eigen::Vector3d shift = -(toHere * (pose * origin_));
         const BoxTurn turn(toHere, shift);

@@ -64,7 +64,7 @@ namespace ompl_certificates
         {
             if (nodes_.empty())
                 return;
-            const FloatBox box{bounds.center().cast<float>(), (0.5 * bounds.sizes()).cast<float>()};
+            const FloatBox box(bounds);
             const BoxTurn turn(pose.linear(), pose.translation());
             const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + pose.translation().norm() +
                                                                        bounds.center().norm() + bounds.sizes().norm()));

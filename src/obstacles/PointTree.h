@@ -149,7 +149,7 @@ namespace ompl_certificates
     {
         if (nodes_.empty())
             return NONE;
-        const FloatBox floatBox{box.center().cast<float>(), (0.5 * box.sizes()).cast<float>()};
+        const FloatBox floatBox(box);
         const Eigen::Vector3d shift = pose.translation() - origin_;
         const BoxTurn turn(pose.linear(), shift);
         const auto slack = static_cast<float>(
