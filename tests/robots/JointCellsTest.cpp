@@ -205,7 +205,7 @@ TEST(JointCells, OfArmsNameAllThatMovesOneLinkRelativeToAnother)
             if (!cells)
                 continue;
             ++checked;
-            const auto [first, second] = arm.getBodyPairs()[pair];
+            const std::size_t first = arm.getBodyPairs()[pair].first, second = arm.getBodyPairs()[pair].second;
             const auto relative = [&](const ob::State *state)
             {
                 std::vector<Pose> poses(arm.getBodies().size());
