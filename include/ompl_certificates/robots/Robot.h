@@ -103,13 +103,12 @@ namespace ompl_certificates
         virtual void computePairMotionBounds(const ompl::base::State *from, const ompl::base::State *to,
                                              const MotionBound *bodyBounds, PairMotionBound *pairBounds) const;
 
-        /** \brief The joint cells of a pair of bodies, if their relative pose depends on few coordinates. In them,
-            checkers remember where the two are apart. Null if there are none, as here.
+        /** \brief The joint cells of a pair of bodies, by its index in getBodyPairs(), if their relative pose depends
+            on few coordinates. In them, checkers remember where the two are apart. Null if there are none, as here.
 
             Return the same cells each time, and share them among robots for which the relative pose is the same
             function of the same coordinates, within the same bounds. The space must interpolate these values linearly,
-            or the shorter way round where they wrap. Called when a checker is made, and never later.
-            \param pair the index in getBodyPairs() */
+            or the shorter way round where they wrap. Called when a checker is made, and never later. */
         virtual std::shared_ptr<JointCells> getJointCells(std::size_t /*pair*/) const
         {
             return nullptr;
