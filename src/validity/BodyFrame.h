@@ -39,6 +39,12 @@ namespace ompl_certificates
             return touching(body_, other, pose, getContactMargin(other));
         }
 
+        /** \brief How much a gap to this body must exceed zero for FCL to see it; see Obstacles::getTolerance() */
+        double getTolerance() const
+        {
+            return tolerance_;
+        }
+
         /** \brief The margin of the contact test of bodies of space */
         double getContactMargin(const Body &other) const
         {

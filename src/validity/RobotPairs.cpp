@@ -130,7 +130,8 @@ namespace ompl_certificates
         bodies.swapped = other.getSphereTree().getNodes().size() < one.getSphereTree().getNodes().size();
         bodies.frame =
             one.isBall() && other.isBall() ? nullptr : frameOf(bodies.swapped ? one : other, team.getZInterval());
-        bodies.margin = 2.0 * exactCheckTolerance(one.getBoundingRadius() + other.getBoundingRadius());
+        bodies.margin = 2.0 * exactCheckTolerance(one.getBoundingRadius() + other.getBoundingRadius()) +
+                        (bodies.frame ? bodies.frame->getTolerance() : 0.0);
         bodies.farthest =
             (one.getSphereTree().getRoot().radius + other.getSphereTree().getRoot().radius + bodies.margin) *
             (1.0 + ROUNDING);

@@ -98,7 +98,7 @@ namespace ompl_certificates
             BodyFrame *frame;
             bool swapped;
 
-            /** \brief The possible error of rounding and of FCL when bounding spheres are compared */
+            /** \brief The possible error of rounding and of FCL when bounding spheres or gaps are compared */
             double margin;
 
             /** \brief Bodies are apart if the centers of their bounding spheres are farther from each other than
