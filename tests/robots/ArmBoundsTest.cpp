@@ -84,16 +84,6 @@ namespace
         }
         return tightness;
     }
-
-    ArmOptions allPairs(const KinematicTree &tree, ArmOptions options = {})
-    {
-        options.linkPairs.clear();
-        for (std::size_t i = 0; i < tree.getLinks().size(); ++i)
-            for (std::size_t k = i + 1; k < tree.getLinks().size(); ++k)
-                if (tree.getLinks()[i].body && tree.getLinks()[k].body)
-                    options.linkPairs.emplace_back(tree.getLinks()[i].name, tree.getLinks()[k].name);
-        return options;
-    }
 }
 
 TEST(Arm, NoPointMovesFartherThanItsBound)

@@ -45,16 +45,6 @@ namespace
         for (JointCells::Cell cell = cells.find(values); cell.answer == Answer::UNKNOWN; cell = cells.find(values))
             cells.note(cell, cell.level < level ? Answer::OPEN : answer);
     }
-
-    ArmOptions allPairs(const KinematicTree &tree, ArmOptions options = {})
-    {
-        options.linkPairs.clear();
-        for (std::size_t i = 0; i < tree.getLinks().size(); ++i)
-            for (std::size_t k = i + 1; k < tree.getLinks().size(); ++k)
-                if (tree.getLinks()[i].body && tree.getLinks()[k].body)
-                    options.linkPairs.emplace_back(tree.getLinks()[i].name, tree.getLinks()[k].name);
-        return options;
-    }
 }
 
 TEST(JointCells, NamesTheLargestCellThatIsKnown)

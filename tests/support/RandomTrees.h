@@ -19,6 +19,17 @@ namespace ompl_certificates
             return {name, type, poseAt(origin), axis, lower, upper, {}};
         }
 
+        /** \brief \e options with all pairs of links that have bodies */
+        inline ArmOptions allPairs(const KinematicTree &tree, ArmOptions options = {})
+        {
+            options.linkPairs.clear();
+            for (std::size_t i = 0; i < tree.getLinks().size(); ++i)
+                for (std::size_t k = i + 1; k < tree.getLinks().size(); ++k)
+                    if (tree.getLinks()[i].body && tree.getLinks()[k].body)
+                        options.linkPairs.emplace_back(tree.getLinks()[i].name, tree.getLinks()[k].name);
+            return options;
+        }
+
         /** A chain in the manner of an arm: seven joints with crossing and with offset axes */
         inline KinematicTree sevenJoints()
         {

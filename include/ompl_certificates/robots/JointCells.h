@@ -10,13 +10,13 @@
 
 namespace ompl_certificates
 {
-    /** \brief What checks have found out about two bodies of a robot whose relative pose depends on few coordinates,
-        such as two links with up to three joints between them: where they are apart, and where they touch.
+    /** \brief Where two bodies of a robot are known to be apart, or to touch. They are bodies whose relative pose
+        depends on few coordinates, such as two links with up to three joints between them.
 
-        The values of these coordinates are divided into cells, on three levels; a cell has up to four parts along each
-        coordinate on the next level. Checkers settle a cell when they first need it, once and for all: it is the
-        certificate of two links, true of the robot alone, whatever the obstacles are. So all checkers of a robot, and
-        robots that are alike in this respect, can share it.
+        The values of these coordinates are divided into cells. There are three levels of them: a cell has four parts
+        along each coordinate on the next level. Checkers settle a cell for good when they first need it. What is known
+        of it is true of the robot alone, whatever the obstacles are. So all checkers of a robot can share it, and so
+        can robots whose two bodies move alike.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
         them at once. Uses a byte for each cell: at most 35 kB. */
