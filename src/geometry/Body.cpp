@@ -176,7 +176,10 @@ namespace ompl_certificates
         data_ = std::make_shared<Data>();
         data_->isBall = parts.size() == 1 && parts.front().shape.getKind() == Shape::Kind::BALL;
         for (const Part &part : parts)
+        {
             data_->boundingRadius = std::max(data_->boundingRadius, boundingRadiusOf(part));
+            data_->bounds.extend(part.shape.getBounds().transformed(part.pose));
+        }
         data_->zInterval = zIntervalOf(parts);
         data_->parts = std::move(parts);
     }

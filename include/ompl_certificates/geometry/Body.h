@@ -108,6 +108,13 @@ namespace ompl_certificates
             ConvexCover. */
         const std::vector<ConvexCover> &getConvexCovers() const;
 
+        /** \brief The smallest box along the axes of the body's frame that contains the boxes of its shapes, each
+            along its own axes */
+        const Eigen::AlignedBox3d &getBounds() const
+        {
+            return data_->bounds;
+        }
+
         /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
             nothing else: a point has a ball of radius 0. */
         const std::vector<Ball> &getInnerSpheres() const
@@ -162,6 +169,7 @@ namespace ompl_certificates
             std::vector<Part> parts;
             bool isBall{false};
             double boundingRadius{0.0};
+            Eigen::AlignedBox3d bounds;
             ZInterval zInterval;
             mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;
