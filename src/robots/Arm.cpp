@@ -77,6 +77,11 @@ namespace ompl_certificates
             JointFrames::locate(place, frames, *poses++);
     }
 
+    PoseError Arm::computePoseBatch(const ob::State *const *states, PoseBatch *poses) const
+    {
+        return model_->computePoseBatch(states, poses);
+    }
+
     void Arm::computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const
     {
         const ArmModel::Motion motion = model_->motionOf(from, to);

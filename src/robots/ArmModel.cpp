@@ -23,6 +23,8 @@ namespace ompl_certificates
             std::vector<double> coordinates, others;
             std::vector<Frame> frames;
             std::vector<JointMotion> motions;
+            std::vector<double> columns;
+            std::vector<PoseBatch> frameBatches;
         };
 
         Scratch &scratch()
@@ -128,6 +130,7 @@ namespace ompl_certificates
         }
         if (bodies.empty())
             throw ompl::Exception(options.links ? "none of its links has a body" : "no link has a body");
+        batchError_ = frames.errorOf(places);
         if (bodies.front().getDimension() == 2)
             requirePlane();
     }
@@ -270,6 +273,22 @@ namespace ompl_certificates
         Frame *all = atLeast(scratch().frames, frames.getFrameCount());
         frames.compute(coordinatesOf(state), all);
         return all;
+    }
+
+    PoseError ArmModel::computePoseBatch(const ob::State *const *states, PoseBatch *poses) const
+    {
+        const std::size_t count = frames.getCoordinateCount();
+        double *columns = atLeast(scratch().columns, count * PoseBatch::SIZE);
+        for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+        {
+            const double *coordinates = coordinatesOf(states[k]);
+            for (std::size_t i = 0; i < count; ++i)
+                columns[i * PoseBatch::SIZE + k] = coordinates[i];
+        }
+        PoseBatch *all = atLeast(scratch().frameBatches, frames.getFrameCount());
+        const double shifted = frames.computeBatch(columns, all);
+        JointFrames::locateBatch(places, all, poses);
+        return {batchError_.linear + batchError_.angular * shifted, batchError_.angular};
     }
 
     ArmModel::Motion ArmModel::motionOf(const ob::State *from, const ob::State *to) const

@@ -45,6 +45,9 @@ namespace ompl_certificates
         /** \brief The frames of a state, in memory of this thread: valid until the next call */
         const JointFrames::Frame *framesOf(const ompl::base::State *state) const;
 
+        /** \brief See Arm::computePoseBatch() */
+        PoseError computePoseBatch(const ompl::base::State *const *states, PoseBatch *poses) const;
+
         /** \brief See Arm::getJointCells() */
         std::shared_ptr<JointCells> getJointCells(std::size_t pair) const;
 
@@ -77,6 +80,7 @@ namespace ompl_certificates
         std::optional<JointCells::Coordinate> coordinateOf(std::size_t coordinate, double reach) const;
 
         bool isPlain_{false};
+        PoseError batchError_;
         std::vector<Component> components_;
     };
 }

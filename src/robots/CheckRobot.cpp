@@ -60,6 +60,8 @@ namespace ompl_certificates
                                             to.get());
                     tryMotion(from.get(), to.get());
                 }
+                for (unsigned int i = 0; i < motions; i += PoseBatch::SIZE)
+                    tryBatch();
                 for (unsigned int i = 0; i < motions; ++i)
                     for (std::size_t pair = 0; pair < robot_.getBodyPairs().size(); ++pair)
                         tryCells(pair);
@@ -272,6 +274,42 @@ namespace ompl_certificates
                                  std::to_string(other) + " changes by " + textOf(changed) + ", but " + limit +
                                  " allows " + textOf(most));
                     }
+                }
+            }
+
+            /** Tries the poses of eight random states at once against those of each. */
+            void tryBatch()
+            {
+                if (!robot_.hasPoseBatches())
+                    return;
+                std::vector<ob::ScopedState<>> states(PoseBatch::SIZE, ob::ScopedState<>(space_));
+                std::vector<const ob::State *> pointers;
+                for (ob::ScopedState<> &state : states)
+                {
+                    sampler_->sampleUniform(state.get());
+                    pointers.push_back(state.get());
+                }
+                std::vector<PoseBatch> batches(bodies_);
+                const PoseError error = robot_.computePoseBatch(pointers.data(), batches.data());
+                for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+                {
+                    const std::vector<Pose> poses = posesOf(pointers[k]);
+                    for (std::size_t body = 0; body < bodies_; ++body)
+                        for (const Eigen::Vector3d &point : pointsOf(body, poses[body], poses[body]))
+                        {
+                            Eigen::Vector3d off = -(poses[body] * point);
+                            for (int i = 0; i < 3; ++i)
+                            {
+                                off[i] += static_cast<double>(batches[body].origin[i][k]);
+                                for (int column = 0; column < 3; ++column)
+                                    off[i] += static_cast<double>(batches[body].axes[column][i][k]) * point[column];
+                            }
+                            if (!(off.norm() <= error.at(point.norm())))
+                                fail("computePoseBatch() puts the point " + textOf(point) + " of body " +
+                                     std::to_string(body) + " in the state " + textOf(*space_, pointers[k]) + " " +
+                                     textOf(off.norm()) + " off, and says that it is " +
+                                     textOf(error.at(point.norm())) + " at most");
+                        }
                 }
             }
 

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_ROBOTS_JOINT_FRAMES_
 #define OMPL_CERTIFICATES_ROBOTS_JOINT_FRAMES_
 
+#include "ompl_certificates/geometry/PoseBatch.h"
 #include "ompl_certificates/robots/Arm.h"
 
 namespace ompl_certificates
@@ -84,6 +85,18 @@ namespace ompl_certificates
 
         /** \brief Write all frames */
         void compute(const double *coordinates, Frame *frames) const;
+
+        /** \brief The same for PoseBatch::SIZE states at once
+            \param coordinates of each coordinate those of all states, which stand beside each other
+            \return how far coordinates shift a frame, at most */
+        double computeBatch(const double *coordinates, PoseBatch *frames) const;
+
+        /** \brief How far off locateBatch() puts \e places, if no coordinate shifts a frame. What shifts them adds its
+            length to that of the arm, of which the error is a fixed fraction. */
+        PoseError errorOf(const std::vector<Place> &places) const;
+
+        /** \brief Write where \e places are among the frames of a batch: to \e poses[0] and on */
+        static void locateBatch(const std::vector<Place> &places, const PoseBatch *frames, PoseBatch *poses);
 
         /** \brief Where \e place is among \e frames */
         static void locate(const Place &place, const Frame *frames, Pose &pose)

@@ -1,5 +1,6 @@
 #include "support/Chain.h"
 #include "support/Complaint.h"
+#include "support/RandomTrees.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/robots/CheckRobot.h"
@@ -225,6 +226,26 @@ TEST(CheckRobot, FindsJointCellsThatLeaveOutWhatMoves)
                  "from where a steady change would take it"});
     expectWords(complaint([](Coordinates &coordinates) { coordinates.back().index = 99; }),
                 {"the joint cells of bodies", "name coordinate 99, but a state has"});
+}
+
+TEST(CheckRobot, FindsPosesOfABatchThatAreTooFarOff)
+{
+    class Overconfident : public Arm
+    {
+    public:
+        using Arm::Arm;
+
+        PoseError computePoseBatch(const ob::State *const *states, PoseBatch *poses) const override
+        {
+            const PoseError error = Arm::computePoseBatch(states, poses);
+            return {1e-3 * error.linear, 1e-3 * error.angular};
+        }
+    };
+
+    const KinematicTree tree = sevenJoints();
+    EXPECT_EQ(complaintOf([&] { checkRobot(Arm("arm", tree, SEVEN), 100); }), "");
+    expectWords(complaintOf([&] { checkRobot(Overconfident("arm", tree, SEVEN), 100); }),
+                {"Robot 'arm'", "computePoseBatch() puts the point", "in the state (", "off, and says that it is"});
 }
 
 TEST(CheckRobot, FindsABoundOfABodyPairThatIsTooSmallFromEitherEnd)

@@ -18,6 +18,7 @@ namespace ompl_certificates
           allows;
         - in no such interval does the distance between points of a pair of bodies change by more than the bounds of
           computePairMotionBounds() allow;
+        - poses of computePoseBatch() are no farther off than it says;
         - the joint cells of a pair name all coordinates on which its relative pose depends, and none reaches farther
           than they say or changes otherwise than steadily along a motion.
 

@@ -3,8 +3,10 @@
 
 #include "ompl_certificates/geometry/Body.h"
 #include "ompl_certificates/geometry/MotionBound.h"
+#include "ompl_certificates/geometry/PoseBatch.h"
 #include "ompl_certificates/robots/BodyPair.h"
 
+#include <limits>
 #include <memory>
 #include <ompl/base/StateSpace.h>
 #include <string>
@@ -87,6 +89,22 @@ namespace ompl_certificates
         /** \brief computePoses(), with the bodies of a planar robot put exactly into the plane: upright and at z = 0,
             without the rounding of computePoses(). The checkers call this one. */
         void placeBodies(const ompl::base::State *state, Pose *poses) const;
+
+        /** \brief Whether computePoseBatch() is there, and quicker than computePoses() */
+        virtual bool hasPoseBatches() const
+        {
+            return false;
+        }
+
+        /** \brief computePoses() of PoseBatch::SIZE states at once, in single precision: one batch for each body, to \e
+            poses[0] and on. For robots of many bodies: checkers of motions leave out what such poses show to be far from
+            everything, and compute the poses of the rest by placeBodies(). Numbers of a state that are not finite must
+            make numbers of its poses that are not.
+            \return how far off the poses may be, for all states and bodies; infinite if there are none, as here */
+        virtual PoseError computePoseBatch(const ompl::base::State *const * /*states*/, PoseBatch * /*poses*/) const
+        {
+            return {std::numeric_limits<double>::infinity(), 0.0};
+        }
 
         /** \brief Write how far each body can move along the space's interpolation from \e from to \e to: one motion
             bound per body, to \e bounds[0] and on. A bound that is too large costs time; one that is too small makes
