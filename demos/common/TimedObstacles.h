@@ -68,6 +68,13 @@ namespace demos
             return obstacles_->gap(body, pose, needed, wanted);
         }
 
+        ompl_certificates::BatchMask mayTouch(const ompl_certificates::Body &body,
+                                              const ompl_certificates::PoseBatch &poses,
+                                              const ompl_certificates::PoseError &error) const override
+        {
+            return obstacles_->mayTouch(body, poses, error);
+        }
+
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
         double clearance(const Eigen::Vector3d &point) const override;
         double findNearest(const Eigen::Vector3d &point, ompl_certificates::ObstaclePart &part) const override;

@@ -62,6 +62,7 @@ namespace ompl_certificates
                     const Pose pose = anyPose(body);
                     tryPose(body, pose, "body " + std::to_string(index));
                     tryGap(body, pose, "body " + std::to_string(index));
+                    tryBatch(body, pose, "body " + std::to_string(index));
                 }
             }
 
@@ -243,6 +244,32 @@ namespace ompl_certificates
                     require(collides || part == NO_PART || !obstacles_.certainlyHits(body, pose, part),
                             "certainlyHits() says that " + name + " at " + textOf(pose) + " hits part " +
                                 std::to_string(part) + ", but collides() finds it free");
+            }
+
+            /** Tries whether a batch of poses that are somewhat off leaves out a body that collides. */
+            void tryBatch(const Body &body, const Pose &pose, const std::string &name)
+            {
+                const double off = std::pow(10.0, random_.uniformReal(-6.0, -1.0));
+                const PoseError error{off * size_ + 1e-6 * pose.translation().norm(), off + 1e-6};
+                PoseBatch batch;
+                for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+                {
+                    const Eigen::Vector3d origin =
+                        pose.translation() + random_.uniform01() * off * size_ * anyDirection();
+                    const Eigen::Vector3d axis = dimension_ == 2 ? Eigen::Vector3d::UnitZ() : anyDirection();
+                    const Eigen::Matrix3d axes =
+                        Eigen::AngleAxisd(random_.uniform01() * off, axis).toRotationMatrix() * pose.linear();
+                    for (int i = 0; i < 3; ++i)
+                    {
+                        batch.origin[i][k] = static_cast<float>(origin[i]);
+                        for (int column = 0; column < 3; ++column)
+                            batch.axes[column][i][k] = static_cast<float>(axes(i, column));
+                    }
+                }
+                require(obstacles_.mayTouch(body, batch, error) == WHOLE_BATCH || !obstacles_.collides(body, pose),
+                        "mayTouch() leaves out " + name + " about " + textOf(pose) +
+                            ", with poses that are off by less than " + textOf(error.linear) + " and " +
+                            textOf(error.angular) + ", but collides() finds it colliding");
             }
 
             const Obstacles &obstacles_;

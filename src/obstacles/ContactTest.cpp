@@ -59,6 +59,19 @@ namespace ompl_certificates
         return all;
     }
 
+    BatchMask ContactTest::mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const
+    {
+        if (dimension_ == 2)
+            return WHOLE_BATCH;
+        const double margin = marginOf(body);
+        const BoxBatch box{body.getBounds(), poses, error};
+        BatchMask all = primitives_.mayTouch(body.getSphereTree().getRoot(), box, margin);
+        if (all != WHOLE_BATCH && !surface_.isEmpty())
+            all = static_cast<BatchMask>(
+                all | mayOverlap(surface_.getTriangles().getBounds(), Pose::Identity(), box, margin));
+        return all;
+    }
+
     Touching ContactTest::touchesTriangles(const Shape &shape, const Pose &pose, double margin, ObstaclePart *hit) const
     {
         if (dimension_ == 2 && surface_.getTriangles().size() > MOST_PLANAR_TRIANGLES)

@@ -19,6 +19,9 @@ namespace ompl_certificates
         /** \brief See FclObstacles::touches() */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const;
 
+        /** \brief See FclObstacles::mayTouch() */
+        BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const;
+
         /** \brief See FclObstacles::gap() */
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const;
 

@@ -137,6 +137,11 @@ namespace ompl_certificates
         return contactTest_->touches(body, pose, hit);
     }
 
+    BatchMask FclObstacles::mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const
+    {
+        return contactTest_->mayTouch(body, poses, error);
+    }
+
     double FclObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
     {
         return contactTest_->gap(body, pose, needed, wanted);

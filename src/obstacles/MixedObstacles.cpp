@@ -91,6 +91,14 @@ namespace ompl_certificates
         return all;
     }
 
+    BatchMask MixedObstacles::mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const
+    {
+        BatchMask all = 0;
+        for (const ObstaclesPtr &member : members_)
+            all = static_cast<BatchMask>(all | member->mayTouch(body, poses, error));
+        return all;
+    }
+
     double MixedObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
     {
         double least = wanted;

@@ -1,5 +1,11 @@
 #include "PrimitiveList.h"
 
+#include "geometry/EightNumbers.h"
+#include "geometry/WideRegisters.h"
+
+#include <cmath>
+#include <limits>
+
 namespace ompl_certificates
 {
     namespace
@@ -28,6 +34,32 @@ namespace ompl_certificates
             order(begin, middle, blockSize);
             order(middle, end, blockSize);
         }
+
+        constexpr float INF = std::numeric_limits<float>::infinity();
+
+        float roundedDown(double number)
+        {
+            return std::nextafter(static_cast<float>(number), -INF);
+        }
+
+        /** The primitives of a block, a bit for each, whose bounds touch the box from \e low to \e high */
+        template <typename Block>
+        inline unsigned int findTouching(const Block &block, const float *low, const float *high)
+        {
+            EightFlags apart{};
+            for (int axis = 0; axis < 3; ++axis)
+                apart |= (eight(block.roundedLow[axis]) > high[axis]) | (eight(block.roundedHigh[axis]) < low[axis]);
+            return maskOf(~apart);
+        }
+
+        /** The states in which a point has numbers that are not finite */
+        inline BatchMask notFinite(const PointBatch &point)
+        {
+            EightFlags finite = ~EightFlags{};
+            for (const auto &numbers : point.at)
+                finite &= eight(numbers) - eight(numbers) == 0.0F;
+            return maskOf(~finite);
+        }
     }
 
     PrimitiveList::PrimitiveList(const PlacedShapes &obstacles)
@@ -44,14 +76,65 @@ namespace ompl_certificates
                                    ConvexCover(placed->shape, Pose::Identity())});
             const std::size_t k = i % BLOCK_SIZE;
             if (k == 0)
+            {
                 blocks_.emplace_back();
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                {
+                    std::fill_n(blocks_.back().roundedLow[axis], BLOCK_SIZE, INF);
+                    std::fill_n(blocks_.back().roundedHigh[axis], BLOCK_SIZE, -INF);
+                }
+            }
             Block &block = blocks_.back();
             block.all.extend(box);
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
                 block.low[axis][k] = box.min()[static_cast<Eigen::Index>(axis)];
                 block.high[axis][k] = box.max()[static_cast<Eigen::Index>(axis)];
+                block.roundedLow[axis][k] = roundedDown(block.low[axis][k]);
+                block.roundedHigh[axis][k] = -roundedDown(-block.high[axis][k]);
             }
         }
+    }
+
+    OMPL_CERTIFICATES_WIDE_WHOLE
+    BatchMask PrimitiveList::mayTouch(const Ball &ball, const BoxBatch &box, double margin) const
+    {
+        PointBatch centers;
+        placePoint(box.poses, ball.center, centers);
+        const float radius = -roundedDown(-(ball.radius + margin + box.error.at(ball.center.norm())));
+        // What no primitive touches around the balls of all states needs no look at each of them.
+        float low[3], high[3];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const auto &all = centers.at[axis];
+            low[axis] = *std::min_element(all, all + PoseBatch::SIZE) - radius;
+            high[axis] = *std::max_element(all, all + PoseBatch::SIZE) + radius;
+        }
+        unsigned int found = notFinite(centers);
+        for (std::size_t i = 0; i < blocks_.size(); ++i)
+        {
+            const Block &block = blocks_[i];
+            for (unsigned int near = findTouching(block, low, high), k = 0; near != 0; near >>= 1U, ++k)
+            {
+                if ((near & 1U) == 0)
+                    continue;
+                EightFloats squared{};
+                for (int axis = 0; axis < 3; ++axis)
+                {
+                    const EightFloats below = block.roundedLow[axis][k] - eight(centers.at[axis]),
+                                      above = eight(centers.at[axis]) - block.roundedHigh[axis][k];
+                    EightFloats outside = below > above ? below : above;
+                    outside = outside < 0.0F ? EightFloats{} : outside;
+                    squared += outside * outside;
+                }
+                constexpr float rounding = 1.0F + 1e-6F;
+                const unsigned int touching = maskOf(~(squared > radius * radius * rounding));
+                if ((touching & ~found) == 0)
+                    continue;
+                const Primitive &primitive = primitives_[i * BLOCK_SIZE + k];
+                found |= touching & mayOverlap(primitive.bounds, primitive.toShape, box, margin);
+            }
+        }
+        return static_cast<BatchMask>(found);
     }
 }

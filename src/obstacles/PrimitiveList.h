@@ -3,6 +3,7 @@
 
 #include "PlacedShape.h"
 
+#include "geometry/BatchOverlap.h"
 #include "geometry/ConvexCover.h"
 
 #include "ompl_certificates/geometry/Ball.h"
@@ -78,6 +79,12 @@ namespace ompl_certificates
             }
         }
 
+        /** \brief The states in which a body may be within \e margin of a primitive
+            \param ball its bounding sphere
+            \param box its box
+            Cost: see FclObstacles::mayTouch() */
+        BatchMask mayTouch(const Ball &ball, const BoxBatch &box, double margin) const;
+
     private:
         static constexpr std::size_t BLOCK_SIZE = 8;
 
@@ -85,6 +92,9 @@ namespace ompl_certificates
         {
             Eigen::AlignedBox3d all;
             std::array<std::array<double, BLOCK_SIZE>, 3> low, high;
+
+            /** \brief The same rounded outwards; absent ones are inside out and infinite. */
+            alignas(32) float roundedLow[3][BLOCK_SIZE], roundedHigh[3][BLOCK_SIZE];
         };
 
         std::vector<Primitive> primitives_;

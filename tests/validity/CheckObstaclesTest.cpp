@@ -65,6 +65,11 @@ namespace
             return truth->gap(body, pose, needed, wanted) + gapOffset;
         }
 
+        BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const override
+        {
+            return truth->mayTouch(body, poses, {errorFactor * error.linear, errorFactor * error.angular});
+        }
+
         double getTolerance() const override
         {
             return tolerance < 0.0 ? truth->getTolerance() : tolerance;
@@ -77,6 +82,7 @@ namespace
 
         ObstaclesPtr truth;
         double factor{1.0}, offset{0.0}, nearestOffset{0.0}, gapOffset{0.0}, tolerance{-1.0};
+        double errorFactor{1.0};
         double nearLimitOffset{0.0}, beyondLimitOffset{0.0};
         ObstaclePart partSaid{NO_PART};
         bool hits{false}, proves{true};
@@ -136,6 +142,14 @@ TEST_P(ToldObstacles, AreWithoutFaultIfTheyTellTheTruth)
     EXPECT_EQ(complaint(), "");
 }
 
+TEST_P(ToldObstacles, AreFoundToLeaveOutABodyThatMayTouchThem)
+{
+    if (team_->getRobots().front()->getWorkspaceDimension() == 2)
+        GTEST_SKIP() << "nothing is left out in the plane";
+    told_->errorFactor = 0.0;
+    expectComplaint({"mayTouch() leaves out", "with poses that are off by less than", "colliding"});
+}
+
 TEST_P(ToldObstacles, AreFoundNotToBeLipschitz)
 {
     told_->factor = 1.1;
@@ -173,6 +187,7 @@ TEST_P(ToldObstacles, AreFoundToGiveOtherClearancesBelowALimit)
 TEST_P(ToldObstacles, AreFoundToContradictThemselvesAboutBodies)
 {
     told_->touching = [](const Body &, const Pose &) { return Touching::UNKNOWN; };
+    told_->gapOffset = -100.0;
     // Right only about balls
     told_->collision = [this](const Body &body, const Pose &pose)
     { return told_->truth->collides(body, pose) || (!body.isBall() && pose.translation().x() > 2.0); };

@@ -21,7 +21,8 @@ namespace ompl_certificates
           tolerance;
         - both hold of the bounding spheres and inner spheres of \e bodies, too;
         - touches() and certainlyHits() never contradict collides();
-        - no body that moves by less than its gap() collides.
+        - no body that moves by less than its gap() collides;
+        - mayTouch() leaves out no state in which a body collides.
 
         The tolerance is that of the checkers: getTolerance() and exactCheckTolerance() of the body. Planar meshes that
         were cut to the robots' z-interval are not tried with discs, whose z-interval is unbounded.

@@ -36,6 +36,8 @@ namespace ompl_certificates
 
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
+        BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const override;
+
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
 
         /** \brief True if all members have a gap */

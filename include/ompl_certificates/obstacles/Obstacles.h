@@ -5,6 +5,7 @@
 #include "ompl_certificates/geometry/Touching.h"
 #include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/geometry/Pose.h"
+#include "ompl_certificates/geometry/PoseBatch.h"
 
 #include <cstdint>
 #include <limits>
@@ -66,6 +67,15 @@ namespace ompl_certificates
         virtual Touching touches(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart * /*hit*/ = nullptr) const
         {
             return Touching::UNKNOWN;
+        }
+
+        /** \brief In which states of a batch \e body may touch an obstacle, by a quick look at bounding volumes. In the
+            others it does not: there collides() finds it free.
+            \param error how far off \e poses may be */
+        virtual BatchMask mayTouch(const Body & /*body*/, const PoseBatch & /*poses*/,
+                                   const PoseError & /*error*/) const
+        {
+            return WHOLE_BATCH;
         }
 
         /** \brief A lower bound of the distance between \e body at \e pose and the obstacles, if there is a quick one;
