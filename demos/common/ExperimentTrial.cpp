@@ -131,6 +131,7 @@ namespace demos
               , nearest_(nearest)
               , memoryBefore_(residentBytes())
               , processorBefore_(processorSeconds())
+              , obstaclesBefore_(obstacles.getSeconds())
               , start_(std::chrono::steady_clock::now())
             {
             }
@@ -240,7 +241,7 @@ namespace demos
                                  seconds,
                                  processor,
                                  setup_.getStatistics().getCheckingSeconds(),
-                                 obstacles_.getSeconds(),
+                                 obstacles_.getSeconds() - obstaclesBefore_,
                                  nearest_ ? Json(nearest_->getSeconds()) : Json(),
                                  residentBytes() - memoryBefore_});
                 while (next_ <= iterations_)
@@ -256,7 +257,7 @@ namespace demos
             SampleCounter &samples_;
             const NearestClock *nearest_;
             std::int64_t memoryBefore_;
-            double processorBefore_;
+            double processorBefore_, obstaclesBefore_;
             std::chrono::steady_clock::time_point start_;
             double ownSeconds_{0.0}, ownProcessor_{0.0};
             std::uint64_t iterations_{0}, next_{1};
