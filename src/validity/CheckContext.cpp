@@ -21,6 +21,7 @@ namespace ompl_certificates
       , bodyPairDirections(bodyPairs, Eigen::Vector3d::Zero())
       , lastColliding(team.getRobotCount())
       , lastCollidingPair(team.getRobotCount() * (team.getRobotCount() + std::size_t(1)) / 2)
+      , batch(team, bodyPairs)
       , robotPolicies(team.getRobotCount())
       , sample(team.getStateSpace()->allocState())
       , last(team.getStateSpace()->allocState())

@@ -3,6 +3,7 @@
 
 #include "CertificatePolicy.h"
 #include "ProvenTimes.h"
+#include "SampleBatch.h"
 #include "ThreadNumber.h"
 
 #include "ompl_certificates/certificates/Certificate.h"
@@ -114,6 +115,9 @@ namespace ompl_certificates
 
         /** \brief The same for samples of all subjects at once */
         std::vector<OpenInterval> openSamples;
+
+        /** \brief Samples that are checked at once */
+        SampleBatch batch;
 
         /** \brief Two serialized states */
         std::vector<unsigned char> serialized;

@@ -1,6 +1,6 @@
 #include "DiscreteMotionCheck.h"
 
-#include "SampleOrder.h"
+#include "BatchCheck.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +139,15 @@ namespace ompl_certificates
 
     bool DiscreteMotionCheck::isExactlyFree()
     {
+        const auto segments = static_cast<int>(countSegments());
+        BreadthFirstSamples samples(context_.open, segments);
+        if (context_.batch.isPossible())
+        {
+            const auto place = [&](int sample, std::size_t number)
+            { placeInBatch(number, sample < segments ? static_cast<double>(sample) / segments : 1.0); };
+            return BatchCheck(check_, context_, {subjects_, subjectCount_})
+                .areFree(samples, static_cast<std::size_t>(std::max(segments, 1)), true, segments, place);
+        }
         const auto isFreeAt = [this](double time)
         {
             for (unsigned int subject = 0; subject < subjectCount_; ++subject)
@@ -149,11 +158,26 @@ namespace ompl_certificates
             }
             return true;
         };
-        if (!isFreeAt(1.0))
-            return false;
-        const auto segments = static_cast<int>(countSegments());
-        return BreadthFirstSamples(context_.open, segments)
-            .areFree([&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
+        return isFreeAt(1.0) &&
+               samples.areFree([&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
+    }
+
+    void DiscreteMotionCheck::placeInBatch(std::size_t number, double time)
+    {
+        SampleBatch &batch = context_.batch;
+        const auto placeRobot = [&](unsigned int robot)
+        {
+            const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
+            batch.robotState(robot, number) = to;
+            if (time < 1.0)
+            {
+                ompl::base::State *between = batch.robotSamples[robot * PoseBatch::SIZE + number];
+                check_.getTeam().getRobotSpace(robot).interpolate(from, to, time, between);
+                batch.robotState(robot, number) = between;
+            }
+        };
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
+            subjects_[subject].forEachRobot(placeRobot);
     }
 
     bool DiscreteMotionCheck::isFree(double &free)

@@ -28,6 +28,9 @@ namespace ompl_certificates
         bool isExactlyFree();
 
     private:
+        /** \brief Puts the states of all robots at \e time into the batch, as those of a sample */
+        void placeInBatch(std::size_t number, double time);
+
         /** \brief Settles all subjects at the end of the motion and sets endInterval. False if one is not free. */
         bool settleEnd();
 

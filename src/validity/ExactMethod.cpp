@@ -11,26 +11,39 @@ namespace ompl_certificates
     {
     }
 
-    SubjectVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
-                                            const MotionSample & /*sample*/) const
+    template <typename IsAsked>
+    bool ExactMethod::areFree(unsigned int robot, CheckContext &context, SettledBy by, const IsAsked &isAsked) const
     {
         const auto &bodies = context.team.getRobot(robot).getBodies();
         const std::size_t first = context.team.getFirstBody(robot);
         bool free = true;
-        SettledBy settledBy = SettledBy::CERTIFICATE;
         const std::size_t likely = contactTest_ ? context.lastColliding[robot] : 0;
         for (std::size_t i = 0; free && i < bodies.size(); ++i)
         {
             const std::size_t k = CheckContext::inOrder(i, likely);
-            SettledBy by = SettledBy::CERTIFICATE;
+            if (!isAsked(first + k))
+                continue;
+            SettledBy one = SettledBy::CERTIFICATE;
             const Pose &pose = context.poses[first + k];
             ObstaclePart hit;
-            free = isFinite(pose) && !collides(*obstacles_, bodies[k], pose, contactTest_, by, hit, context.counts);
-            settledBy = std::max(settledBy, by);
+            free = isFinite(pose) && !collides(*obstacles_, bodies[k], pose, contactTest_, one, hit, context.counts);
+            by = std::max(by, one);
             if (!free)
                 context.lastColliding[robot] = k;
         }
-        countRobotPose(context.counts, settledBy, free);
-        return {free};
+        countRobotPose(context.counts, by, free);
+        return free;
+    }
+
+    SubjectVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                            const MotionSample & /*sample*/) const
+    {
+        return {areFree(robot, context, SettledBy::CERTIFICATE, [](std::size_t) { return true; })};
+    }
+
+    bool ExactMethod::isFreeAt(std::size_t sample, unsigned int robot, CheckContext &context) const
+    {
+        return areFree(robot, context, SettledBy::CONTACT,
+                       [&](std::size_t body) { return contains(context.batch.nearObstacles[body], sample); });
     }
 }

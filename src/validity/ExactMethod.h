@@ -15,6 +15,10 @@ namespace ompl_certificates
         SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
                                    const MotionSample &sample) const override;
 
+        /** \brief Whether a robot is free at a sample of \e context's batch. Its poses are those of the sample. Only
+            bodies that may touch an obstacle then are checked. */
+        bool isFreeAt(std::size_t sample, unsigned int robot, CheckContext &context) const;
+
         void clear() override
         {
         }
@@ -25,6 +29,11 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Whether those of a robot's bodies are free for which \e isAsked, which gets their numbers
+            \param by what settles a robot of which none is */
+        template <typename IsAsked>
+        bool areFree(unsigned int robot, CheckContext &context, SettledBy by, const IsAsked &isAsked) const;
+
         ObstaclesPtr obstacles_;
         const bool contactTest_;
     };

@@ -4,15 +4,6 @@
 
 namespace ompl_certificates
 {
-    namespace
-    {
-        /** From one robot of a subject to the next: a pair has two, a team all */
-        unsigned int step(const Subject &subject)
-        {
-            return subject.kind == Subject::PAIR ? std::max(subject.last - subject.first, 1U) : 1;
-        }
-    }
-
     MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                              const ompl::base::State *s2)
       : check_(check)
@@ -78,8 +69,7 @@ namespace ompl_certificates
     void MotionCheck::pose(unsigned int subject, double t)
     {
         const Subject &posed = subjects_[subject];
-        for (unsigned int robot = posed.first; robot <= posed.last; robot += step(posed))
-            computeMotionBounds(robot);
+        posed.forEachRobot([this](unsigned int robot) { computeMotionBounds(robot); });
         if (posed.kind == Subject::PAIR && posed.first == posed.last)
             computePairMotionBounds(posed.first);
         place(subject, t);
@@ -87,9 +77,7 @@ namespace ompl_certificates
 
     void MotionCheck::place(unsigned int subject, double t)
     {
-        const Subject &posed = subjects_[subject];
-        for (unsigned int robot = posed.first; robot <= posed.last; robot += step(posed))
-            poseRobot(robot, t);
+        subjects_[subject].forEachRobot([this, t](unsigned int robot) { poseRobot(robot, t); });
     }
 
     void MotionCheck::poseRobot(unsigned int robot, double t)

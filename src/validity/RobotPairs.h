@@ -2,13 +2,12 @@
 #define OMPL_CERTIFICATES_VALIDITY_ROBOT_PAIRS_
 
 #include "CheckMethod.h"
-#include "JointCellCheck.h"
+#include "TwoBodies.h"
 
 #include "certificates/CertificateLimit.h"
 
 #include "ompl_certificates/validity/Method.h"
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,6 +70,19 @@ namespace ompl_certificates
             there. */
         SubjectVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
 
+        /** \brief Notes at which samples of \e context's batch the bodies of a pair are near each other: bounding spheres
+            and boxes do not prove them apart. Reads their poses there. */
+        void findNear(unsigned int pair, CheckContext &context) const;
+
+        /** \brief Asks the joint cells about bodies that are near each other at a sample of the batch, without their
+            poses. Those that they know to be apart are no longer near.
+            \return false if two of them touch */
+        bool settleNearByCells(std::size_t sample, unsigned int pair, CheckContext &context) const;
+
+        /** \brief Whether the robots of a pair are apart at a sample of the batch, whose poses are in \e context. Only
+            bodies that are near each other are checked. */
+        bool areApartAt(std::size_t sample, unsigned int pair, CheckContext &context) const;
+
         /** \brief How long the robots of a pair stay apart after the start of a motion, by their bounding spheres
             alone; 0 if these touch */
         double provenInterval(unsigned int pair, CheckContext &context) const;
@@ -87,60 +99,6 @@ namespace ompl_certificates
         void clear();
 
     private:
-        /** \brief A body of one robot and another body, of the same robot or not. Indices count the bodies of the whole
-            team. */
-        struct TwoBodies
-        {
-            std::size_t firstIndex, secondIndex;
-            const Body *first, *second;
-
-            /** \brief The environment: the second body, or the first if \e swapped. Null for two balls. */
-            BodyFrame *frame;
-            bool swapped;
-
-            /** \brief The possible error of rounding and of FCL when bounding spheres or gaps are compared */
-            double margin;
-
-            /** \brief Bodies are apart if the centers of their bounding spheres are farther from each other than
-                this. */
-            double farthest;
-
-            /** \brief Where the relative motion bound of two bodies of one robot is in
-                CheckContext::pairMotionBounds */
-            unsigned int robot{0};
-            std::size_t ownPair{NOT_OWN};
-            static constexpr std::size_t NOT_OWN = std::numeric_limits<std::size_t>::max();
-
-            /** \brief Whether all centers of either body's sphere tree lie within its bounding radius */
-            bool centersWithin{false};
-
-            /** \brief The joint cells of two bodies of one robot, if it has some */
-            std::optional<JointCellCheck> cells{};
-
-            /** \brief The body that is looked up in the frame of the other */
-            const Body &lookedUp() const
-            {
-                return swapped ? *second : *first;
-            }
-
-            /** \brief The pose of that body in the frame */
-            Pose relativePose(const CheckContext &context) const
-            {
-                const Pose &a = context.poses[firstIndex], &b = context.poses[secondIndex];
-                return swapped ? a.inverse() * b : b.inverse() * a;
-            }
-
-            /** \brief The distance between the bounding spheres; negative if they overlap */
-            double gap(const CheckContext &context) const;
-
-            /** \brief How fast the bounding spheres approach each other, at most */
-            double speed(const CheckContext &context) const;
-
-            /** \brief The motion bound of lookedUp() in the frame of the other. It bounds how fast clearances
-                change. */
-            MotionBound relativeMotionBound(const CheckContext &context) const;
-        };
-
         struct Pair
         {
             unsigned int first, second;
@@ -163,6 +121,12 @@ namespace ompl_certificates
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */
         SubjectVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,
                                  const MotionSample &sample) const;
+
+        /** \brief Calls \e isApart for the bodies of a pair that are near each other at a sample of the batch, with their
+            number in the whole team, until it returns false
+            \return whether it did not */
+        template <typename IsApart>
+        bool areNearApart(std::size_t sample, unsigned int pair, CheckContext &context, const IsApart &isApart) const;
 
         /** \brief Settles two bodies by their joint cells, if these have an answer
             \param verdict what their bounding spheres say; takes the times at which the cells know them apart

@@ -20,22 +20,26 @@ namespace ompl_certificates
                 queue_.push_back({0, 1, segments - 1});
         }
 
+        /** \brief The number of the next sample, before the end */
+        int next()
+        {
+            const auto [subject, first, last] = queue_[next_++];
+            const int middle = (first + last) / 2;
+            if (first < middle)
+                queue_.push_back({0, first, middle - 1});
+            if (last > middle)
+                queue_.push_back({0, middle + 1, last});
+            return middle;
+        }
+
         /** \brief Whether the next samples, at most \e most, are free
             \param isFree says whether the sample of a number is free */
         template <typename IsFree>
         bool areFree(std::size_t most, const IsFree &isFree)
         {
             for (; most > 0 && !isAtEnd(); --most)
-            {
-                const auto [subject, first, last] = queue_[next_++];
-                const int middle = (first + last) / 2;
-                if (!isFree(middle))
+                if (!isFree(next()))
                     return false;
-                if (first < middle)
-                    queue_.push_back({0, first, middle - 1});
-                if (last > middle)
-                    queue_.push_back({0, middle + 1, last});
-            }
             return true;
         }
 

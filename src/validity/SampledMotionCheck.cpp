@@ -1,9 +1,10 @@
 #include "SampledMotionCheck.h"
 
+#include "BatchCheck.h"
 #include "DiscreteMotionCheck.h"
-#include "SampleOrder.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ompl_certificates
 {
@@ -47,13 +48,38 @@ namespace ompl_certificates
 
     bool SampledMotionCheck::isFree()
     {
-        if (!isStateFree(s2_))
+        const bool batched = context_.batch.isPossible() && (exactly_ || check_.getMethod() == Method::STANDARD);
+        if (!batched && !isStateFree(s2_))
             return false;
         BreadthFirstSamples samples(context_.openSamples, countSegments());
-        const auto isFreeAt = [this](int sample) { return isSampleFree(sample); };
+        const auto areFree = [&](std::size_t most, bool withEnd)
+        {
+            return batched ? areBatchesFree(samples, most, withEnd)
+                           : samples.areFree(most, [this](int sample) { return isSampleFree(sample); });
+        };
+        constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
         if (!exactly_ || segments_ < LONG_MOTION || !check_.getTeam().interpolatesRobots())
-            return samples.areFree(isFreeAt);
-        return samples.areFree(FIRST_SAMPLES, isFreeAt) && isRestFree([&] { return samples.areFree(isFreeAt); });
+            return areFree(all, true);
+        return areFree(FIRST_SAMPLES, true) && isRestFree([&] { return areFree(all, false); });
+    }
+
+    bool SampledMotionCheck::areBatchesFree(BreadthFirstSamples &samples, std::size_t least, bool withEnd)
+    {
+        const auto &subjects = check_.getSubjects();
+        BatchCheck batches(check_, context_, {subjects.data(), static_cast<unsigned int>(subjects.size())});
+        const auto place = [this](int sample, std::size_t number)
+        {
+            const ompl::base::State *state = s2_;
+            if (sample < segments_)
+            {
+                ompl::base::State *between = context_.batch.teamSamples[number];
+                check_.getTeam().getStateSpace()->interpolate(s1_, s2_, static_cast<double>(sample) / segments_,
+                                                              between);
+                state = between;
+            }
+            context_.batch.setState(number, state);
+        };
+        return batches.areFree(samples, least, withEnd, segments_, place);
     }
 
     template <typename Exact>

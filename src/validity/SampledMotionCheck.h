@@ -5,6 +5,8 @@
 
 namespace ompl_certificates
 {
+    class BreadthFirstSamples;
+
     /** \brief Checks a motion sample by sample, as the team's space interpolates it. Verdict and order of samples are
         those of ompl::base::DiscreteMotionValidator. For methods without certificates, and for spaces whose motions
         have no motion bounds. Also for motions for which certificates do not pay: there a long motion whose first
@@ -31,6 +33,9 @@ namespace ompl_certificates
             \e exact, whichever is quicker */
         template <typename Exact>
         bool isRestFree(const Exact &exact);
+
+        /** \brief Whether the next samples are free, several at once; see BatchCheck::areFree() */
+        bool areBatchesFree(BreadthFirstSamples &samples, std::size_t least, bool withEnd);
 
         int countSegments();
         bool isStateFree(const ompl::base::State *state) const;

@@ -36,6 +36,15 @@ namespace ompl_certificates
         unsigned int first, last;
         /** \brief The number of the pair */
         unsigned int pair;
+
+        /** \brief Calls \e visit for each of the robots */
+        template <typename Visit>
+        void forEachRobot(const Visit &visit) const
+        {
+            const unsigned int step = kind == PAIR && first < last ? last - first : 1;
+            for (unsigned int robot = first; robot <= last; robot += step)
+                visit(robot);
+        }
     };
 
     /** \brief Subjects that stand in a row */
@@ -85,6 +94,17 @@ namespace ompl_certificates
         WorldLock &getLock() const
         {
             return lock_;
+        }
+
+        /** \brief The check of robots by Method::STANDARD */
+        const ExactMethod &getExactMethod() const
+        {
+            return exactMethod_;
+        }
+
+        const RobotPairs &getPairs() const
+        {
+            return pairs_;
         }
 
         /** \brief Contexts for checks that are not counted; for others, create a Scope */

@@ -18,9 +18,12 @@ namespace ompl_certificates
                           const SubjectRange &subjects, std::initializer_list<const ob::State *> from,
                           std::initializer_list<const ob::State *> to)
         {
+            const auto exact = [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isExactlyFree(); };
+            if (check.getMethod() == Method::STANDARD)
+                return exact();
             return check.decide(
                 policy, context, [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isFree(); },
-                [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isExactlyFree(); });
+                exact);
         }
 
         const ob::StateSpacePtr &spaceOf(const ob::SpaceInformationPtr &si)
