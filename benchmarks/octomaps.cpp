@@ -23,6 +23,7 @@ namespace
     {
         std::string map;
         std::vector<std::string> planners{"RRTConnect", "RRTstar"};
+        std::vector<std::string> methods{"fcl", "standard", "shared"};
         unsigned int iterations{3000};
         unsigned int seeds{3};
         double range{0.0};
@@ -197,8 +198,7 @@ namespace
 
     struct Row
     {
-        std::string method;
-        Method check;
+        Method method{Method::FCL};
         double checking{0.0}, total{0.0};
         std::uint64_t asked{0};
         std::vector<std::string> digests;
@@ -215,16 +215,19 @@ namespace
 
         const Body body = drone();
         const RobotPtr robot = RigidRobot::inSE3("drone", body, bounds);
-        std::puts(
-            "| planner | method | checking (s) | total (s) | checking, fcl ÷ this | standard ÷ this | exact checks "
-            "| nodes equal |");
-        std::puts("|---|---|---|---|---|---|---|---|");
+        std::string header = "| planner | method | plans | checking (s) | total (s) |", line = "|---|---|---|---|---|";
+        for (std::size_t i = 0; i + 1 < options.methods.size(); ++i)
+        {
+            header += " checking, " + options.methods[i] + " ÷ this |";
+            line += "---|";
+        }
+        std::printf("%s exact checks | trees equal |\n%s---|---|\n", header.c_str(), line.c_str());
         bool allEqual = true;
         for (const std::string &planner : options.planners)
         {
-            std::vector<Row> rows{{"fcl", Method::FCL, 0.0, 0.0, 0, {}},
-                                  {"standard", Method::STANDARD, 0.0, 0.0, 0, {}},
-                                  {"shared", Method::SHARED_PROJECTION, 0.0, 0.0, 0, {}}};
+            std::vector<Row> rows;
+            for (const std::string &method : options.methods)
+                rows.emplace_back().method = methodOf(method);
             for (unsigned int seed = 1; seed <= options.seeds; ++seed)
             {
                 ompl::msg::noOutputHandler();
@@ -243,8 +246,8 @@ namespace
                 }
                 for (Row &row : rows)
                 {
-                    benchmarks::PlanTask task{row.check == Method::FCL ? fcl : own, planner};
-                    task.method = row.check;
+                    benchmarks::PlanTask task{row.method == Method::FCL ? fcl : own, planner};
+                    task.method = row.method;
                     task.iterations = options.iterations;
                     task.range = options.range;
                     task.seed = seed;
@@ -259,10 +262,11 @@ namespace
             {
                 const bool equal = row.digests == rows.front().digests;
                 allEqual = allEqual && equal;
-                std::printf("| %s | %s | %.2f | %.2f | %.1f | %.2f | %llu | %s |\n", planner.c_str(),
-                            row.method.c_str(), row.checking, row.total, rows[0].checking / row.checking,
-                            rows[1].checking / row.checking, static_cast<unsigned long long>(row.asked),
-                            equal ? "yes" : "NO");
+                std::printf("| %s | %s | %zu | %.3f | %.3f |", planner.c_str(), nameOf(row.method).c_str(),
+                            row.digests.size(), row.checking, row.total);
+                for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+                    std::printf(" %.2f |", rows[i].checking / row.checking);
+                std::printf(" %llu | %s |\n", static_cast<unsigned long long>(row.asked), equal ? "yes" : "NO");
             }
             std::fflush(stdout);
         }
@@ -284,6 +288,7 @@ int main(int argc, char **argv)
     app.add_option("--resolution", options.resolution, "The longest valid segment as a fraction of the space's extent")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    app.footer("Returns 1 if a tree differs from that with FCL's check, 2 for bad input.");
+    benchmarks::addAllMethods(app, options.methods);
+    app.footer("Returns 1 if a tree differs from that of the first method, 2 for bad input.");
     return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }
