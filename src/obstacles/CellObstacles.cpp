@@ -20,6 +20,10 @@ namespace ompl_certificates
         /** After so many boxes that a body may just touch, the exact check decides. */
         constexpr unsigned int MOST_UNKNOWN = 32;
 
+        /** After so many boxes near a body of several parts that none of them touches, the parts are tried one by
+            one. */
+        constexpr unsigned int MOST_APART = 16;
+
         /** A forest of one block */
         std::unique_ptr<const CellForest> forestOf(double cellSize, const std::vector<CellBox> &cells,
                                                    unsigned int dimension)
@@ -119,64 +123,88 @@ namespace ompl_certificates
     }
 
     template <typename Visit>
-    void CellObstacles::visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const
+    void CellObstacles::visitNear(Eigen::AlignedBox3d bounds, Pose pose, bool flat, double margin,
+                                  const Visit &visit) const
     {
-        Eigen::AlignedBox3d bounds = shape.getBounds();
-        Pose inCells = pose;
-        inCells.translation() /= cellSize_;
-        if (dimension_ == 2 && shape.getMesh())
-        {
-            // Seen from above, a mesh is in the plane of the cells.
-            bounds.min().z() = bounds.max().z() = 0.0;
-            inCells.translation().z() = 0.0;
-        }
+        pose.translation() /= cellSize_;
+        if (flat)
+            bounds.min().z() = bounds.max().z() = pose.translation().z() = 0.0;
         bounds.min() /= cellSize_;
         bounds.max() /= cellSize_;
-        forest_->visitNear(bounds, inCells, margin / cellSize_,
-                           [&](const CellForest::Place &place, ObstaclePart part)
-                           {
-                               const Touching answer = touchesBox(shape, pose, place.block->getShape(place.box),
-                                                                  boundsOf(place.getCells()).center(), margin);
-                               return answer != Touching::NO && visit(part, answer);
-                           });
+        forest_->visitNear(bounds, pose, margin / cellSize_, visit);
+    }
+
+    template <typename Visit>
+    void CellObstacles::visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const
+    {
+        // Seen from above, a mesh is in the plane of the cells.
+        visitNear(shape.getBounds(), pose, dimension_ == 2 && shape.getMesh(), margin,
+                  [&](const CellForest::Place &place, ObstaclePart box)
+                  {
+                      const Touching answer = touchesBox(shape, pose, place.block->getShape(place.box),
+                                                         boundsOf(place.getCells()).center(), margin);
+                      return answer != Touching::NO && visit(box, answer);
+                  });
+    }
+
+    template <typename Visit>
+    void CellObstacles::visitTouched(const Body &body, const Pose &pose, double margin, const Visit &visit) const
+    {
+        const std::vector<Body::Part> &parts = body.getParts();
+        // One walk for the whole body: mostly no box is near it, or few are. If many are and no part touches them, as
+        // between the ends of a dumbbell, each part has a walk of its own.
+        unsigned int apart = 0;
+        if (parts.size() > 1)
+            visitNear(body.getBounds(), pose, dimension_ == 2, margin,
+                      [&](const CellForest::Place &place, ObstaclePart box)
+                      {
+                          const Shape &shape = place.block->getShape(place.box);
+                          const Eigen::AlignedBox3d bounds = boundsOf(place.getCells());
+                          bool isApart = true;
+                          for (const Body::Part &part : parts)
+                          {
+                              const Pose partPose = pose * part.pose;
+                              const Touching answer = touchesBox(part.shape, partPose, shape, bounds.center(), margin);
+                              isApart = isApart && answer == Touching::NO;
+                              if (answer != Touching::NO && visit(box, answer))
+                                  return true;
+                          }
+                          apart += isApart ? 1 : 0;
+                          return apart > MOST_APART;
+                      });
+        if (parts.size() > 1 && apart <= MOST_APART)
+            return;
+        bool isDone = false;
+        for (const Body::Part &part : parts)
+        {
+            visitTouched(part.shape, pose * part.pose, margin,
+                         [&](ObstaclePart box, Touching answer) { return isDone = visit(box, answer); });
+            if (isDone)
+                return;
+        }
     }
 
     bool CellObstacles::collides(const Body &body, const Pose &pose) const
     {
-        const double margin = marginOf(body);
         bool collides = false;
-        const auto settle = [&](ObstaclePart box, Touching answer)
-        {
-            collides = answer == Touching::YES || fclCollides(body, pose, box);
-            return collides;
-        };
-        for (const auto &part : body.getParts())
-        {
-            visitTouched(part.shape, pose * part.pose, margin, settle);
-            if (collides)
-                return true;
-        }
-        return false;
+        visitTouched(body, pose, marginOf(body),
+                     [&](ObstaclePart box, Touching answer)
+                     { return collides = answer == Touching::YES || fclCollides(body, pose, box); });
+        return collides;
     }
 
     Touching CellObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
     {
-        const double margin = marginOf(body);
         Touching all = Touching::NO;
         unsigned int unknown = 0;
-        const auto note = [&](ObstaclePart box, Touching answer)
-        {
-            all = answer;
-            if (answer == Touching::YES && hit)
-                *hit = box;
-            return answer == Touching::YES || ++unknown == MOST_UNKNOWN;
-        };
-        for (const auto &part : body.getParts())
-        {
-            visitTouched(part.shape, pose * part.pose, margin, note);
-            if (all == Touching::YES || unknown == MOST_UNKNOWN)
-                return all;
-        }
+        visitTouched(body, pose, marginOf(body),
+                     [&](ObstaclePart box, Touching answer)
+                     {
+                         all = answer;
+                         if (answer == Touching::YES && hit)
+                             *hit = box;
+                         return answer == Touching::YES || ++unknown == MOST_UNKNOWN;
+                     });
         return all;
     }
 

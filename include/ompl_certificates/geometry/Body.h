@@ -141,6 +141,12 @@ namespace ompl_certificates
             return data_->boundingRadius;
         }
 
+        /** \brief A box along the axes of the body's frame that contains the body */
+        const Eigen::AlignedBox3d &getBounds() const
+        {
+            return data_->bounds;
+        }
+
         /** \brief The z-interval of a planar body of meshes. Unbounded for spatial bodies, and for planar primitives,
             which stand for endless upright prisms. */
         const ZInterval &getZInterval() const

@@ -84,10 +84,20 @@ namespace ompl_certificates
             return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         }
 
-        /** \brief Call \e visit with the boxes near a part of a body and whether they touch it, until it returns
-            true */
+        /** \brief Call \e visit with each box that a body may touch and with whether it does, until it returns true.
+            A box may come several times. */
+        template <typename Visit>
+        void visitTouched(const Body &body, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief The same for one part of a body */
         template <typename Visit>
         void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief Call \e visit with each box near \e bounds, which are turned by \e pose, and with its position,
+            until it returns true
+            \param flat whether they are seen from above */
+        template <typename Visit>
+        void visitNear(Eigen::AlignedBox3d bounds, Pose pose, bool flat, double margin, const Visit &visit) const;
 
         /** \brief Whether a part of a body touches a box */
         Touching touchesBox(const Shape &shape, const Pose &pose, const Shape &box, const Eigen::Vector3d &center,
