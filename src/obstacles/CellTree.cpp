@@ -1,5 +1,7 @@
 #include "CellTree.h"
 
+#include "geometry/WideRegisters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,21 +16,25 @@ namespace ompl_certificates
             const std::ptrdiff_t groups = (end - begin + size - 1) / size;
             if (groups < 2)
                 return;
-            std::array<std::int32_t, 3> low = begin->low, high = begin->high;
+            // Divided along the axis along which they are scattered most
+            std::array<double, 3> sum{}, squares{};
             for (auto i = begin; i != end; ++i)
                 for (std::size_t axis = 0; axis < 3; ++axis)
                 {
-                    low[axis] = std::min(low[axis], i->low[axis]);
-                    high[axis] = std::max(high[axis], i->high[axis]);
+                    const double middle = i->low[axis] + i->high[axis];
+                    sum[axis] += middle;
+                    squares[axis] += middle * middle;
                 }
-            std::size_t longest = 0;
+            const auto scatter = [&](std::size_t axis)
+            { return squares[axis] - sum[axis] * sum[axis] / static_cast<double>(end - begin); };
+            std::size_t widest = 0;
             for (std::size_t axis = 1; axis < 3; ++axis)
-                if (high[axis] - low[axis] > high[longest] - low[longest])
-                    longest = axis;
+                if (scatter(axis) > scatter(widest))
+                    widest = axis;
             const auto middle = begin + groups / 2 * size;
             std::nth_element(begin, middle, end,
-                             [longest](const CellBox &a, const CellBox &b)
-                             { return a.low[longest] + a.high[longest] < b.low[longest] + b.high[longest]; });
+                             [widest](const CellBox &a, const CellBox &b)
+                             { return a.low[widest] + a.high[widest] < b.low[widest] + b.high[widest]; });
             group(begin, middle, size);
             group(middle, end, size);
         }
@@ -67,12 +73,22 @@ namespace ompl_certificates
                 }
                 nodes_[index].set(axis, static_cast<int>(k), low, high);
             }
-            const std::uint32_t child = end - begin > 1    ? build(begin, end - begin)
-                                        : end - begin == 1 ? LEAF | begin
-                                                           : NONE;
+            const std::uint32_t child = begin == end ? NONE : capacity > 1 ? build(begin, end - begin) : LEAF | begin;
             nodes_[index].child[k] = child;
         }
         return index;
+    }
+
+    OMPL_CERTIFICATES_WIDE_WHOLE std::uint32_t CellTree::findNearest(const Eigen::Vector3d &point, double &lowest) const
+    {
+        std::uint32_t found = NONE;
+        visitByDistance(point, lowest,
+                        [&](std::uint32_t box, double squared)
+                        {
+                            lowest = squared;
+                            found = box;
+                        });
+        return found;
     }
 
     double CellTree::depth(std::uint32_t box, const Eigen::Vector3d &point) const

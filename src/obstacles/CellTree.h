@@ -7,8 +7,12 @@
 #include "geometry/BoxOverlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -34,17 +38,7 @@ namespace ompl_certificates
 
         /** \brief The box nearest to \e point if its squared distance is less than \e lowest, which is lowered to that;
             else NONE. Cost: logarithmic in the number of boxes, unless many are about equally far. */
-        std::uint32_t findNearest(const Eigen::Vector3d &point, double &lowest) const
-        {
-            std::uint32_t found = NONE;
-            visitByDistance(point, lowest,
-                            [&](std::uint32_t box, double squared)
-                            {
-                                lowest = squared;
-                                found = box;
-                            });
-            return found;
-        }
+        std::uint32_t findNearest(const Eigen::Vector3d &point, double &lowest) const;
 
         /** \brief Minus the distance of a point within a box to its surface. A flat box has its surface in its
             plane. */
@@ -91,16 +85,17 @@ namespace ompl_certificates
         /** Pays for the rounding in single precision, relative to the largest coordinate */
         static constexpr double ROUNDING = 1e-6;
 
-        /** Pays for the rounding of squared distances in single precision */
+        /** Pays for the rounding of squared distances, and of the lowest one, in single precision */
         static constexpr float SHRINK = 1.0F - 2e-6F;
 
         /** The squares of larger coordinates do not fit into single precision. */
         static constexpr double FARTHEST_POINT = 1e18;
 
-        /** Three open children for each of at most 16 levels */
+        /** Three open children for each of at most 16 levels, and what is written above them */
         static constexpr std::size_t STACK_SIZE = 64;
 
-        /** A child is a node, or a box with this flag. */
+        /** A child is a node, or a box with this flag. Boxes and nodes are never children of the same node, and the
+            boxes stand in a row. */
         static constexpr std::uint32_t LEAF = 0x80000000U;
 
         /** \brief Four numbers for one instruction */
@@ -149,6 +144,53 @@ namespace ompl_certificates
             return (child & LEAF) != 0;
         }
 
+        /** \brief A child that is still to be visited: how near it may be, in the upper half, and its number. What is
+            nearer is less. */
+        using Open = std::uint64_t;
+
+        static std::uint32_t boundOf(Open open)
+        {
+            return static_cast<std::uint32_t>(open >> 32U);
+        }
+
+        static std::uint32_t childOf(Open open)
+        {
+            return static_cast<std::uint32_t>(open);
+        }
+
+        /** \brief A squared distance as the bits of a float, which order as the numbers do: none is negative. */
+        static std::uint32_t bitsOf(double squared)
+        {
+            const auto rounded =
+                static_cast<float>(std::min(squared, static_cast<double>(std::numeric_limits<float>::max())));
+            std::uint32_t bits;
+            std::memcpy(&bits, &rounded, sizeof(bits));
+            return bits;
+        }
+
+        /** \brief The children of a node, the nearest first; an absent one has the largest bound */
+        static std::array<Open, 4> sortChildren(const Node &node, const FourFloats &bounds)
+        {
+            FourInts children, bits;
+            std::memcpy(&children, node.child, sizeof(children));
+            std::memcpy(&bits, &bounds, sizeof(bits));
+            const FourInts absent = children == static_cast<std::int32_t>(NONE);
+            bits |= absent;
+            children &= ~absent;
+            std::array<Open, 4> open;
+            for (int k = 0; k < 4; ++k)
+                open[static_cast<std::size_t>(k)] = static_cast<Open>(static_cast<std::uint32_t>(bits[k])) << 32U |
+                                                    static_cast<std::uint32_t>(children[k]);
+            for (const auto &[a, b] : {std::pair(0U, 1U), {2U, 3U}, {0U, 2U}, {1U, 3U}, {1U, 2U}})
+            {
+                // Exchanges them without a branch, if the second is less.
+                const Open exchange = (open[a] ^ open[b]) & -static_cast<Open>(open[b] < open[a]);
+                open[a] ^= exchange;
+                open[b] ^= exchange;
+            }
+            return open;
+        }
+
         /** \brief Makes the node of \e count boxes from \e first on, and those below it */
         std::uint32_t build(std::uint32_t first, std::uint32_t count);
 
@@ -190,14 +232,11 @@ namespace ompl_certificates
         const auto rounding = static_cast<float>(1.5e-7 * point.cwiseAbs().maxCoeff());
         const Eigen::Vector3f least = point.cast<float>().array() - rounding,
                               most = point.cast<float>().array() + rounding;
-        struct Open
-        {
-            float bound;
-            std::uint32_t node;
-        };
+        // Which child is the nearest cannot be foreseen, and each branch that the processor guesses wrong costs as much
+        // as a node. So children are sorted, and put on the stack, without branches.
         Open stack[STACK_SIZE];
         std::size_t open = 0;
-        std::uint32_t current = 0;
+        std::uint32_t current = 0, limit = bitsOf(lowest);
         for (;;)
         {
             const Node &node = nodes_[current];
@@ -210,36 +249,41 @@ namespace ompl_certificates
                                  outside = farther > none ? farther : none;
                 bounds += outside * outside;
             }
-            bounds *= SHRINK;
-            // The nearest child goes on top of the stack.
-            Open *const begin = stack + open;
-            for (int k = 0; k < 4; ++k)
+            const std::array<Open, 4> children = sortChildren(node, bounds * SHRINK);
+            if (isLeaf(node.child[0]))
             {
-                const float bound = bounds[k];
-                const std::uint32_t child = node.child[k];
-                if (!(bound < lowest) || child == NONE)
-                    continue;
-                if (isLeaf(child))
+                for (std::size_t i = 0; i < 4 && boundOf(children[i]) < limit; ++i)
                 {
+                    const auto k = static_cast<int>(childOf(children[i]) - node.child[0]);
                     double squared = 0.0;
                     for (int axis = 0; axis < 3; ++axis)
                         squared += squaredOutside(boxes.low[axis][k], boxes.high[axis][k], point[axis]);
                     if (squared < lowest)
-                        visit(child & ~LEAF, squared);
+                        visit(childOf(children[i]) & ~LEAF, squared);
+                    limit = bitsOf(lowest);
+                }
+            }
+            else
+            {
+                for (std::size_t i = 3; i > 0; --i)
+                {
+                    __builtin_prefetch(&nodes_[childOf(children[i])]);
+                    stack[open] = children[i];
+                    open += boundOf(children[i]) < limit ? 1 : 0;
+                }
+                if (boundOf(children[0]) < limit)
+                {
+                    current = childOf(children[0]);
                     continue;
                 }
-                Open *slot = stack + open++;
-                for (; slot != begin && slot[-1].bound < bound; --slot)
-                    *slot = slot[-1];
-                *slot = {bound, child};
             }
             do
             {
                 if (open == 0)
                     return;
                 --open;
-            } while (!(stack[open].bound < lowest));
-            current = stack[open].node;
+            } while (boundOf(stack[open]) >= limit);
+            current = childOf(stack[open]);
         }
     }
 }
