@@ -38,6 +38,7 @@ namespace ompl_certificates
         firstCheck_ = checks_;
         nextTrial_ = checks_ + 1;
         trials_.clear();
+        estimated_ = measured_ = 0.0;
     }
 
     void CertificatePolicy::note(std::uint64_t samples, std::chrono::nanoseconds certified,

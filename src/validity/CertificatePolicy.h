@@ -21,7 +21,8 @@ namespace ompl_certificates
         /** \brief Whether to make the next check both ways, and to note() the times */
         bool isTrial() const
         {
-            return usesCertificates_ && checks_ >= nextTrial_;
+            return usesCertificates_ && checks_ >= nextTrial_ &&
+                   (!paysClearly() || checks_ - firstCheck_ >= CHECKS_BEFORE_TRIAL);
         }
 
         /** \brief Counts a check and its samples */
@@ -48,6 +49,15 @@ namespace ompl_certificates
         /** \brief Notes how long the same check of \e samples samples took in either way */
         void note(std::uint64_t samples, std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
 
+        /** \brief Notes how long a check with certificates took that is no trial, and how long it would have taken
+            without, in nanoseconds. Such an estimate is rough and decides nothing. But where certificates clearly pay
+            by it, the first trial waits: in a short plan, a few trials would cost more than all other checks. */
+        void noteEstimate(std::chrono::nanoseconds certified, double exact)
+        {
+            estimated_ += (exact - estimated_) / ESTIMATE_MEMORY;
+            measured_ += (static_cast<double>(certified.count()) - measured_) / ESTIMATE_MEMORY;
+        }
+
         /** \brief Whether it has counted no check yet */
         bool isNew() const
         {
@@ -63,6 +73,18 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief While an estimate says that checks with certificates are so many times as fast, the first trial
+            comes after so many checks. Estimates remember about so many checks. */
+        static constexpr double CLEARLY = 2.0;
+        static constexpr std::uint64_t CHECKS_BEFORE_TRIAL = 32;
+        static constexpr double ESTIMATE_MEMORY = 8.0;
+
+        /** \brief Whether certificates pay so clearly that a rough estimate is enough, for a while */
+        bool paysClearly() const
+        {
+            return estimated_ > CLEARLY * measured_;
+        }
+
         /** \brief Begins to use certificates. The first check is no trial: it prepares shapes and memory. */
         void begin();
 
@@ -77,6 +99,10 @@ namespace ompl_certificates
 
         /** \brief The times of the trials since then */
         TrialTimes trials_;
+
+        /** \brief Running means of the times of other checks since then, without certificates and with them. Both begin
+            at 0, so only their ratio counts. */
+        double estimated_{0.0}, measured_{0.0};
 
         bool usesCertificates_{false};
     };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <vector>
 
 namespace ompl_certificates
@@ -38,8 +39,9 @@ namespace ompl_certificates
 
         const Team &team;
 
-        /** \brief The counts of this check */
+        /** \brief The counts of this check, and when it began */
         CheckCounts counts;
+        std::chrono::steady_clock::time_point begin;
 
         /** \brief For each body of the team: its pose, and a certificate that may prove it free. If states keep no
             references, the hints are those that the last check left. */

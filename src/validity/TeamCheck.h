@@ -157,13 +157,23 @@ namespace ompl_certificates
         bool decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
                     const Exact &exact) const
         {
-            return decide(policy, context, certificatesAfter_, certified, exact);
+            return decide(policy, context, certificatesAfter_, 0.0, certified, exact);
         }
 
-        /** \brief The same, with \e certificatesAfter in place of getCertificatesAfter() */
+        /** \brief The same, with \e certificatesAfter in place of getCertificatesAfter(), for the rest of a check
+            whose first samples were checked by Method::STANDARD. These tell what the rest would take without
+            certificates, which spares trials. */
         template <typename Certified, typename Exact>
         bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
-                    const Certified &certified, const Exact &exact) const;
+                    const Certified &certified, const Exact &exact) const
+        {
+            const std::chrono::duration<double, std::nano> first = std::chrono::steady_clock::now() - context.begin;
+            const double samples = static_cast<double>(robotSamplesOf(context.counts));
+            // Within a trial, the check may have begun in the other way.
+            const bool isKnown = samples > 0.0 && !context.isTrial;
+            return decide(policy, context, certificatesAfter, isKnown ? first.count() / samples : 0.0, certified,
+                          exact);
+        }
 
         /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free after the start of a
             motion, where its robots are; 0 if they do not. Notes what is found of each body. */
@@ -245,6 +255,7 @@ namespace ompl_certificates
               : statistics_(check.statistics_), world_(check.lock_), timer_(check.statistics_), lease_(check.contexts_)
             {
                 (*lease_).counts = {};
+                (*lease_).begin = timer_.getStart();
             }
 
             ~Scope()
@@ -268,11 +279,23 @@ namespace ompl_certificates
         };
 
     private:
-        /** \brief All samples of robots and pairs, whether checked or skipped */
+        /** \brief All samples of robots, whether checked or skipped */
+        static std::uint64_t robotSamplesOf(const CheckCounts &counts)
+        {
+            return counts.robotPoses + counts.motionSamplesSkipped;
+        }
+
+        /** \brief All samples of robots and pairs; those of pairs are not counted where they are skipped */
         static std::uint64_t samplesOf(const CheckCounts &counts)
         {
-            return counts.robotPoses + counts.motionSamplesSkipped + counts.pairPoses;
+            return robotSamplesOf(counts) + counts.pairPoses;
         }
+
+        /** \brief See decide()
+            \param exactTime what a robot's sample takes without certificates, in nanoseconds; 0 if that is not known */
+        template <typename Certified, typename Exact>
+        bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter, double exactTime,
+                    const Certified &certified, const Exact &exact) const;
 
         /** \brief Whether all subjects are free, once their robots are placed; asks for each until one is not */
         template <typename IsFree>
@@ -320,22 +343,20 @@ namespace ompl_certificates
 
     template <typename Certified, typename Exact>
     bool TeamCheck::decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
-                           const Certified &certified, const Exact &exact) const
+                           double exactTime, const Certified &certified, const Exact &exact) const
     {
         if (!makesCertificates(method_) || !adaptive_)
             return certified();
         if (policy.isNew())
             policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter);
+        using Clock = std::chrono::steady_clock;
         const CheckCounts counts = context.counts;
         bool free = false;
         // A trial within a trial would spoil the times of the outer one.
-        if (context.isTrial || !policy.isTrial())
-            free = policy.usesCertificates() ? certified() : exact();
-        else
+        if (!context.isTrial && policy.isTrial())
         {
             const bool exactFirst = policy.beginsExactly();
             context.isTrial = true;
-            using Clock = std::chrono::steady_clock;
             const Clock::time_point begin = Clock::now();
             if (exactFirst)
                 exact();
@@ -349,6 +370,15 @@ namespace ompl_certificates
             policy.note(samplesOf(context.counts) - samplesOf(counts), exactFirst ? second : first,
                         exactFirst ? first : second);
         }
+        else if (exactTime > 0.0 && policy.usesCertificates())
+        {
+            const Clock::time_point begin = Clock::now();
+            free = certified();
+            policy.noteEstimate(Clock::now() - begin, exactTime * static_cast<double>(robotSamplesOf(context.counts) -
+                                                                                      robotSamplesOf(counts)));
+        }
+        else
+            free = policy.usesCertificates() ? certified() : exact();
         policy.count(samplesOf(context.counts) - samplesOf(counts));
         return free;
     }

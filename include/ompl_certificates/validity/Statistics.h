@@ -36,6 +36,12 @@ namespace ompl_certificates
             explicit Timer(Statistics &statistics);
             ~Timer();
 
+            /** \brief When it was created */
+            std::chrono::steady_clock::time_point getStart() const
+            {
+                return start_;
+            }
+
             Timer(const Timer &) = delete;
             Timer &operator=(const Timer &) = delete;
 
