@@ -108,13 +108,6 @@ namespace ompl_certificates
             ConvexCover. */
         const std::vector<ConvexCover> &getConvexCovers() const;
 
-        /** \brief The smallest box along the axes of the body's frame that contains the boxes of its shapes, each
-            along its own axes */
-        const Eigen::AlignedBox3d &getBounds() const
-        {
-            return data_->bounds;
-        }
-
         /** \brief Balls that lie inside the body, the largest first. Empty for meshes, which are surfaces, and for
             nothing else: a point has a ball of radius 0. */
         const std::vector<Ball> &getInnerSpheres() const
@@ -141,7 +134,8 @@ namespace ompl_certificates
             return data_->boundingRadius;
         }
 
-        /** \brief A box along the axes of the body's frame that contains the body */
+        /** \brief The smallest box along the axes of the body's frame that contains the boxes of its shapes, each
+            along its own axes */
         const Eigen::AlignedBox3d &getBounds() const
         {
             return data_->bounds;
