@@ -94,6 +94,24 @@ TEST(CertificatePolicy, LeavesCertificatesThatPayNoLonger)
     EXPECT_FALSE(policy.usesCertificates());
 }
 
+TEST(CertificatePolicy, WaitsWithTrialsWhereCertificatesClearlyPay)
+{
+    const auto firstTrial = [](double exact)
+    {
+        CertificatePolicy policy;
+        policy.setFirstUse(0);
+        for (unsigned int checks = 0;; ++checks)
+        {
+            if (policy.isTrial())
+                return checks;
+            policy.noteEstimate(nanoseconds(500), exact);
+            policy.count(SAMPLES);
+        }
+    };
+    EXPECT_EQ(firstTrial(600.0), 1U);
+    EXPECT_EQ(firstTrial(2000.0), 32U);
+}
+
 TEST(CertificatePolicy, JudgesLongMotionsThatTrialsDoNotMeet)
 {
     // One motion in 32 is long and takes most of the time, unless by certificates. Trials meet none but the first.
