@@ -32,6 +32,11 @@ namespace demos
             return adaptive_ && obstacles_->isClearanceCheap();
         }
 
+        bool isGapCheap() const override
+        {
+            return adaptive_ && obstacles_->isGapCheap();
+        }
+
         unsigned int getDimension() const override
         {
             return obstacles_->getDimension();

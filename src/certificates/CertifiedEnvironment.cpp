@@ -68,11 +68,14 @@ namespace ompl_certificates
             return verdict;
         if (query.samplesAhead == 0.0 && hitsAgain(query, counts))
             return verdict;
-        // One search settles a ball either way, and mostly finds something.
-        const bool search =
-            obstacles_->isClearanceCheap() ? policy.isRareProbe() : query.body.isBall() || policy.looksUp();
+        // One search settles a ball either way, and mostly finds something. Where asking costs as little as searching,
+        // there is little to find.
+        const bool gap = asksGap(query);
+        const bool search = obstacles_->isClearanceCheap() || (gap && obstacles_->isGapCheap())
+                                ? policy.isRareProbe()
+                                : query.body.isBall() || policy.looksUp();
         if (!search)
-            return ask(query, asksGap(query.body) ? Question::GAP : Question::CLEARANCES, policy, counts);
+            return ask(query, gap ? Question::GAP : Question::CLEARANCES, policy, counts);
 
         // Search from the root: seeded at the hint, which has failed, it takes about twice as long.
         const Ball &ball = query.body.getSphereTree().getRoot();
@@ -87,10 +90,14 @@ namespace ompl_certificates
         return verdict;
     }
 
-    bool CertifiedEnvironment::asksGap(const Body &body) const
+    bool CertifiedEnvironment::asksGap(const PoseQuery &query) const
     {
+        // Of a ball a clearance says as much. Proofs of their own depend on clearances alone.
+        if (query.body.isBall() || query.isProofOnly())
+            return false;
         const auto isMesh = [](const Body::Part &part) { return part.shape.getMesh() != nullptr; };
-        return obstacles_->hasGap() && std::any_of(body.getParts().begin(), body.getParts().end(), isMesh);
+        const auto &parts = query.body.getParts();
+        return obstacles_->isGapCheap() || (obstacles_->hasGap() && std::any_of(parts.begin(), parts.end(), isMesh));
     }
 
     bool CertifiedEnvironment::settleByGap(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const

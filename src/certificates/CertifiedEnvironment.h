@@ -157,9 +157,9 @@ namespace ompl_certificates
         /** \brief Settles \e query by asking the obstacles */
         PoseVerdict ask(const PoseQuery &query, Question question, SwitchingPolicy &policy, CheckCounts &counts) const;
 
-        /** \brief Whether to ask for the gap of a body in place of clearances. That pays for meshes, which need many
-            balls; a box needs few. */
-        bool asksGap(const Body &body) const;
+        /** \brief Whether to ask for the gap of a body in place of clearances. If it is not cheap, that pays for
+            meshes, which need many balls; a box needs few. */
+        bool asksGap(const PoseQuery &query) const;
 
         /** \brief Tries to settle \e query by the gap between the body and the obstacles; updates \e verdict and \e
             counts

@@ -38,6 +38,15 @@ namespace ompl_certificates
             return part.pose.translation().norm() + (flat ? std::hypot(halfLength, radius) : halfLength + radius);
         }
 
+        /** A ball around a part; not always the smallest */
+        Ball ballAround(const Body::Part &part)
+        {
+            const Eigen::AlignedBox3d bounds = part.shape.getBounds();
+            const double radius = part.shape.getMesh() ? 0.5 * bounds.sizes().norm()
+                                                       : boundingRadiusOf({part.shape, poseAt(-bounds.center())});
+            return {part.pose * bounds.center(), radius};
+        }
+
         ZInterval zIntervalOf(const std::vector<Body::Part> &parts)
         {
             ZInterval zInterval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -179,6 +188,7 @@ namespace ompl_certificates
         {
             data_->boundingRadius = std::max(data_->boundingRadius, boundingRadiusOf(part));
             data_->bounds.extend(part.shape.getBounds().transformed(part.pose));
+            data_->partBalls.push_back(ballAround(part));
         }
         data_->zInterval = zIntervalOf(parts);
         data_->parts = std::move(parts);

@@ -106,6 +106,33 @@ namespace ompl_certificates
             overlap[k] = outside[k] == 0;
     }
 
+    /** \brief How far the four boxes of \e node are at least from \e box: along the axis of either that separates them
+        best. Negative if none does. */
+    template <typename Node>
+    inline FourFloats gaps(const Node &node, const FloatBox &box, const BoxTurn &turn)
+    {
+        const auto sumOf = [](const FourFloats *three, const auto &factors)
+        { return three[0] * factors[0] + three[1] * factors[1] + three[2] * factors[2]; };
+        const auto larger = [](const FourFloats &a, const FourFloats &b) { return a > b ? a : b; };
+        const FourFloats center = sumOf(turn.columns, box.center) + turn.shift;
+        const FourFloats half = sumOf(turn.absoluteColumns, box.half);
+        FourFloats gap, middles[3], halves[3];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const FourFloats low = fourFloats(node.low[axis]), high = fourFloats(node.high[axis]);
+            middles[axis] = 0.5F * (low + high) - center[axis];
+            halves[axis] = 0.5F * (high - low);
+            const FourFloats along = larger(middles[axis], -middles[axis]) - halves[axis] - half[axis];
+            gap = axis == 0 ? along : larger(gap, along);
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const FourFloats middle = sumOf(turn.elements[axis], middles);
+            gap = larger(gap, larger(middle, -middle) - sumOf(turn.absoluteElements[axis], halves) - box.half[axis]);
+        }
+        return gap;
+    }
+
     /** \brief The box of a node's child */
     template <typename Node>
     inline FloatBox boxOf(const Node &node, int k)

@@ -301,6 +301,13 @@ namespace ompl_certificates
         const double gap = gapOfBoxes(a.getBounds(), b.getBounds(), pose, margin);
         if (gap > margin || (kindA == Kind::BOX && kindB == Kind::BOX && a.getDimension() == 3))
             return fromGap(gap, margin);
+        // Most shapes that touch a box contain its point that is nearest to their origin.
+        if (kindB == Kind::BOX && b.getDimension() == 3)
+        {
+            const Eigen::Vector3d half = 0.5 * b.getSize(), point = pose.translation().cwiseMin(half).cwiseMax(-half);
+            if (a.signedDistance(pose.inverse() * point) < -margin)
+                return Touching::YES;
+        }
         if (kindA == Kind::CAPSULE)
             return touchingCapsule(a, b, pose, margin);
         if (kindB == Kind::CAPSULE)

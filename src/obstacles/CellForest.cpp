@@ -105,4 +105,19 @@ namespace ompl_certificates
         // The boxes do not overlap: within one, no other is nearer.
         return lowest == 0.0 ? found.block->getTree().depth(found.box, point) : std::sqrt(lowest);
     }
+
+    double CellForest::gap(const Eigen::AlignedBox3d &bounds, const Pose &pose, double needed, double wanted) const
+    {
+        if (blocks_.size() == 1)
+            return blocks_.front()->getTree().gap(bounds, pose, needed, wanted);
+        double least = wanted;
+        places_.visitNear(bounds, pose, wanted,
+                          [&](std::uint32_t place, const CellBox &)
+                          {
+                              const CellBlock &block = *blocks_[blockOfPlace_[place]];
+                              least = block.getTree().gap(bounds, pose, needed, least);
+                              return least <= needed;
+                          });
+        return least;
+    }
 }

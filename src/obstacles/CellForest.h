@@ -88,8 +88,11 @@ namespace ompl_certificates
         double signedDistance(const Eigen::Vector3d &point, std::uint32_t &nearest,
                               double most = std::numeric_limits<double>::infinity()) const;
 
-        /** \brief Call \e visit with each box that is near a turned box, and of some others, and with its position,
-            until it returns true; see CellTree::visitNear() */
+        /** \brief See CellTree::gap() */
+        double gap(const Eigen::AlignedBox3d &bounds, const Pose &pose, double needed, double wanted) const;
+
+        /** \brief Call \e visit with each box that is near a turned box, and with some others, until it returns
+            true: with its place, its position and the box; see CellTree::visitNear() */
         template <typename Visit>
         void visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin, const Visit &visit) const
         {
@@ -98,8 +101,8 @@ namespace ompl_certificates
                 bool isDone = false;
                 blocks_[block]->getTree().visitNear(
                     bounds, pose, margin,
-                    [&](std::uint32_t box) {
-                        return isDone = visit(Place{blocks_[block].get(), box}, first_[block] + box);
+                    [&](std::uint32_t box, const CellBox &cells) {
+                        return isDone = visit(Place{blocks_[block].get(), box}, first_[block] + box, cells);
                     });
                 return isDone;
             };
@@ -107,7 +110,8 @@ namespace ompl_certificates
                 visitBlock(0);
             else
                 places_.visitNear(bounds, pose, margin,
-                                  [&](std::uint32_t place) { return visitBlock(blockOfPlace_[place]); });
+                                  [&](std::uint32_t place, const CellBox &)
+                                  { return visitBlock(blockOfPlace_[place]); });
         }
 
     private:

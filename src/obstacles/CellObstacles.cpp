@@ -8,6 +8,7 @@
 
 #include "geometry/PrimitiveContact.h"
 #include "geometry/TriangleTree.h"
+#include "geometry/WideRegisters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,58 +123,67 @@ namespace ompl_certificates
                                : mesh->getTree().touches(box, toBox, margin);
     }
 
-    template <typename Visit>
-    void CellObstacles::visitNear(Eigen::AlignedBox3d bounds, Pose pose, bool flat, double margin,
-                                  const Visit &visit) const
+    std::pair<Eigen::AlignedBox3d, Pose> CellObstacles::toCells(Eigen::AlignedBox3d bounds, Pose pose, bool flat) const
     {
         pose.translation() /= cellSize_;
         if (flat)
             bounds.min().z() = bounds.max().z() = pose.translation().z() = 0.0;
         bounds.min() /= cellSize_;
         bounds.max() /= cellSize_;
-        forest_->visitNear(bounds, pose, margin / cellSize_, visit);
+        return {bounds, pose};
     }
 
     template <typename Visit>
     void CellObstacles::visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const
     {
         // Seen from above, a mesh is in the plane of the cells.
-        visitNear(shape.getBounds(), pose, dimension_ == 2 && shape.getMesh(), margin,
-                  [&](const CellForest::Place &place, ObstaclePart box)
-                  {
-                      const Touching answer = touchesBox(shape, pose, place.block->getShape(place.box),
-                                                         boundsOf(place.getCells()).center(), margin);
-                      return answer != Touching::NO && visit(box, answer);
-                  });
+        const auto [bounds, inCells] = toCells(shape.getBounds(), pose, dimension_ == 2 && shape.getMesh());
+        forest_->visitNear(bounds, inCells, margin / cellSize_,
+                           [&](const CellForest::Place &place, ObstaclePart box, const CellBox &cells)
+                           {
+                               const Touching answer = touchesBox(shape, pose, place.block->getShape(place.box),
+                                                                  boundsOf(cells).center(), margin);
+                               return answer != Touching::NO && visit(box, answer);
+                           });
     }
 
     template <typename Visit>
     void CellObstacles::visitTouched(const Body &body, const Pose &pose, double margin, const Visit &visit) const
     {
         const std::vector<Body::Part> &parts = body.getParts();
-        // One walk for the whole body: mostly no box is near it, or few are. If many are and no part touches them, as
-        // between the ends of a dumbbell, each part has a walk of its own.
-        unsigned int apart = 0;
         if (parts.size() > 1)
-            visitNear(body.getBounds(), pose, dimension_ == 2, margin,
-                      [&](const CellForest::Place &place, ObstaclePart box)
-                      {
-                          const Shape &shape = place.block->getShape(place.box);
-                          const Eigen::AlignedBox3d bounds = boundsOf(place.getCells());
-                          bool isApart = true;
-                          for (const Body::Part &part : parts)
-                          {
-                              const Pose partPose = pose * part.pose;
-                              const Touching answer = touchesBox(part.shape, partPose, shape, bounds.center(), margin);
-                              isApart = isApart && answer == Touching::NO;
-                              if (answer != Touching::NO && visit(box, answer))
-                                  return true;
-                          }
-                          apart += isApart ? 1 : 0;
-                          return apart > MOST_APART;
-                      });
-        if (parts.size() > 1 && apart <= MOST_APART)
-            return;
+        {
+            // One walk for the whole body: mostly no box is near it, or few are. If many are and no part touches them,
+            // as between the ends of a dumbbell, each part has a walk of its own.
+            unsigned int apart = 0;
+            const auto [inBody, inCells] = toCells(body.getBounds(), pose, dimension_ == 2);
+            forest_->visitNear(inBody, inCells, margin / cellSize_,
+                               [&](const CellForest::Place &place, ObstaclePart box, const CellBox &cells)
+                               {
+                                   const Eigen::AlignedBox3d bounds = boundsOf(cells);
+                                   bool isApart = true;
+                                   for (std::size_t i = 0; i < parts.size(); ++i)
+                                   {
+                                       const Ball &ball = body.getPartBalls()[i];
+                                       Eigen::Vector3d center = pose * ball.center;
+                                       if (dimension_ == 2)
+                                           center.z() = 0.0;
+                                       const double reach = ball.radius + margin;
+                                       if (bounds.squaredExteriorDistance(center) > reach * reach)
+                                           continue;
+                                       const Touching answer =
+                                           touchesBox(parts[i].shape, pose * parts[i].pose,
+                                                      place.block->getShape(place.box), bounds.center(), margin);
+                                       isApart = isApart && answer == Touching::NO;
+                                       if (answer != Touching::NO && visit(box, answer))
+                                           return true;
+                                   }
+                                   apart += isApart ? 1 : 0;
+                                   return apart > MOST_APART;
+                               });
+            if (apart <= MOST_APART)
+                return;
+        }
         bool isDone = false;
         for (const Body::Part &part : parts)
         {
@@ -194,6 +204,12 @@ namespace ompl_certificates
     }
 
     Touching CellObstacles::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    {
+        return findTouch(body, pose, hit);
+    }
+
+    OMPL_CERTIFICATES_WIDE_WHOLE Touching CellObstacles::findTouch(const Body &body, const Pose &pose,
+                                                                   ObstaclePart *hit) const
     {
         Touching all = Touching::NO;
         unsigned int unknown = 0;
@@ -230,6 +246,12 @@ namespace ompl_certificates
             return SpatialCheck(placed).collides(body, pose);
         // There is no mesh among the cells.
         return PlanarCheck(placed, {0.0, 0.0}).collides(body, pose);
+    }
+
+    double CellObstacles::gap(const Body &body, const Pose &pose, double needed, double wanted) const
+    {
+        const auto [bounds, inCells] = toCells(body.getBounds(), pose, dimension_ == 2);
+        return cellSize_ * forest_->gap(bounds, inCells, needed / cellSize_, wanted / cellSize_);
     }
 
     std::uint64_t CellObstacles::getFingerprint() const

@@ -91,6 +91,26 @@ namespace ompl_certificates
         return found;
     }
 
+    OMPL_CERTIFICATES_WIDE_WHOLE double CellTree::gap(const Eigen::AlignedBox3d &bounds, const Pose &pose,
+                                                      double needed, double wanted) const
+    {
+        const TurnedBox turned(bounds, pose, extent_);
+        double least = wanted;
+        std::uint32_t limit = toBound(wanted);
+        walk([&](const Node &node)
+             { return toBounds(gaps(FloatNode(node), turned.box, turned.turn) - turned.rounding); },
+             limit,
+             [&](const Node & /*node*/, std::uint32_t /*k*/, std::uint32_t bound)
+             {
+                 float nearest;
+                 std::memcpy(&nearest, &bound, sizeof(nearest));
+                 least = nearest;
+                 limit = bound;
+                 return least <= needed;
+             });
+        return least;
+    }
+
     double CellTree::depth(std::uint32_t box, const Eigen::Vector3d &point) const
     {
         double deepest = -std::numeric_limits<double>::infinity();

@@ -49,37 +49,16 @@ namespace ompl_certificates
         template <typename Visit>
         void visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const;
 
-        /** \brief Call \e visit with the position of each box that is nearer to a turned box than \e margin, and of
-            some others, until it returns true
+        /** \brief Call \e visit with each box that is nearer to a turned box than \e margin, and with some others,
+            until it returns true: with its position and the box
             \param bounds the turned box, in its own frame
             \param pose from that frame to the tree's */
         template <typename Visit>
-        void visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin, const Visit &visit) const
-        {
-            if (nodes_.empty())
-                return;
-            const FloatBox box(bounds);
-            const BoxTurn turn(pose.linear(), pose.translation());
-            const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + pose.translation().norm() +
-                                                                       bounds.center().norm() + bounds.sizes().norm()));
-            std::uint32_t stack[STACK_SIZE];
-            std::size_t open = 0;
-            stack[open++] = 0;
-            while (open > 0)
-            {
-                const Node &node = nodes_[stack[--open]];
-                bool overlap[4];
-                overlaps(FloatNode(node), box, turn, slack, overlap);
-                for (int k = 0; k < 4; ++k)
-                    if (overlap[k] && node.child[k] != NONE)
-                    {
-                        if (!isLeaf(node.child[k]))
-                            stack[open++] = node.child[k];
-                        else if (visit(node.child[k] & ~LEAF))
-                            return;
-                    }
-            }
-        }
+        void visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief A lower bound of the distance between a turned box and the boxes; \e wanted if it is not less. The
+            search ends as soon as the bound is not larger than \e needed. */
+        double gap(const Eigen::AlignedBox3d &bounds, const Pose &pose, double needed, double wanted) const;
 
     private:
         /** Pays for the rounding in single precision, relative to the largest coordinate */
@@ -115,6 +94,18 @@ namespace ompl_certificates
                                                           (static_cast<std::uint32_t>(low) & 0xFFFFU));
             }
 
+            CellBox getBox(std::uint32_t k) const
+            {
+                CellBox box;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                {
+                    const std::int32_t both = ends[axis][k];
+                    box.low[axis] = static_cast<std::int16_t>(both & 0xFFFF);
+                    box.high[axis] = (both >> 16) + 1;
+                }
+                return box;
+            }
+
             /** The four low ends along an axis; the shift up drops the upper half, the one down keeps the sign. */
             FourFloats getLow(int axis) const
             {
@@ -139,13 +130,28 @@ namespace ompl_certificates
             }
         };
 
+        /** \brief A turned box in single precision, and what pays for that */
+        struct TurnedBox
+        {
+            FloatBox box;
+            BoxTurn turn;
+            float rounding;
+
+            TurnedBox(const Eigen::AlignedBox3d &bounds, const Pose &pose, double extent)
+              : box(bounds)
+              , turn(pose.linear(), pose.translation())
+              , rounding(static_cast<float>(
+                    ROUNDING * (extent + pose.translation().norm() + bounds.center().norm() + bounds.sizes().norm())))
+            {
+            }
+        };
+
         static bool isLeaf(std::uint32_t child)
         {
             return (child & LEAF) != 0;
         }
 
-        /** \brief A child that is still to be visited: how near it may be, in the upper half, and its number. What is
-            nearer is less. */
+        /** \brief A child that is still to be visited: a bound, which says how soon, in the upper half, and its number */
         using Open = std::uint64_t;
 
         static std::uint32_t boundOf(Open open)
@@ -158,38 +164,37 @@ namespace ompl_certificates
             return static_cast<std::uint32_t>(open);
         }
 
-        /** \brief A squared distance as the bits of a float, which order as the numbers do: none is negative. */
-        static std::uint32_t bitsOf(double squared)
+        /** \brief A number as a bound: numbers that are not negative have the order of their bits */
+        static std::uint32_t toBound(double number)
         {
             const auto rounded =
-                static_cast<float>(std::min(squared, static_cast<double>(std::numeric_limits<float>::max())));
+                static_cast<float>(std::min(number, static_cast<double>(std::numeric_limits<float>::max())));
             std::uint32_t bits;
             std::memcpy(&bits, &rounded, sizeof(bits));
             return bits;
         }
 
-        /** \brief The children of a node, the nearest first; an absent one has the largest bound */
-        static std::array<Open, 4> sortChildren(const Node &node, const FourFloats &bounds)
+        /** \brief Four numbers as bounds; 0 in place of negative ones */
+        static FourInts toBounds(const FourFloats &numbers)
         {
-            FourInts children, bits;
-            std::memcpy(&children, node.child, sizeof(children));
-            std::memcpy(&bits, &bounds, sizeof(bits));
-            const FourInts absent = children == static_cast<std::int32_t>(NONE);
-            bits |= absent;
-            children &= ~absent;
-            std::array<Open, 4> open;
-            for (int k = 0; k < 4; ++k)
-                open[static_cast<std::size_t>(k)] = static_cast<Open>(static_cast<std::uint32_t>(bits[k])) << 32U |
-                                                    static_cast<std::uint32_t>(children[k]);
-            for (const auto &[a, b] : {std::pair(0U, 1U), {2U, 3U}, {0U, 2U}, {1U, 3U}, {1U, 2U}})
-            {
-                // Exchanges them without a branch, if the second is less.
-                const Open exchange = (open[a] ^ open[b]) & -static_cast<Open>(open[b] < open[a]);
-                open[a] ^= exchange;
-                open[b] ^= exchange;
-            }
-            return open;
+            const FourFloats none{}, positive = numbers > none ? numbers : none;
+            FourInts bits;
+            std::memcpy(&bits, &positive, sizeof(bits));
+            return bits;
         }
+
+        /** \brief The bound of a child that is not to be visited */
+        static constexpr std::uint32_t NEVER = std::numeric_limits<std::uint32_t>::max();
+
+        /** \brief The children of a node, the one with the least bound first */
+        static std::array<Open, 4> sortChildren(const Node &node, const FourInts &bounds);
+
+        /** \brief Call \e visit with nodes of boxes and the number of a box in them, until it returns true. The least
+            bounds mostly come first.
+            \param bounds a function from a node to the bounds of its children
+            \param limit only what has a lower bound is visited; \e visit may lower it */
+        template <typename Bounds, typename Visit>
+        void walk(const Bounds &bounds, const std::uint32_t &limit, const Visit &visit) const;
 
         /** \brief Makes the node of \e count boxes from \e first on, and those below it */
         std::uint32_t build(std::uint32_t first, std::uint32_t count);
@@ -201,11 +206,11 @@ namespace ompl_certificates
             return outside * outside;
         }
 
-        double squaredDistance(std::uint32_t box, const Eigen::Vector3d &point) const
+        static double squaredDistance(const CellBox &box, const Eigen::Vector3d &point)
         {
             double squared = 0.0;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                squared += squaredOutside(boxes_[box].low[axis], boxes_[box].high[axis], point[Eigen::Index(axis)]);
+                squared += squaredOutside(box.low[axis], box.high[axis], point[static_cast<Eigen::Index>(axis)]);
             return squared;
         }
 
@@ -216,52 +221,45 @@ namespace ompl_certificates
         double extent_{0.0};
     };
 
-    template <typename Visit>
-    void CellTree::visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const
+    inline std::array<CellTree::Open, 4> CellTree::sortChildren(const Node &node, const FourInts &bounds)
+    {
+        FourInts children;
+        std::memcpy(&children, node.child, sizeof(children));
+        const FourInts absent = children == static_cast<std::int32_t>(NONE), first = bounds | absent,
+                       second = children & ~absent;
+        std::array<Open, 4> open;
+        for (int k = 0; k < 4; ++k)
+            open[static_cast<std::size_t>(k)] =
+                static_cast<Open>(static_cast<std::uint32_t>(first[k])) << 32U | static_cast<std::uint32_t>(second[k]);
+        for (const auto &[a, b] : {std::pair(0U, 1U), {2U, 3U}, {0U, 2U}, {1U, 3U}, {1U, 2U}})
+        {
+            // Exchanges them without a branch, if the second is less.
+            const Open exchange = (open[a] ^ open[b]) & -static_cast<Open>(open[b] < open[a]);
+            open[a] ^= exchange;
+            open[b] ^= exchange;
+        }
+        return open;
+    }
+
+    template <typename Bounds, typename Visit>
+    void CellTree::walk(const Bounds &bounds, const std::uint32_t &limit, const Visit &visit) const
     {
         if (nodes_.empty())
             return;
-        if (!(point.cwiseAbs().maxCoeff() < FARTHEST_POINT))
-        {
-            for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-                if (const double squared = squaredDistance(i, point); squared < lowest)
-                    visit(i, squared);
-            return;
-        }
-        // In single precision the point is somewhere between these.
-        const auto rounding = static_cast<float>(1.5e-7 * point.cwiseAbs().maxCoeff());
-        const Eigen::Vector3f least = point.cast<float>().array() - rounding,
-                              most = point.cast<float>().array() + rounding;
-        // Which child is the nearest cannot be foreseen, and each branch that the processor guesses wrong costs as much
-        // as a node. So children are sorted, and put on the stack, without branches.
+        // Which child comes first cannot be foreseen, and each branch that the processor guesses wrong costs as much as
+        // a node. So children are sorted, and put on the stack, without branches.
         Open stack[STACK_SIZE];
         std::size_t open = 0;
-        std::uint32_t current = 0, limit = bitsOf(lowest);
+        std::uint32_t current = 0;
         for (;;)
         {
             const Node &node = nodes_[current];
-            const FloatNode boxes(node);
-            FourFloats bounds = {0.0F, 0.0F, 0.0F, 0.0F};
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const FourFloats below = boxes.low[axis] - most[axis], above = least[axis] - boxes.high[axis],
-                                 farther = below > above ? below : above, none = {0.0F, 0.0F, 0.0F, 0.0F},
-                                 outside = farther > none ? farther : none;
-                bounds += outside * outside;
-            }
-            const std::array<Open, 4> children = sortChildren(node, bounds * SHRINK);
+            const std::array<Open, 4> children = sortChildren(node, bounds(node));
             if (isLeaf(node.child[0]))
             {
                 for (std::size_t i = 0; i < 4 && boundOf(children[i]) < limit; ++i)
-                {
-                    const auto k = static_cast<int>(childOf(children[i]) - node.child[0]);
-                    double squared = 0.0;
-                    for (int axis = 0; axis < 3; ++axis)
-                        squared += squaredOutside(boxes.low[axis][k], boxes.high[axis][k], point[axis]);
-                    if (squared < lowest)
-                        visit(childOf(children[i]) & ~LEAF, squared);
-                    limit = bitsOf(lowest);
-                }
+                    if (visit(node, childOf(children[i]) - node.child[0], boundOf(children[i])))
+                        return;
             }
             else
             {
@@ -284,6 +282,71 @@ namespace ompl_certificates
                 --open;
             } while (boundOf(stack[open]) >= limit);
             current = childOf(stack[open]);
+        }
+    }
+
+    template <typename Visit>
+    void CellTree::visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const
+    {
+        if (!(point.cwiseAbs().maxCoeff() < FARTHEST_POINT))
+        {
+            for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+                if (const double squared = squaredDistance(boxes_[i], point); squared < lowest)
+                    visit(i, squared);
+            return;
+        }
+        // In single precision the point is somewhere between these.
+        const auto rounding = static_cast<float>(1.5e-7 * point.cwiseAbs().maxCoeff());
+        const Eigen::Vector3f least = point.cast<float>().array() - rounding,
+                              most = point.cast<float>().array() + rounding;
+        const auto bounds = [&](const Node &node)
+        {
+            const FloatNode boxes(node);
+            const FourFloats none{};
+            FourFloats squared{};
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const FourFloats below = boxes.low[axis] - most[axis], above = least[axis] - boxes.high[axis],
+                                 farther = below > above ? below : above, outside = farther > none ? farther : none;
+                squared += outside * outside;
+            }
+            return toBounds(squared * SHRINK);
+        };
+        std::uint32_t limit = toBound(lowest);
+        walk(bounds, limit,
+             [&](const Node &node, std::uint32_t k, std::uint32_t /*bound*/)
+             {
+                 if (const double squared = squaredDistance(node.getBox(k), point); squared < lowest)
+                     visit(node.child[k] & ~LEAF, squared);
+                 limit = toBound(lowest);
+                 return false;
+             });
+    }
+
+    template <typename Visit>
+    void CellTree::visitNear(const Eigen::AlignedBox3d &bounds, const Pose &pose, double margin,
+                             const Visit &visit) const
+    {
+        if (nodes_.empty())
+            return;
+        const TurnedBox turned(bounds, pose, extent_);
+        const auto slack = static_cast<float>(margin) + turned.rounding;
+        std::uint32_t stack[STACK_SIZE];
+        std::size_t open = 0;
+        stack[open++] = 0;
+        while (open > 0)
+        {
+            const Node &node = nodes_[stack[--open]];
+            bool overlap[4];
+            overlaps(FloatNode(node), turned.box, turned.turn, slack, overlap);
+            for (std::uint32_t k = 0; k < 4; ++k)
+                if (overlap[k] && node.child[k] != NONE)
+                {
+                    if (!isLeaf(node.child[k]))
+                        stack[open++] = node.child[k];
+                    else if (visit(node.child[k] & ~LEAF, node.getBox(k)))
+                        return;
+                }
         }
     }
 }

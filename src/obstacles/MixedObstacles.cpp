@@ -114,6 +114,12 @@ namespace ompl_certificates
                            [](const ObstaclesPtr &member) { return member->hasGap(); });
     }
 
+    bool MixedObstacles::isGapCheap() const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const ObstaclesPtr &member) { return member->isGapCheap(); });
+    }
+
     bool MixedObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
         const auto count = static_cast<ObstaclePart>(members_.size());

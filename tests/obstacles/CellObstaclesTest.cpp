@@ -106,6 +106,43 @@ TEST_P(CellObstaclesTest, KnowsTheDistanceToTheNearestCell)
     }
 }
 
+TEST_P(CellObstaclesTest, KnowTheGapToABoxAlongTheirAxes)
+{
+    for (unsigned int seed = 0; seed < scaled(300); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double size = random.logUniform(0.01, 1.0), extent = size * HALF;
+        const auto cells = randomCells(random, GetParam(), HALF);
+        const CellObstacles obstacles(size, cells, GetParam());
+        for (int i = 0; i < 20; ++i)
+        {
+            const Eigen::Vector3d sizes(random.uniform(0.1, 1.0) * extent, random.uniform(0.1, 1.0) * extent,
+                                        random.uniform(0.1, 1.0) * extent);
+            const bool flat = GetParam() == 2;
+            const Body body = flat ? Body::box(sizes.x(), sizes.y()) : Body::box(sizes.x(), sizes.y(), sizes.z());
+            const Eigen::Vector3d center = random.point(GetParam(), 3.0 * extent);
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const CellBox &cell : cells)
+            {
+                const Eigen::AlignedBox3d bounds = boundsOf(cell, size);
+                const Eigen::Vector3d apart = (bounds.center() - center).cwiseAbs() - 0.5 * (bounds.sizes() + sizes);
+                nearest = std::min(nearest, flat ? apart.head<2>().maxCoeff() : apart.maxCoeff());
+            }
+            const double needed = random.uniform(0.0, 0.5) * extent, wanted = random.uniform(0.6, 3.0) * extent;
+            const double gap = obstacles.gap(body, poseAt(center), needed, wanted);
+            if (nearest > needed + 1e-4 * extent)
+            {
+                ASSERT_NEAR(gap, std::min(nearest, wanted), 1e-4 * extent);
+            }
+            else
+            {
+                ASSERT_LE(gap, needed + 2e-4 * extent);
+            }
+        }
+    }
+}
+
 TEST_P(CellObstaclesTest, DecidesAsFclDoesOfEachCell)
 {
     unsigned int hits = 0, poses = 0, unknown = 0;

@@ -141,6 +141,12 @@ namespace ompl_certificates
             return data_->bounds;
         }
 
+        /** \brief A ball around each of the shapes, in the body's frame */
+        const std::vector<Ball> &getPartBalls() const
+        {
+            return data_->partBalls;
+        }
+
         /** \brief The z-interval of a planar body of meshes. Unbounded for spatial bodies, and for planar primitives,
             which stand for endless upright prisms. */
         const ZInterval &getZInterval() const
@@ -170,6 +176,7 @@ namespace ompl_certificates
             bool isBall{false};
             double boundingRadius{0.0};
             Eigen::AlignedBox3d bounds;
+            std::vector<Ball> partBalls;
             ZInterval zInterval;
             mutable std::mutex mutex;
             mutable std::unique_ptr<const Balls> balls;

@@ -58,6 +58,15 @@ namespace ompl_certificates
             return tolerance_;
         }
 
+        /** \brief The distance of a box around the body to the nearest cell, or less */
+        double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
+
+        /** \brief True */
+        bool isGapCheap() const override
+        {
+            return true;
+        }
+
         /** \brief A checksum of the cells and their size. Cost: linear in the number of boxes. */
         std::uint64_t getFingerprint() const override;
 
@@ -93,11 +102,12 @@ namespace ompl_certificates
         template <typename Visit>
         void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
 
-        /** \brief Call \e visit with each box near \e bounds, which are turned by \e pose, and with its position,
-            until it returns true
-            \param flat whether they are seen from above */
-        template <typename Visit>
-        void visitNear(Eigen::AlignedBox3d bounds, Pose pose, bool flat, double margin, const Visit &visit) const;
+        /** \brief See touches(), which cannot be compiled for wide registers itself */
+        Touching findTouch(const Body &body, const Pose &pose, ObstaclePart *hit) const;
+
+        /** \brief A box along the axes of a body's frame, and the pose of that, in cells
+            \param flat whether it is seen from above */
+        std::pair<Eigen::AlignedBox3d, Pose> toCells(Eigen::AlignedBox3d bounds, Pose pose, bool flat) const;
 
         /** \brief Whether a part of a body touches a box */
         Touching touchesBox(const Shape &shape, const Pose &pose, const Shape &box, const Eigen::Vector3d &center,

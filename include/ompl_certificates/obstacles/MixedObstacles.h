@@ -43,6 +43,9 @@ namespace ompl_certificates
         /** \brief True if all members have a gap */
         bool hasGap() const override;
 
+        /** \brief True if that is so for all members */
+        bool isGapCheap() const override;
+
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
 
         /** \brief The largest of the members' tolerances */

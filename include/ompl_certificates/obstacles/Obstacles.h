@@ -94,6 +94,13 @@ namespace ompl_certificates
             return false;
         }
 
+        /** \brief Whether gap() costs no more than the clearance of a point or a search for a certificate, for all
+            bodies. Then it is asked in place of both, but for balls. */
+        virtual bool isGapCheap() const
+        {
+            return false;
+        }
+
         /** \brief Whether \e body at \e pose is certain to collide() because of \e part alone, such as one that it
             touched nearby. Cheaper than touches(). False if unknown. */
         virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
