@@ -1,6 +1,8 @@
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
 
+#include "ompl_certificates/robots/Arm.h"
+
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 
@@ -10,6 +12,52 @@ namespace ob = ompl::base;
 
 namespace
 {
+    Body ballOrBox(Random &random)
+    {
+        const double size = random.uniform(0.1, 0.3);
+        return random.chance(0.7) ? Body::sphere(0.5 * size) : Body::box(size, size, random.uniform(0.1, 0.3));
+    }
+
+    TeamStateSpacePtr teamOfArms(Random &random, unsigned int arms)
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        for (unsigned int i = 0; i < arms; ++i)
+        {
+            const std::string name = std::string(1, static_cast<char>('a' + i));
+            KinematicTree tree(name + "0", ballOrBox(random));
+            std::vector<std::string> joints;
+            ArmOptions options;
+            options.base = random.pose(3, 0.5);
+            constexpr unsigned int links = 6;
+            for (unsigned int k = 1; k <= links; ++k)
+            {
+                joints.push_back("joint" + std::to_string(k));
+                KinematicTree::Joint joint;
+                joint.name = joints.back();
+                joint.type =
+                    random.chance(0.8) ? KinematicTree::JointType::REVOLUTE : KinematicTree::JointType::PRISMATIC;
+                joint.origin = poseAt(0.3 * random.direction(3));
+                joint.axis = random.direction(3);
+                joint.lower = -1.5;
+                joint.upper = 1.5;
+                tree.addLink(name + std::to_string(k - 1), joint, name + std::to_string(k), ballOrBox(random));
+                for (unsigned int other = 0; other + 1 < k; ++other)
+                    options.linkPairs.emplace_back(name + std::to_string(other), name + std::to_string(k));
+            }
+            team->addRobot(std::make_shared<Arm>(name, tree, joints, options));
+        }
+        team->lock();
+        return team;
+    }
+
+    ObstaclesPtr obstaclesAmongArms(Random &random)
+    {
+        std::vector<PlacedBody> bodies;
+        for (std::size_t count = random.below(30); count > 0; --count)
+            bodies.push_back({ballOrBox(random), random.pose(3, 1.0)});
+        return std::make_shared<FclObstacles>(bodies, 3);
+    }
+
     /** A team, its checkers, and OMPL's own validator over the standard checker */
     struct Scene
     {
@@ -17,6 +65,15 @@ namespace
           : random(seed)
           , team(anyTeam(kind, unit))
           , checkers(team, anyObstacles(random, kind, 3 + random.below(15), unit), random.logUniform(0.001, 0.05))
+          , ompl(checkers.reference().getSpaceInformation())
+        {
+        }
+
+        /** Arms near each other, of balls and boxes: these touch as soon as their bounding volumes do */
+        Scene(unsigned int seed, unsigned int arms)
+          : random(seed)
+          , team(teamOfArms(random, arms))
+          , checkers(team, obstaclesAmongArms(random), random.logUniform(0.001, 0.05))
           , ompl(checkers.reference().getSpaceInformation())
         {
         }
@@ -111,6 +168,32 @@ TEST_P(Motions, AreJudgedAsOmplsOwnValidatorDoes)
     EXPECT_GT(valid, seeds * 4);
     EXPECT_GT(invalid, seeds * 4);
 }
+
+class MotionsOfArms : public ErrorsOnly<unsigned int>
+{
+};
+
+TEST_P(MotionsOfArms, AreJudgedAsOmplsOwnValidatorDoes)
+{
+    unsigned int valid = 0, invalid = 0;
+    const unsigned int seeds = scaled(100);
+    for (unsigned int seed = 0; seed < seeds; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Scene scene(seed, GetParam());
+        for (int i = 0; i < 20; ++i)
+        {
+            const auto from = scene.validState();
+            const auto to = randomStateNear(scene.random, from, scene.random.logUniform(1e-3, 0.3));
+            ASSERT_NO_FATAL_FAILURE(expectEqualMotions(scene, from, to));
+            ++(scene.ompl.checkMotion(from.get(), to.get()) ? valid : invalid);
+        }
+    }
+    EXPECT_GT(valid, seeds * 2);
+    EXPECT_GT(invalid, seeds * 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Arms, MotionsOfArms, testing::Values(1U, 2U));
 
 TEST_P(Motions, FromAStateToItselfAreAsValidAsTheState)
 {
