@@ -1,6 +1,7 @@
 #include "support/Batches.h"
 #include "support/RandomTrees.h"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/base/ScopedState.h>
@@ -17,35 +18,34 @@ namespace
     public:
         explicit BatchTrial(const Arm &arm) : arm_(arm), batches(arm.getBodies().size())
         {
-            owned_.reserve(PoseBatch::SIZE);
             for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
-            {
-                owned_.emplace_back(arm.getStateSpace());
-                states_.push_back(owned_.back().get());
-            }
+                states_.emplace_back(arm.getStateSpace());
         }
 
         ob::ScopedState<> &operator[](std::size_t k)
         {
-            return owned_[k];
+            return states_[k];
         }
 
         void compute()
         {
-            error = arm_.computePoseBatch(states_.data(), batches.data());
+            // Assigning a ScopedState may have allocated another state.
+            std::array<const ob::State *, PoseBatch::SIZE> states;
+            for (std::size_t k = 0; k < PoseBatch::SIZE; ++k)
+                states[k] = states_[k].get();
+            error = arm_.computePoseBatch(states.data(), batches.data());
         }
 
         std::vector<Pose> posesOf(std::size_t k) const
         {
             std::vector<Pose> poses(batches.size());
-            arm_.computePoses(states_[k], poses.data());
+            arm_.computePoses(states_[k].get(), poses.data());
             return poses;
         }
 
     private:
         const Arm &arm_;
-        std::vector<ob::ScopedState<>> owned_;
-        std::vector<const ob::State *> states_;
+        std::vector<ob::ScopedState<>> states_;
 
     public:
         std::vector<PoseBatch> batches;
