@@ -147,45 +147,52 @@ namespace ompl_certificates
                            });
     }
 
+    bool CellObstacles::isPartNear(const Ball &ball, const Pose &pose, const Eigen::AlignedBox3d &box,
+                                   double margin) const
+    {
+        Eigen::Vector3d center = pose * ball.center;
+        if (dimension_ == 2)
+            center.z() = 0.0;
+        const double reach = ball.radius + margin;
+        return box.squaredExteriorDistance(center) <= reach * reach;
+    }
+
+    template <typename Visit>
+    bool CellObstacles::visitTouchedAtOnce(const Body &body, const Pose &pose, double margin, const Visit &visit) const
+    {
+        const std::vector<Body::Part> &parts = body.getParts();
+        unsigned int apart = 0;
+        const auto visitBox = [&](const CellForest::Place &place, ObstaclePart box, const CellBox &cells)
+        {
+            const Eigen::AlignedBox3d bounds = boundsOf(cells);
+            bool isApart = true;
+            for (std::size_t i = 0; i < parts.size(); ++i)
+            {
+                if (!isPartNear(body.getPartBalls()[i], pose, bounds, margin))
+                    continue;
+                const Touching answer = touchesBox(parts[i].shape, pose * parts[i].pose,
+                                                   place.block->getShape(place.box), bounds.center(), margin);
+                if (answer == Touching::NO)
+                    continue;
+                if (visit(box, answer))
+                    return true;
+                isApart = false;
+            }
+            apart += isApart ? 1 : 0;
+            return apart > MOST_APART;
+        };
+        const auto [bounds, inCells] = toCells(body.getBounds(), pose, dimension_ == 2);
+        forest_->visitNear(bounds, inCells, margin / cellSize_, visitBox);
+        return apart <= MOST_APART;
+    }
+
     template <typename Visit>
     void CellObstacles::visitTouched(const Body &body, const Pose &pose, double margin, const Visit &visit) const
     {
-        const std::vector<Body::Part> &parts = body.getParts();
-        if (parts.size() > 1)
-        {
-            // One walk for the whole body: mostly no box is near it, or few are. If many are and no part touches them,
-            // as between the ends of a dumbbell, each part has a walk of its own.
-            unsigned int apart = 0;
-            const auto [inBody, inCells] = toCells(body.getBounds(), pose, dimension_ == 2);
-            forest_->visitNear(inBody, inCells, margin / cellSize_,
-                               [&](const CellForest::Place &place, ObstaclePart box, const CellBox &cells)
-                               {
-                                   const Eigen::AlignedBox3d bounds = boundsOf(cells);
-                                   bool isApart = true;
-                                   for (std::size_t i = 0; i < parts.size(); ++i)
-                                   {
-                                       const Ball &ball = body.getPartBalls()[i];
-                                       Eigen::Vector3d center = pose * ball.center;
-                                       if (dimension_ == 2)
-                                           center.z() = 0.0;
-                                       const double reach = ball.radius + margin;
-                                       if (bounds.squaredExteriorDistance(center) > reach * reach)
-                                           continue;
-                                       const Touching answer =
-                                           touchesBox(parts[i].shape, pose * parts[i].pose,
-                                                      place.block->getShape(place.box), bounds.center(), margin);
-                                       isApart = isApart && answer == Touching::NO;
-                                       if (answer != Touching::NO && visit(box, answer))
-                                           return true;
-                                   }
-                                   apart += isApart ? 1 : 0;
-                                   return apart > MOST_APART;
-                               });
-            if (apart <= MOST_APART)
-                return;
-        }
+        if (body.getParts().size() > 1 && visitTouchedAtOnce(body, pose, margin, visit))
+            return;
         bool isDone = false;
-        for (const Body::Part &part : parts)
+        for (const Body::Part &part : body.getParts())
         {
             visitTouched(part.shape, pose * part.pose, margin,
                          [&](ObstaclePart box, Touching answer) { return isDone = visit(box, answer); });

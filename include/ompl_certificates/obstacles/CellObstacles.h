@@ -61,7 +61,7 @@ namespace ompl_certificates
         /** \brief The distance of a box around the body to the nearest cell, or less */
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
 
-        /** \brief True */
+        /** \brief True: it is one walk down the tree, as a clearance is */
         bool isGapCheap() const override
         {
             return true;
@@ -98,7 +98,16 @@ namespace ompl_certificates
         template <typename Visit>
         void visitTouched(const Body &body, const Pose &pose, double margin, const Visit &visit) const;
 
-        /** \brief The same for one part of a body */
+        /** \brief The same in one walk for a body of several parts. Mostly no box is near it, or few are.
+            \return false if it ended early: many boxes are near the body and none of its parts touches them, as between
+            the ends of a dumbbell. Then each part needs a walk of its own. */
+        template <typename Visit>
+        bool visitTouchedAtOnce(const Body &body, const Pose &pose, double margin, const Visit &visit) const;
+
+        /** \brief Whether the ball around a part of a body comes within \e margin of a box */
+        bool isPartNear(const Ball &ball, const Pose &pose, const Eigen::AlignedBox3d &box, double margin) const;
+
+        /** \brief As visitTouched() for one part of a body */
         template <typename Visit>
         void visitTouched(const Shape &shape, const Pose &pose, double margin, const Visit &visit) const;
 
