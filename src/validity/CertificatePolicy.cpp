@@ -11,6 +11,10 @@ namespace ompl_certificates
             most so many. More where the standard check, which is only tried, takes longer. */
         constexpr double FRACTION = 1.0 / 16.0, SHORTEST_INTERVAL = 4.0, LONGEST_INTERVAL = 128.0;
 
+        /** Where the standard check takes less in a trial, in nanoseconds, the ways take turns once certificates are mature.
+            Between two turns of the standard check lie so many times as many checks. */
+        constexpr double CHEAP = 10000.0, TURNS_APART = 32.0;
+
         /** When certificates have been in use for so many samples and trials, they are judged for the first time; after
             so many, they are mature. */
         constexpr double FIRST_JUDGED = 512.0, MATURE = 8192.0;
@@ -34,30 +38,50 @@ namespace ompl_certificates
     void CertificatePolicy::begin()
     {
         usesCertificates_ = true;
+        takesTurns_ = false;
         firstSample_ = samples_;
         firstCheck_ = checks_;
         nextTrial_ = checks_ + 1;
-        trials_.clear();
+        certified_ = exact_ = CheckTimes(TRIAL_MEMORY);
         estimated_ = measured_ = 0.0;
+    }
+
+    void CertificatePolicy::beginTurns()
+    {
+        takesTurns_ = true;
+        nextTrial_ = checks_ + 1;
+        certified_ = exact_ = CheckTimes(TURN_MEMORY);
     }
 
     void CertificatePolicy::note(std::uint64_t samples, std::chrono::nanoseconds certified,
                                  std::chrono::nanoseconds exact)
     {
-        trials_.add(static_cast<double>(samples),
-                    {static_cast<double>(certified.count()), static_cast<double>(exact.count())});
+        certified_.add(samples, certified);
+        exact_.add(samples, exact);
         // This check is not counted yet.
         const auto checksInUse = static_cast<double>(checks_ - firstCheck_ + 1);
         const auto samplesInUse = static_cast<double>(samples_ - firstSample_ + samples);
-        const TrialTimes::Times mean = trials_.estimate(samplesInUse / checksInUse);
-        if (trials_.count() >= ENOUGH_TRIALS && mean.exact < requiredFactor(samplesInUse) * mean.certified)
+        if (samplesInUse >= MATURE && exact_.mean() < CHEAP)
+            beginTurns();
+        else
+            judge(checksInUse, samplesInUse);
+    }
+
+    void CertificatePolicy::judge(double checksInUse, double samplesInUse)
+    {
+        // Turns are of other checks, but of many.
+        const auto timeOf = [&](const CheckTimes &times)
+        { return takesTurns_ ? times.mean() : times.estimate(samplesInUse / checksInUse); };
+        const double certified = timeOf(certified_), exact = timeOf(exact_);
+        if (exact_.count() >= ENOUGH_TRIALS && exact < requiredFactor(samplesInUse) * certified)
         {
-            usesCertificates_ = false;
+            usesCertificates_ = takesTurns_ = false;
             nextUse_ = PATIENCE * samples_;
             return;
         }
-        const double cost = std::max(mean.exact / std::max(mean.certified, 1.0), 1.0);
-        const double interval = cost * std::clamp(FRACTION * checksInUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
-        nextTrial_ = checks_ + static_cast<std::uint64_t>(interval);
+        const double cost = std::max(exact / std::max(certified, 1.0), 1.0);
+        const double interval = takesTurns_ ? TURNS_APART * static_cast<double>(TURN)
+                                            : std::clamp(FRACTION * checksInUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
+        nextTrial_ = checks_ + static_cast<std::uint64_t>(cost * interval);
     }
 }

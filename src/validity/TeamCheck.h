@@ -291,6 +291,15 @@ namespace ompl_certificates
             return robotSamplesOf(counts) + counts.pairPoses;
         }
 
+        /** \brief How long a check takes, whose result \e free is set to */
+        template <typename Check>
+        static std::chrono::nanoseconds timeOf(const Check &check, bool &free)
+        {
+            const auto begin = std::chrono::steady_clock::now();
+            free = check();
+            return std::chrono::steady_clock::now() - begin;
+        }
+
         /** \brief See decide()
             \param exactTime what a robot's sample takes without certificates, in nanoseconds; 0 if that is not known */
         template <typename Certified, typename Exact>
@@ -349,37 +358,44 @@ namespace ompl_certificates
             return certified();
         if (policy.isNew())
             policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter);
-        using Clock = std::chrono::steady_clock;
         const CheckCounts counts = context.counts;
+        const auto samples = [&] { return samplesOf(context.counts) - samplesOf(counts); };
+        const auto check = [&] { return policy.usesCertificates() ? certified() : exact(); };
         bool free = false;
         // A trial within a trial would spoil the times of the outer one.
         if (!context.isTrial && policy.isTrial())
         {
-            const bool exactFirst = policy.beginsExactly();
             context.isTrial = true;
-            const Clock::time_point begin = Clock::now();
+            std::chrono::nanoseconds withoutThem{0};
+            const bool exactFirst = policy.beginsExactly();
             if (exactFirst)
-                exact();
-            else
-                certified();
-            const Clock::time_point middle = Clock::now();
+                withoutThem = timeOf(exact, free);
             context.counts = counts;
-            free = exactFirst ? certified() : exact();
-            const Clock::duration first = middle - begin, second = Clock::now() - middle;
+            const std::chrono::nanoseconds withThem = timeOf(certified, free);
+            // Checks with certificates are counted, as those between trials. The others stop at a sample that collides.
+            const CheckCounts certifiedCounts = context.counts;
+            if (!exactFirst)
+                withoutThem = timeOf(exact, free);
+            context.counts = certifiedCounts;
             context.isTrial = false;
-            policy.note(samplesOf(context.counts) - samplesOf(counts), exactFirst ? second : first,
-                        exactFirst ? first : second);
+            policy.note(samples(), withThem, withoutThem);
+        }
+        else if (!context.isTrial && policy.isTimed())
+        {
+            context.isTrial = true;
+            const std::chrono::nanoseconds time = timeOf(check, free);
+            context.isTrial = false;
+            policy.noteTurn(samples(), time);
         }
         else if (exactTime > 0.0 && policy.usesCertificates())
         {
-            const Clock::time_point begin = Clock::now();
-            free = certified();
-            policy.noteEstimate(Clock::now() - begin, exactTime * static_cast<double>(robotSamplesOf(context.counts) -
-                                                                                      robotSamplesOf(counts)));
+            const std::chrono::nanoseconds time = timeOf(certified, free);
+            policy.noteEstimate(time, exactTime *
+                                          static_cast<double>(robotSamplesOf(context.counts) - robotSamplesOf(counts)));
         }
         else
-            free = policy.usesCertificates() ? certified() : exact();
-        policy.count(samplesOf(context.counts) - samplesOf(counts));
+            free = check();
+        policy.count(samples());
         return free;
     }
 }
