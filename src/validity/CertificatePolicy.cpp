@@ -8,11 +8,13 @@ namespace ompl_certificates
     namespace
     {
         /** Between two trials lies this fraction of the checks since certificates came into use, but at least and at
-            most so many. More where the standard check, which is only tried, takes longer. */
+            most so many, or less where there are so many samples between them. More where the standard check, which is
+            only tried, takes longer. */
         constexpr double FRACTION = 1.0 / 16.0, SHORTEST_INTERVAL = 4.0, LONGEST_INTERVAL = 128.0;
+        constexpr double SHORTEST_SAMPLES = 64.0;
 
-        /** Where the standard check takes less in a trial, in nanoseconds, the ways take turns once certificates are mature.
-            Between two turns of the standard check lie so many times as many checks. */
+        /** Where the standard check takes less in a trial, in nanoseconds, the ways take turns once certificates are
+            mature. Between two turns of the standard check lie so many times as many checks. */
         constexpr double CHEAP = 10000.0, TURNS_APART = 32.0;
 
         /** When certificates have been in use for so many samples and trials, they are judged for the first time; after
@@ -23,8 +25,10 @@ namespace ompl_certificates
         /** How much faster they must make a check by then. Below 1, since later checks profit from those made now. */
         constexpr double FIRST_FACTOR = 0.5, MATURE_FACTOR = 0.95;
 
-        /** After how many times as many samples they are tried again */
+        /** After how many times as many samples they are tried again, and after how many times the time that was lost:
+            then tries cost some 3 % where certificates never pay. */
         constexpr std::uint64_t PATIENCE = 2;
+        constexpr double TRIES_APART = 32.0;
 
         double requiredFactor(double samples)
         {
@@ -75,13 +79,19 @@ namespace ompl_certificates
         const double certified = timeOf(certified_), exact = timeOf(exact_);
         if (exact_.count() >= ENOUGH_TRIALS && exact < requiredFactor(samplesInUse) * certified)
         {
-            usesCertificates_ = takesTurns_ = false;
-            nextUse_ = PATIENCE * samples_;
+            usesCertificates_ = false;
+            // In samples of the standard check. Of mature certificates it is not known when they began to lose.
+            const double trials = takesTurns_ ? 0.0 : static_cast<double>(exact_.count());
+            const double lost = std::min(samplesInUse, MATURE) * (certified / std::max(exact, 1.0) - 1.0) +
+                                trials * samplesInUse / checksInUse;
+            nextUse_ = std::max(PATIENCE * samples_, samples_ + static_cast<std::uint64_t>(TRIES_APART * lost));
+            takesTurns_ = false;
             return;
         }
         const double cost = std::max(exact / std::max(certified, 1.0), 1.0);
+        const double shortest = std::clamp(SHORTEST_SAMPLES * checksInUse / samplesInUse, 1.0, SHORTEST_INTERVAL);
         const double interval = takesTurns_ ? TURNS_APART * static_cast<double>(TURN)
-                                            : std::clamp(FRACTION * checksInUse, SHORTEST_INTERVAL, LONGEST_INTERVAL);
+                                            : std::clamp(FRACTION * checksInUse, shortest, LONGEST_INTERVAL);
         nextTrial_ = checks_ + static_cast<std::uint64_t>(cost * interval);
     }
 }

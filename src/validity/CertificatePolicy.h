@@ -63,7 +63,8 @@ namespace ompl_certificates
         /** \brief Notes how long the same check of \e samples samples took in either way */
         void note(std::uint64_t samples, std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
 
-        /** \brief Notes how long a timed check of \e samples samples took, by the way whose turn it is. Before count(). */
+        /** \brief Notes how long a timed check of \e samples samples took, by the way whose turn it is. Before
+            count() */
         void noteTurn(std::uint64_t samples, std::chrono::nanoseconds time)
         {
             (usesCertificates() ? certified_ : exact_).add(samples, time);
@@ -105,8 +106,8 @@ namespace ompl_certificates
             return estimated_ > CLEARLY * measured_;
         }
 
-        /** \brief How many checks a turn has. The first ones only warm up the caches, and what a processor learns of the
-            branches. */
+        /** \brief How many checks a turn has. The first ones only warm up the caches, and what a processor learns of
+            the branches. */
         static constexpr std::uint64_t TURN = 128, WARM_UP = 32;
 
         /** \brief How many checks the times remember, in trials and in turns */

@@ -9,8 +9,8 @@ namespace ompl_certificates
 {
     /** \brief How long checks take that are made in one way, and how that grows with their samples.
 
-        Most motions of a planner collide soon, and a few long ones take most of the time. A few timed checks rarely meet
-        those. So a mean time is corrected by the numbers of samples, which are known of all checks: a regression
+        Most motions of a planner collide soon, and a few long ones take most of the time. A few timed checks rarely
+        meet those. So a mean time is corrected by the numbers of samples, which are known of all checks: a regression
         estimator. */
     class CheckTimes
     {
