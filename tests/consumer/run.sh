@@ -58,7 +58,9 @@ if [[ -x "$work/moved/bin/certificates" ]]; then
   for program in certificates plan_team benchmark_team generate_scene certificate_experiment; do
     "$work/moved/bin/$program" --version
     # A library of ours that is found in the build folder would not be found elsewhere.
-    if ! ldd "$work/moved/bin/$program" | grep -q "libompl_certificates.*$work/moved/"; then
+    # Not by a pipe: grep may end before ldd, which then fails.
+    libraries=$(ldd "$work/moved/bin/$program")
+    if ! grep -q "libompl_certificates.*$work/moved/" <<< "$libraries"; then
       echo "error: $program does not use the installed libraries" >&2
       exit 1
     fi
