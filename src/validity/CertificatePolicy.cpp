@@ -8,9 +8,10 @@ namespace ompl_certificates
     namespace
     {
         /** Between two trials lies this fraction of the checks since certificates came into use, but at least and at
-            most so many, or less where there are so many samples between them. More where the standard check, which is
-            only tried, takes longer. */
+            most so many. More where the standard check, which is only tried, takes longer. */
         constexpr double FRACTION = 1.0 / 16.0, SHORTEST_INTERVAL = 4.0, LONGEST_INTERVAL = 128.0;
+
+        /** Fewer checks may lie between trials if they have so many samples: those of long motions. */
         constexpr double SHORTEST_SAMPLES = 64.0;
 
         /** Where the standard check takes less in a trial, in nanoseconds, the ways take turns once certificates are
@@ -73,14 +74,15 @@ namespace ompl_certificates
 
     void CertificatePolicy::judge(double checksInUse, double samplesInUse)
     {
-        // Turns are of other checks, but of many.
+        // In turns, either way checks other motions, but so many that their means can be compared.
         const auto timeOf = [&](const CheckTimes &times)
         { return takesTurns_ ? times.mean() : times.estimate(samplesInUse / checksInUse); };
         const double certified = timeOf(certified_), exact = timeOf(exact_);
         if (exact_.count() >= ENOUGH_TRIALS && exact < requiredFactor(samplesInUse) * certified)
         {
             usesCertificates_ = false;
-            // In samples of the standard check. Of mature certificates it is not known when they began to lose.
+            // The time lost, as a number of samples that the standard check takes it for. When certificates that were
+            // mature began to lose is not known: their loss counts for as long as it takes to become mature.
             const double trials = takesTurns_ ? 0.0 : static_cast<double>(exact_.count());
             const double lost = std::min(samplesInUse, MATURE) * (certified / std::max(exact, 1.0) - 1.0) +
                                 trials * samplesInUse / checksInUse;

@@ -372,7 +372,8 @@ namespace ompl_certificates
                 withoutThem = timeOf(exact, free);
             context.counts = counts;
             const std::chrono::nanoseconds withThem = timeOf(certified, free);
-            // Checks with certificates are counted, as those between trials. The others stop at a sample that collides.
+            // Between trials, checks with certificates are counted. So they are in trials: of a motion that collides,
+            // the standard check counts fewer samples, since none is skipped.
             const CheckCounts certifiedCounts = context.counts;
             if (!exactFirst)
                 withoutThem = timeOf(exact, free);

@@ -1,6 +1,7 @@
 #include "support/Checkers.h"
 #include "support/RandomStates.h"
 #include "validity/CertificatePolicy.h"
+#include "validity/TeamCheck.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -69,6 +70,22 @@ TEST(CertificatePolicy, LeavesCertificatesThatDoNotPay)
     // A try costs some 1200 samples, so 2400 checks lie between two.
     EXPECT_GE(course.trials, 3U * 16U);
     EXPECT_LE(course.trials, 5U * 16U);
+}
+
+TEST(CertificatePolicy, LeavesLongMotionsAfterFewChecks)
+{
+    // Each has as many samples as a try takes at least, so trials need not wait for more.
+    constexpr std::uint64_t LONG = 512;
+    CertificatePolicy policy;
+    policy.setFirstUse(0);
+    unsigned int checks = 0;
+    for (; policy.usesCertificates() && checks < 1000; ++checks)
+    {
+        if (policy.isTrial())
+            policy.note(LONG, nanoseconds(400000), nanoseconds(100000));
+        policy.count(LONG);
+    }
+    EXPECT_LE(checks, 20U);
 }
 
 TEST(CertificatePolicy, KeepsCertificatesThatPay)
@@ -169,6 +186,38 @@ TEST(CertificatePolicy, IsNotMisledByASingleInterruption)
     ASSERT_TRUE(policy.usesCertificates());
     policy.note(SAMPLES, nanoseconds(400000000), nanoseconds(100000));
     EXPECT_TRUE(policy.usesCertificates());
+}
+
+TEST(CertificatePolicy, OfATrialTheCheckWithCertificatesCounts)
+{
+    Random random(1);
+    const TeamStateSpacePtr team = anyTeam(1);
+    const TeamCheck check(Team(team), scatteredObstacles(random, team->getWorkspaceDimension(), 10),
+                          Method::SHARED_PROJECTION);
+    const TeamCheck::Scope context(check);
+    CertificatePolicy policy;
+    policy.setFirstUse(0);
+    unsigned int exact = 0, trials = 0;
+    for (unsigned int i = 0; i < 100; ++i)
+    {
+        trials += policy.isTrial() ? 1 : 0;
+        const std::uint64_t before = (*context).counts.robotPoses;
+        const auto checkPoses = [&](unsigned int poses)
+        {
+            (*context).counts.robotPoses += poses;
+            return true;
+        };
+        EXPECT_TRUE(check.decide(
+            policy, *context, [&] { return checkPoses(10); },
+            [&]
+            {
+                ++exact;
+                return checkPoses(3);
+            }));
+        EXPECT_EQ((*context).counts.robotPoses - before, 10U);
+    }
+    EXPECT_EQ(exact, trials);
+    EXPECT_GT(trials, 4U);
 }
 
 TEST(CertificatesAfter, AreMadeThenAndChangeNoVerdict)
