@@ -1,5 +1,7 @@
 #include "common/LookupRecord.h"
 
+#include "common/NoGoal.h"
+
 #include "validity/DiscreteMotionCheck.h"
 #include "validity/TeamCheck.h"
 
@@ -8,7 +10,6 @@
 #include <cmath>
 #include <memory>
 #include <ompl/base/DiscreteMotionValidator.h>
-#include <ompl/base/Goal.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/StateValidityChecker.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
@@ -23,17 +24,6 @@ namespace benchmarks
 
     namespace
     {
-        class NeverSatisfied : public ob::Goal
-        {
-        public:
-            using ob::Goal::Goal;
-
-            bool isSatisfied(const ob::State * /*state*/) const override
-            {
-                return false;
-            }
-        };
-
         /** The certificates that all plans share */
         struct Store
         {
@@ -198,7 +188,7 @@ namespace benchmarks
                 return iterations;
             auto problem = std::make_shared<ob::ProblemDefinition>(si);
             problem->addStartState(start);
-            problem->setGoal(std::make_shared<NeverSatisfied>(si));
+            problem->setGoal(std::make_shared<NoGoal>(si));
             const double range = plans.range * std::sqrt(static_cast<double>(team->getRobotCount()));
             const auto solve = [&](auto planner)
             {

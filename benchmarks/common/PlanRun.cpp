@@ -1,12 +1,13 @@
 #include "common/PlanRun.h"
 
+#include "common/NoGoal.h"
+
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <limits>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
@@ -20,25 +21,6 @@ namespace benchmarks
 
     namespace
     {
-        /** A goal that contains no state and tells nothing of itself */
-        class NeverSatisfied : public ob::Goal
-        {
-        public:
-            using ob::Goal::Goal;
-
-            bool isSatisfied(const ob::State * /*state*/) const override
-            {
-                return false;
-            }
-
-            bool isSatisfied(const ob::State * /*state*/, double *distance) const override
-            {
-                if (distance)
-                    *distance = std::numeric_limits<double>::infinity();
-                return false;
-            }
-        };
-
         /** States are allocated and copied as in OMPL's own compound space. Distances are those of a team, as a user of
             OMPL would write them. */
         class StockTeam : public TeamStateSpace
@@ -146,7 +128,7 @@ namespace benchmarks
         const ob::PlannerPtr planner = newPlanner(task.seed);
         const bool sampleable = planner->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION;
         if (task.keepGoing && !sampleable)
-            setup->setGoal(std::make_shared<NeverSatisfied>(setup->getSpaceInformation()));
+            setup->setGoal(std::make_shared<NoGoal>(setup->getSpaceInformation()));
         setup->setup();
         setup->getStatistics().reset();
 

@@ -8,6 +8,8 @@
 // nothing satisfies. Counter nearest_ms is the structure's part of the time. RRT* asks for the k nearest with k about
 // 2^(D + 1) 3 log n, which soon is every node of the tree, or for those in a radius (RADIUS).
 
+#include "common/NoGoal.h"
+
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/neighbors/PlannerNeighbors.h"
 #include "ompl_certificates/robots/RigidRobot.h"
@@ -16,7 +18,6 @@
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <ctime>
-#include <limits>
 #include <memory>
 #include <ompl/base/Goal.h>
 #include <ompl/base/ScopedState.h>
@@ -96,23 +97,6 @@ namespace
             team->freeState(motion.state);
     }
 
-    class NoGoal : public ob::Goal
-    {
-    public:
-        using Goal::Goal;
-
-        bool isSatisfied(const ob::State *) const override
-        {
-            return false;
-        }
-
-        bool isSatisfied(const ob::State *, double *distance) const override
-        {
-            *distance = std::numeric_limits<double>::infinity();
-            return false;
-        }
-    };
-
     enum Neighborhood
     {
         K_NEAREST,
@@ -135,7 +119,7 @@ namespace
             ob::ScopedState<> start(team);
             start = std::vector<double>(team->getDimension(), 50.0);
             problem->addStartState(start);
-            problem->setGoal(std::make_shared<NoGoal>(si));
+            problem->setGoal(std::make_shared<benchmarks::NoGoal>(si));
             problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
             Planner planner(si);
             planner.setRange(5.0);

@@ -73,6 +73,10 @@ endif()
 
 # Compiled, not run: what a snippet does is shown by the demos.
 add_library(doc_snippets OBJECT ${snippets})
+if(OMPL_CERTIFICATES_SANITIZE)
+  # A sanitizer sees what runs.
+  set_target_properties(doc_snippets PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()
 ompl_certificates_compile_options(doc_snippets)
 # A snippet may name again what it is given, and need not use what it makes.
 target_compile_options(doc_snippets PRIVATE -Wno-shadow -Wno-unused -Wno-unused-but-set-variable)

@@ -1,32 +1,10 @@
+#include "support/Cuts.h"
 #include "support/RandomMeshes.h"
 
 #include <gtest/gtest.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
-
-namespace
-{
-    /** A random cut through the tree: each node is taken whole or replaced by its children. */
-    void cut(Random &random, const SphereTree &sphereTree, std::uint32_t index, double wholeChance,
-             std::vector<Ball> &balls)
-    {
-        const SphereTree::Node &node = sphereTree.getNodes()[index];
-        if (node.childCount == 0 || random.chance(wholeChance))
-            balls.push_back(node.ball);
-        else
-            for (std::uint32_t child = 0; child < node.childCount; ++child)
-                cut(random, sphereTree, node.firstChild + child, wholeChance, balls);
-    }
-
-    bool contains(const std::vector<Ball> &balls, const Eigen::Vector3d &point)
-    {
-        for (const Ball &ball : balls)
-            if ((point - ball.center).norm() <= ball.radius * (1.0 + 1e-11))
-                return true;
-        return false;
-    }
-}
 
 class MeshSphereTree : public testing::TestWithParam<unsigned int>
 {
