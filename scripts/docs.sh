@@ -10,6 +10,10 @@ if ! command -v doxygen >/dev/null || ! command -v mkdocs >/dev/null; then
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+if [[ -n $(ls -A "$folder" 2>/dev/null) && ! -e "$folder/.nojekyll" ]]; then
+  echo "error: $folder is not empty, and no site that docs.sh has made" >&2
+  exit 2
+fi
 rm -rf "$folder"
 mkdir -p "$folder" "$work/api"
 {
@@ -21,7 +25,8 @@ mkdir -p "$folder" "$work/api"
 
 # Plans to look at, where the program that makes them is built and knows how.
 views=()
-if [[ -x build/bin/certificates ]] && build/bin/certificates plan --help | grep -q -- --view; then
+# Not by a pipe: grep may end before the program, which then fails.
+if [[ -x build/bin/certificates ]] && grep -q -e --view <<<"$(build/bin/certificates plan --help)"; then
   views=("$work/views")
   mkdir "$work/views"
   for scene in paper_five_discs drones_3d sixteen_robots; do

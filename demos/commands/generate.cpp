@@ -146,7 +146,9 @@ demos::Work demos::declareGenerate(CLI::App &app)
                               app.add_option("--size", given.size, "side of the square that the robots are in"),
                               app.add_option("--radius", given.radius, "radius of the discs among polygons"),
                               app.add_option("--points", given.points, "number of points of a cloud")};
-    app.add_option("--seed", given.seed, "seed; the same settings make the same scene")->capture_default_str();
+    app.add_option("--seed", given.seed, "seed; the same settings make the same scene")
+        ->check(demos::countUpTo(4294967295ull))
+        ->capture_default_str();
     app.add_option("--output", generator->output,
                    "file to write, - for standard output (if the kind has no meshes and no cloud)")
         ->capture_default_str();

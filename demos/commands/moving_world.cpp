@@ -218,7 +218,9 @@ namespace
         app.add_option("--points", options.points, "Points of the hall; each of the people has 400 more")
             ->check(demos::countUpTo(1000000))
             ->capture_default_str();
-        app.add_option("--seed", options.seed, "Seed of people, noise and plans")->capture_default_str();
+        app.add_option("--seed", options.seed, "Seed of people, noise and plans")
+            ->check(demos::countUpTo(4294967295ull))
+            ->capture_default_str();
         app.add_option("--csv", options.csv, "File for all numbers of all frames, - for standard output");
         app.add_option("--animation", options.animation, "SVG file of the hall from above, in motion, for browsers");
         app.add_flag("--at-once", options.atOnce,

@@ -82,9 +82,9 @@ def plan(
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt.
     """
-    for name, number, most in (("iterations", iterations or 0, 2**64 - 1), ("seed", seed, 2**32 - 1)):
-        if not 0 <= number <= most:
-            raise Error(f"{name}: must be from 0 to {most}, not {number}")
+    for name, number, least, most in (("iterations", iterations or 0, 0, 2**64 - 1), ("seed", seed, 1, 2**32 - 1)):
+        if not least <= number <= most:
+            raise Error(f"{name}: must be from {least} to {most}, not {number}")
     checker = scene if isinstance(scene, Checker) else Checker(scene, method, motion)
     return _plan(
         checker,

@@ -123,6 +123,10 @@ namespace ompl_certificates_python
         if (low.size() != high.size() || (low.size() != 2 && low.size() != 3))
             throw ompl::Exception("bounds", "low and high must both have 2 or 3 numbers, not " +
                                                 std::to_string(low.size()) + " and " + std::to_string(high.size()));
+        for (std::size_t i = 0; i < low.size(); ++i)
+            if (!std::isfinite(low[i]) || !std::isfinite(high[i]))
+                throw ompl::Exception("bounds", "must be finite, not from " + std::to_string(low[i]) + " to " +
+                                                    std::to_string(high[i]));
         ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(low.size()));
         bounds.low = low;
         bounds.high = high;

@@ -100,15 +100,11 @@ namespace ompl_certificates_python
                     throw py::error_already_set();
                 return checker.toState(array);
             };
-            if (!start.is_none())
-                setup.setStartState(read(start));
-            if (!goal.is_none())
-                setup.setGoalState(read(goal));
-            ob::ScopedState<> end(setup.getStateSpace());
-            end = setup.getGoal()->as<ob::GoalState>()->getState();
+            ob::ScopedState<> begin(setup.getStateSpace()), end(setup.getStateSpace());
+            begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0) : read(start).get();
+            end = goal.is_none() ? setup.getGoal()->as<ob::GoalState>()->getState() : read(goal).get();
             for (const auto &[key, state] :
-                 {std::pair<std::string, const ob::State *>{"start", setup.getProblemDefinition()->getStartState(0)},
-                  {"goal", end.get()}})
+                 {std::pair<std::string, const ob::State *>{"start", begin.get()}, {"goal", end.get()}})
             {
                 if (!setup.getSpaceInformation()->satisfiesBounds(state))
                     throw ompl::Exception(checker.getSceneName(), key + ": is outside the bounds");
@@ -116,6 +112,7 @@ namespace ompl_certificates_python
                 if (!collision.empty())
                     throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
             }
+            setup.setStartAndGoalStates(begin, end);
             setup.setOptimizationObjective(options.objective == "length"
                                                ? nullptr
                                                : makeObjective(options.objective, setup.getSpaceInformation(), end));
@@ -245,8 +242,12 @@ namespace ompl_certificates_python
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
             TeamSetup &setup = checker.getSetup();
+            // Once: other threads may be checking states.
+            if (!setup.getSpaceInformation()->isSetup())
+                setup.getSpaceInformation()->setup();
             // Planners such as KPIECE have cells whose sizes OMPL infers from random states.
-            setup.getSpaceInformation()->setup();
+            for (const auto &[name, projection] : setup.getStateSpace()->getRegisteredProjections())
+                projection->setup();
             if (setup.getPlanner())
                 setup.clear();
             setup.getProblemDefinition()->clearSolutionPaths();

@@ -160,7 +160,7 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"method": "best"}, "best"),
         ({"motion": "jumpy"}, "^motion: "),
         ({"time": -1.0}, "^time: "),
-        ({"seed": -1}, "^seed: must be from 0 to 4294967295, not -1$"),
+        ({"seed": 0}, "^seed: must be from 1 to 4294967295, not 0$"),
         ({"iterations": -5}, "^iterations: .*not -5$"),
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),

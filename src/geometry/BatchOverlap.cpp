@@ -3,6 +3,8 @@
 #include "EightNumbers.h"
 #include "WideRegisters.h"
 
+#include <algorithm>
+
 namespace ompl_certificates
 {
     namespace
@@ -81,12 +83,30 @@ namespace ompl_certificates
     }
 
     OMPL_CERTIFICATES_WIDE_WHOLE
-    void placePoint(const PoseBatch &poses, const Eigen::Vector3d &local, PointBatch &point)
+    double placePoint(const PoseBatch &poses, const Eigen::Vector3d &local, PointBatch &point)
     {
         const auto x = static_cast<float>(local[0]), y = static_cast<float>(local[1]), z = static_cast<float>(local[2]);
+        EightFloats farthest{};
         for (int i = 0; i < 3; ++i)
-            eight(point.at[i]) = eight(poses.origin[i]) + eight(poses.axes[0][i]) * x + eight(poses.axes[1][i]) * y +
-                                 eight(poses.axes[2][i]) * z;
+        {
+            EightFloats origin = eight(poses.origin[i]);
+            eight(point.at[i]) =
+                origin + eight(poses.axes[0][i]) * x + eight(poses.axes[1][i]) * y + eight(poses.axes[2][i]) * z;
+            makeAbsolute(origin);
+            farthest = origin > farthest ? origin : farthest;
+        }
+        alignas(32) float all[PoseBatch::SIZE];
+        eight(all) = farthest;
+        return ROUNDING * (static_cast<double>(*std::max_element(all, all + PoseBatch::SIZE)) + local.norm());
+    }
+
+    OMPL_CERTIFICATES_WIDE_WHOLE
+    BatchMask notFinite(const PointBatch &point)
+    {
+        EightFlags finite = ~EightFlags{};
+        for (const auto &numbers : point.at)
+            finite &= eight(numbers) - eight(numbers) == 0.0F;
+        return maskOf(~finite);
     }
 
     OMPL_CERTIFICATES_WIDE_WHOLE
@@ -151,9 +171,8 @@ namespace ompl_certificates
                     relative.axes[j][i] += along * eight(moving.poses.axes[j][k]);
             }
         }
-        const double slack =
-            margin + slackOf(moving) +
-            ROUNDING * (standing.sizes().norm() + reachOf(moving.box) + toStanding.translation().norm());
+        const double slack = margin + slackOf(moving) +
+                             ROUNDING * (reachOf(standing) + reachOf(moving.box) + toStanding.translation().norm());
         return overlapping(Half(standing), Half(moving.box), relative, slack);
     }
 }

@@ -6,8 +6,8 @@
 
 namespace ompl_certificates
 {
-    // In which states of a batch bounding volumes may touch. A state that is left out is certain: there they are apart,
-    // whatever was rounded. States with numbers that are not finite are never left out.
+    // In which states of a batch bounding volumes may touch. A state that is left out is certain: there they are apart.
+    // A state is never left out whose numbers are not numbers (NaN). Those with infinite ones may be: see notFinite().
 
     /** \brief Where a point is in each state of a batch */
     struct PointBatch
@@ -15,8 +15,12 @@ namespace ompl_certificates
         alignas(32) float at[3][PoseBatch::SIZE];
     };
 
-    /** \brief Write where the point \e local of a body is */
-    void placePoint(const PoseBatch &poses, const Eigen::Vector3d &local, PointBatch &point);
+    /** \brief Write where the point \e local of a body is
+        \return how far rounding may have moved it, at most, in any of the states; the error of the poses not included */
+    double placePoint(const PoseBatch &poses, const Eigen::Vector3d &local, PointBatch &point);
+
+    /** \brief The states in which a point has numbers that are not finite */
+    BatchMask notFinite(const PointBatch &point);
 
     /** \brief The states in which two points may be within \e distance of each other */
     BatchMask arePointsNear(const PointBatch &a, const PointBatch &b, double distance);

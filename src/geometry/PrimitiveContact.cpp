@@ -238,7 +238,8 @@ namespace ompl_certificates
                     return Touching::YES;
                 if (lowest - half > radius + margin)
                     return Touching::NO;
-                if (half <= 0.25 * margin)
+                // So written that it also ends where numbers are not numbers
+                if (!(half > 0.25 * margin))
                     return Touching::UNKNOWN;
                 half *= 0.5;
                 for (const double side : {-half, half})

@@ -100,7 +100,8 @@ namespace ompl_certificates
     private:
         friend class TriangleTreeBuilder;
 
-        /** \brief Four boxes, relative to origin_. An absent box is inside out and infinite. */
+        /** \brief Four boxes, relative to origin_. An absent box is inside out and infinite. Its child is a leaf of the
+            first triangle: so a walk ends even where numbers that are not finite make all boxes overlap. */
         struct alignas(16) Node
         {
             float low[3][4];

@@ -229,7 +229,7 @@ namespace ompl_certificates
                     tree_.nodes_[index].low[axis][k] = there ? ranges[k].box.min()[axis] : far;
                     tree_.nodes_[index].high[axis][k] = there ? ranges[k].box.max()[axis] : -far;
                 }
-                std::uint32_t child = 0;
+                std::uint32_t child = TriangleTree::LEAF;
                 if (there && ranges[k].count <= LEAF_SIZE)
                     child = TriangleTree::LEAF | ranges[k].first << TriangleTree::COUNT_BITS | (ranges[k].count - 1);
                 else if (there)

@@ -14,6 +14,9 @@ namespace ompl_certificates
         /** Pays for the rounding of boxes in single precision, relative to the largest coordinate */
         constexpr double ROUNDING = 1e-6;
 
+        /** Farther away, or not a number, single precision says nothing. */
+        constexpr double FARTHEST_BOX = 1e30;
+
         /** After so many triangles that may just touch, the exact check decides. Where meshes lie upon each other,
             nearly all triangles do, and the first one ends the exact check. */
         constexpr unsigned int MOST_UNKNOWN = 32;
@@ -57,7 +60,10 @@ namespace ompl_certificates
         if (nodes_.empty())
             return Touching::NO;
         const Eigen::AlignedBox3d box = boxOf(triangle);
-        const double slack = margin + ROUNDING * (extent_ + (box.center() - origin_).norm());
+        const double distance = (box.center() - origin_).norm();
+        if (!(distance < FARTHEST_BOX))
+            return Touching::UNKNOWN;
+        const double slack = margin + ROUNDING * (extent_ + distance);
         const Eigen::Vector3f low = (box.min() - origin_).cast<float>().array() - static_cast<float>(slack);
         const Eigen::Vector3f high = (box.max() - origin_).cast<float>().array() + static_cast<float>(slack);
         bool unknown = false;
@@ -97,6 +103,8 @@ namespace ompl_certificates
         if (nodes_.empty() || other.nodes_.empty())
             return Touching::NO;
         const Eigen::Vector3d shift = pose * other.origin_ - origin_;
+        if (!(shift.norm() < FARTHEST_BOX))
+            return Touching::UNKNOWN;
         const BoxTurn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
         const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + other.extent_ + shift.norm()));
@@ -162,6 +170,8 @@ namespace ompl_certificates
         const FloatBox box(bounds);
         const Eigen::Matrix3d toHere = pose.linear().transpose();
         const Eigen::Vector3d shift = -(toHere * (pose * origin_));
+        if (!(shift.norm() < FARTHEST_BOX))
+            return Touching::UNKNOWN;
         const BoxTurn turn(toHere, shift);
         const auto slack = static_cast<float>(
             margin + ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));

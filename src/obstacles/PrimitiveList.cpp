@@ -51,15 +51,6 @@ namespace ompl_certificates
                 apart |= (eight(block.roundedLow[axis]) > high[axis]) | (eight(block.roundedHigh[axis]) < low[axis]);
             return maskOf(~apart);
         }
-
-        /** The states in which a point has numbers that are not finite */
-        inline BatchMask notFinite(const PointBatch &point)
-        {
-            EightFlags finite = ~EightFlags{};
-            for (const auto &numbers : point.at)
-                finite &= eight(numbers) - eight(numbers) == 0.0F;
-            return maskOf(~finite);
-        }
     }
 
     PrimitiveList::PrimitiveList(const PlacedShapes &obstacles)
@@ -100,8 +91,8 @@ namespace ompl_certificates
     BatchMask PrimitiveList::mayTouch(const Ball &ball, const BoxBatch &box, double margin) const
     {
         PointBatch centers;
-        placePoint(box.poses, ball.center, centers);
-        const float radius = -roundedDown(-(ball.radius + margin + box.error.at(ball.center.norm())));
+        const double rounding = placePoint(box.poses, ball.center, centers);
+        const float radius = -roundedDown(-(ball.radius + margin + box.error.at(ball.center.norm()) + rounding));
         // What no primitive touches around the balls of all states needs no look at each of them.
         float low[3], high[3];
         for (int axis = 0; axis < 3; ++axis)
@@ -127,8 +118,8 @@ namespace ompl_certificates
                     outside = outside < 0.0F ? EightFloats{} : outside;
                     squared += outside * outside;
                 }
-                constexpr float rounding = 1.0F + 1e-6F;
-                const unsigned int touching = maskOf(~(squared > radius * radius * rounding));
+                constexpr float cushion = 1.0F + 1e-6F;
+                const unsigned int touching = maskOf(~(squared > radius * radius * cushion));
                 if ((touching & ~found) == 0)
                     continue;
                 const Primitive &primitive = primitives_[i * BLOCK_SIZE + k];

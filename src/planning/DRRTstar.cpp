@@ -346,7 +346,8 @@ namespace ompl_certificates
                            getName().c_str(), stuckRobot_.c_str(), static_cast<unsigned long long>(vertices_));
             return ob::PlannerStatus::TIMEOUT;
         }
-        ob::PlannerSolution solution(best_);
+        // A copy, which its owner may change
+        ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*best_));
         solution.setPlannerName(getName());
         solution.setOptimized(objective_, getBestCost(), isSatisfied());
         pdef_->addSolutionPath(solution);

@@ -127,13 +127,15 @@ namespace ompl_certificates
         space_.freeState(sample);
     }
 
-    std::vector<double> Roadmap::distancesTo(Vertex goal) const
+    std::vector<double> Roadmap::distancesTo(Vertex goal, std::vector<Vertex> *next) const
     {
         using Entry = std::pair<double, Vertex>;
         std::vector<double> distances(size(), std::numeric_limits<double>::infinity());
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
         distances[goal] = 0.0;
         queue.push({0.0, goal});
+        if (next)
+            next->assign(size(), goal);
         while (!queue.empty())
         {
             const auto [distance, vertex] = queue.top();
@@ -141,33 +143,28 @@ namespace ompl_certificates
             if (distance > distances[vertex])
                 continue;
             for (const Edge &edge : edges_[vertex])
-                if (const double next = distance + edge.length;
-                    next < distances[edge.to] && motions_[edge.motion].knowledge != Knowledge::BLOCKED)
+                if (const double longer = distance + edge.length;
+                    longer < distances[edge.to] && motions_[edge.motion].knowledge != Knowledge::BLOCKED)
                 {
-                    distances[edge.to] = next;
-                    queue.push({next, edge.to});
+                    distances[edge.to] = longer;
+                    queue.push({longer, edge.to});
+                    if (next)
+                        (*next)[edge.to] = vertex;
                 }
         }
         return distances;
     }
 
-    bool Roadmap::isPathFree(Vertex start, const std::vector<double> &distances)
+    bool Roadmap::isPathFree(Vertex start, Vertex goal, const std::vector<Vertex> &next)
     {
         bool isFreeSoFar = true;
         // All of it is checked: what is blocked near the end would be found later anyway.
-        for (Vertex vertex = start; distances[vertex] > 0.0;)
+        for (Vertex vertex = start; vertex != goal; vertex = next[vertex])
         {
-            const Edge *best = nullptr;
-            double shortest = std::numeric_limits<double>::infinity();
-            for (const Edge &edge : edges_[vertex])
-                if (const double length = edge.length + distances[edge.to];
-                    edge.to != vertex && length < shortest && motions_[edge.motion].knowledge != Knowledge::BLOCKED)
-                {
-                    best = &edge;
-                    shortest = length;
-                }
-            isFreeSoFar = isFree(vertex, *best) && isFreeSoFar;
-            vertex = best->to;
+            const auto isUsable = [&](const Edge &edge)
+            { return edge.to == next[vertex] && motions_[edge.motion].knowledge != Knowledge::BLOCKED; };
+            const auto edge = std::find_if(edges_[vertex].begin(), edges_[vertex].end(), isUsable);
+            isFreeSoFar = edge != edges_[vertex].end() && isFree(vertex, *edge) && isFreeSoFar;
         }
         return isFreeSoFar;
     }
@@ -177,10 +174,11 @@ namespace ompl_certificates
     {
         while (!condition)
         {
-            const std::vector<double> distances = distancesTo(goal);
+            std::vector<Vertex> next;
+            const std::vector<double> distances = distancesTo(goal, &next);
             if (!std::isfinite(distances[start]))
                 return plan(start, goal, iterations, condition);
-            if (isPathFree(start, distances))
+            if (isPathFree(start, goal, next))
                 return true;
         }
         return false;

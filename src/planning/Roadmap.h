@@ -102,8 +102,9 @@ namespace ompl_certificates
                      const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief The lengths of the shortest paths from all vertices to \e goal along motions that are not known to
-            be blocked; infinite where there is none. Cost: that of Dijkstra's algorithm. */
-        std::vector<double> distancesTo(Vertex goal) const;
+            be blocked; infinite where there is none. Cost: that of Dijkstra's algorithm.
+            \param next if not null: set to the vertex that comes next on each of these paths */
+        std::vector<double> distancesTo(Vertex goal, std::vector<Vertex> *next = nullptr) const;
 
     private:
         enum class Knowledge : std::uint8_t
@@ -121,9 +122,9 @@ namespace ompl_certificates
 
         void join(Vertex a, Vertex b, Knowledge knowledge);
 
-        /** \brief Check the shortest path from \e start, given the distances to its end
+        /** \brief Check the path from \e start to \e goal, given the vertex that comes next after each
             \return whether all of it is free */
-        bool isPathFree(Vertex start, const std::vector<double> &distances);
+        bool isPathFree(Vertex start, Vertex goal, const std::vector<Vertex> &next);
 
         /** \brief Add a path of RRTConnect
             \return whether there is one */

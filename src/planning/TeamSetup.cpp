@@ -51,7 +51,23 @@ namespace ompl_certificates
         else
             simplifyInSteps(solution, isBetter, condition);
         TeamPathSimplifier(si_, objective).simplify(solution, condition);
+        noteCostOf(solution);
         simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
+    }
+
+    void TeamSetup::noteCostOf(const og::PathGeometric &path)
+    {
+        ob::PlannerSolution better(nullptr);
+        if (!pdef_->getSolution(better))
+            return;
+        better.path_ = std::make_shared<og::PathGeometric>(path);
+        better.length_ = path.length();
+        if (better.opt_)
+        {
+            better.cost_ = path.cost(better.opt_);
+            better.optimized_ = better.optimized_ || better.opt_->isSatisfied(better.cost_);
+        }
+        pdef_->addSolutionPath(better);
     }
 
     void TeamSetup::simplifyInSteps(og::PathGeometric &path,

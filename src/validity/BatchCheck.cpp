@@ -1,5 +1,7 @@
 #include "BatchCheck.h"
 
+#include <algorithm>
+
 namespace ompl_certificates
 {
     bool BatchCheck::areFree(std::size_t count)
@@ -18,15 +20,18 @@ namespace ompl_certificates
     void BatchCheck::placeBatch(unsigned int robot)
     {
         SampleBatch &batch = context_.batch;
-        const std::size_t first = batch.team.getFirstBody(robot);
-        batch.errors[robot] =
-            batch.team.getRobot(robot).computePoseBatch(&batch.robotState(robot, 0), batch.poses.data() + first);
-        std::size_t index = first;
+        std::size_t index = batch.team.getFirstBody(robot);
+        PoseError error =
+            batch.team.getRobot(robot).computePoseBatch(&batch.robotState(robot, 0), batch.poses.data() + index);
+        double rounding = 0.0;
         for (const Body &body : batch.team.getRobot(robot).getBodies())
         {
-            placePoint(batch.poses[index], body.getSphereTree().getRoot().center, batch.centers[index]);
+            rounding = std::max(
+                rounding, placePoint(batch.poses[index], body.getSphereTree().getRoot().center, batch.centers[index]));
             ++index;
         }
+        error.linear += rounding;
+        batch.errors[robot] = error;
     }
 
     void BatchCheck::findNear()
@@ -45,8 +50,10 @@ namespace ompl_certificates
                         std::size_t index = batch.team.getFirstBody(robot);
                         for (const Body &body : batch.team.getRobot(robot).getBodies())
                         {
-                            batch.nearObstacles[index] =
-                                check_.getObstacles().mayTouch(body, batch.poses[index], batch.errors[robot]);
+                            // What is not finite is no valid state, whatever the user's own mayTouch() makes of it.
+                            batch.nearObstacles[index] = static_cast<BatchMask>(
+                                check_.getObstacles().mayTouch(body, batch.poses[index], batch.errors[robot]) |
+                                notFinite(batch.centers[index]));
                             ++index;
                         }
                     });

@@ -14,14 +14,14 @@ namespace ompl_certificates
     class BatchCheck
     {
     public:
-        /** \brief A check of \e subjects, none of which is a TEAM
+        /** \brief A check of \e subjects; a TEAM stands for its robots
             \param context the states of its batch are taken from the caller */
         BatchCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects)
           : check_(check), context_(context), subjects_(subjects)
         {
         }
 
-        /** \brief Whether the next samples are free, at least \e least of them if there are so many
+        /** \brief Whether the next samples are free. They are \e least samples or some more, if so many are left.
             \param withEnd whether to begin with the end of the motion, as if it were a sample of number \e end
             \param place puts the robots' states at the sample of a number into the batch */
         template <typename Place>

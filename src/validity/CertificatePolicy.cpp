@@ -26,8 +26,8 @@ namespace ompl_certificates
         /** How much faster they must make a check by then. Below 1, since later checks profit from those made now. */
         constexpr double FIRST_FACTOR = 0.5, MATURE_FACTOR = 0.95;
 
-        /** After how many times as many samples they are tried again, and after how many times the time that was lost:
-            then tries cost some 3 % where certificates never pay. */
+        /** They are tried again when so many times as many samples have passed, and so many times the time that they
+            lost. Then tries cost some 3 % where certificates never pay. */
         constexpr std::uint64_t PATIENCE = 2;
         constexpr double TRIES_APART = 32.0;
 
@@ -81,8 +81,8 @@ namespace ompl_certificates
         if (exact_.count() >= ENOUGH_TRIALS && exact < requiredFactor(samplesInUse) * certified)
         {
             usesCertificates_ = false;
-            // The time lost, as a number of samples that the standard check takes it for. When certificates that were
-            // mature began to lose is not known: their loss counts for as long as it takes to become mature.
+            // The time lost, as the number of samples that the standard check makes in it. It is not known when mature
+            // certificates began to lose. So at most MATURE samples count as lost.
             const double trials = takesTurns_ ? 0.0 : static_cast<double>(exact_.count());
             const double lost = std::min(samplesInUse, MATURE) * (certified / std::max(exact, 1.0) - 1.0) +
                                 trials * samplesInUse / checksInUse;

@@ -109,6 +109,8 @@ namespace ompl_certificates
 
     bool DiscreteMotionCheck::areInnerSamplesFree()
     {
+        if (!isBounded())
+            return isExactlyFree();
         proveFromStart();
         auto &queue = context_.open;
         queue.clear();
@@ -148,18 +150,19 @@ namespace ompl_certificates
             return BatchCheck(check_, context_, {subjects_, subjectCount_})
                 .areFree(samples, static_cast<std::size_t>(std::max(segments, 1)), true, segments, place);
         }
-        const auto isFreeAt = [this](double time)
+        return isExactlyFreeAt(1.0) &&
+               samples.areFree([&](int sample) { return isExactlyFreeAt(static_cast<double>(sample) / segments); });
+    }
+
+    bool DiscreteMotionCheck::isExactlyFreeAt(double time)
+    {
+        for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
-            for (unsigned int subject = 0; subject < subjectCount_; ++subject)
-            {
-                place(subject, time);
-                if (!check_.isExactlyFree(subjects_[subject], context_))
-                    return false;
-            }
-            return true;
-        };
-        return isFreeAt(1.0) &&
-               samples.areFree([&](int sample) { return isFreeAt(static_cast<double>(sample) / segments); });
+            place(subject, time);
+            if (!check_.isExactlyFree(subjects_[subject], context_))
+                return false;
+        }
+        return true;
     }
 
     void DiscreteMotionCheck::placeInBatch(std::size_t number, double time)
@@ -186,7 +189,13 @@ namespace ompl_certificates
         segments_ = static_cast<int>(countSegments());
         const int end = std::max(segments_, 1);
         int invalid = settleEnd() ? end + 1 : end;
-        if (segments_ >= 2)
+        if (segments_ >= 2 && !isBounded())
+        {
+            for (int sample = 1; sample < end && sample < invalid; ++sample)
+                if (!isExactlyFreeAt(static_cast<double>(sample) / end))
+                    invalid = sample;
+        }
+        else if (segments_ >= 2)
         {
             proveFromStart();
             for (unsigned int subject = 0; subject < subjectCount_; ++subject)

@@ -28,6 +28,9 @@ namespace ompl_certificates
         bool isExactlyFree();
 
     private:
+        /** \brief Whether the subjects are free at a time, by Method::STANDARD */
+        bool isExactlyFreeAt(double time);
+
         /** \brief Puts the states of all robots at \e time into the batch, as those of a sample */
         void placeInBatch(std::size_t number, double time);
 

@@ -12,6 +12,12 @@ namespace ompl_certificates
 {
     using Answer = JointCells::Answer;
 
+    namespace
+    {
+        /** Pays for the rounding of a relative pose, relative to the positions */
+        constexpr double ROUNDING = 1e-14;
+    }
+
     JointCellCheck::JointCellCheck(unsigned int robot, const Robot &description, std::size_t pair,
                                    std::shared_ptr<JointCells> cells, double margin, double contactMargin)
       : robot_(robot)
@@ -49,6 +55,8 @@ namespace ompl_certificates
             if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::NEAR)
                 return cell.answer;
             const Answer answer = prove(cell, context);
+            if (answer == Answer::UNKNOWN)
+                return Answer::OPEN;
             cells_->note(cell, answer);
             if (answer == Answer::NEAR)
                 return answer;
@@ -61,12 +69,17 @@ namespace ompl_certificates
         ompl::base::State *middle = context.spare[robot_];
         space->copyState(middle, context.placed[robot_]);
         JointCells::Values values = valuesOf(middle);
-        const double within = cells_->moveToMiddle(cell, values);
+        const double inCell = cells_->moveToMiddle(cell, values);
         for (std::size_t i = 0; i < locations_.size(); ++i)
             *space->getValueAddressAtLocation(middle, locations_[i]) = values[i];
         Pose *poses = context.sparePoses.data();
         description_.placeBodies(middle, poses);
-        const Pose relative = poses[pair_.first].inverse() * poses[pair_.second];
+        const Pose &one = poses[pair_.first], &other = poses[pair_.second];
+        const Pose relative = one.inverse() * other;
+        if (!space->satisfiesBounds(middle) || !isFinite(relative))
+            return Answer::UNKNOWN;
+        // Where the other coordinates have taken the bodies, far from the origin, their relative pose is less precise.
+        const double within = inCell + ROUNDING * (one.translation().norm() + other.translation().norm());
         const Body &first = description_.getBodies()[pair_.first], &second = description_.getBodies()[pair_.second];
         if (cell.answer == Answer::UNKNOWN)
         {

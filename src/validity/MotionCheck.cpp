@@ -1,9 +1,23 @@
 #include "MotionCheck.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        bool isKnown(const MotionBound &bound)
+        {
+            return std::isfinite(bound.linear) && std::isfinite(bound.angular);
+        }
+
+        bool areKnown(const PairMotionBound &bounds)
+        {
+            return isKnown(bounds.first) && isKnown(bounds.second);
+        }
+    }
+
     MotionCheck::MotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                              const ompl::base::State *s2)
       : check_(check)
@@ -115,6 +129,29 @@ namespace ompl_certificates
                                                      context_.motionBounds.data() + team.getFirstBody(robot),
                                                      context_.pairMotionBounds[robot].data());
         context_.knowsPairMotionBounds[robot] = true;
+    }
+
+    bool MotionCheck::isBounded()
+    {
+        bool bounded = true;
+        const auto look = [&](unsigned int robot)
+        {
+            computeMotionBounds(robot);
+            const MotionBound *const bounds = context_.motionBounds.data() + check_.getTeam().getFirstBody(robot);
+            bounded =
+                bounded && std::all_of(bounds, bounds + check_.getTeam().getRobot(robot).getBodies().size(), isKnown);
+        };
+        for (unsigned int subject = 0; bounded && subject < subjectCount_; ++subject)
+        {
+            const Subject &one = subjects_[subject];
+            one.forEachRobot(look);
+            if (one.kind != Subject::PAIR || one.first != one.last)
+                continue;
+            computePairMotionBounds(one.first);
+            const auto &bounds = context_.pairMotionBounds[one.first];
+            bounded = bounded && std::all_of(bounds.begin(), bounds.end(), areKnown);
+        }
+        return bounded;
     }
 
     SubjectVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)

@@ -60,6 +60,10 @@ namespace ompl_certificates
                 check_.giveReferences(state, context_);
         }
 
+        /** \brief Whether all motion bounds are finite. Else nothing proves a stretch of the motion: one of its ends is
+            not finite, or a robot knows no bound. */
+        bool isBounded();
+
         /** \brief The number of segments between samples at the resolution of the space */
         unsigned int countSegments() const;
 

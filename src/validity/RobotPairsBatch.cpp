@@ -12,7 +12,8 @@ namespace ompl_certificates
             const std::size_t a = bodies.firstIndex, b = bodies.secondIndex;
             const double off = one.at(bodies.first->getBoundingRadius()) + other.at(bodies.second->getBoundingRadius());
             *near = arePointsNear(batch.centers[a], batch.centers[b], bodies.farthest + off);
-            if (*near != 0)
+            // A planar body stands for a prism without end, which its box does not show.
+            if (*near != 0 && bodies.first->getDimension() == 3)
                 *near &= mayOverlap({bodies.first->getBounds(), batch.poses[a], one},
                                     {bodies.second->getBounds(), batch.poses[b], other}, bodies.margin);
             ++near;
@@ -54,8 +55,11 @@ namespace ompl_certificates
     {
         const auto isApart = [&](const TwoBodies &bodies, std::size_t number)
         {
-            return bodies.frame && bodies.gap(context) <= bodies.margin ? settleBodies(bodies, number, context, {}).free
-                                                                        : settleTwo(bodies, number, context, {}).free;
+            // As settleTwo() does, but without the cells, which settleNearByCells() has asked.
+            const double gap = bodies.gap(context);
+            if (gap > bodies.margin)
+                return true;
+            return bodies.frame ? settleBodies(bodies, number, context, {}).free : gap > 0.0;
         };
         return areNearApart(sample, pair, context, isApart);
     }

@@ -32,7 +32,7 @@ namespace ompl_certificates
         std::vector<PoseBatch> poses;
         std::vector<PointBatch> centers;
 
-        /** \brief For each robot: how far off its poses may be */
+        /** \brief For each robot: how far off its poses and centers may be */
         std::vector<PoseError> errors;
 
         /** \brief For each body: at which samples it may touch an obstacle. For each pair of bodies: at which samples

@@ -18,7 +18,7 @@ namespace ompl_certificates
 
     SampledMotionCheck::SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
                                            const ompl::base::State *s2, bool exactly)
-      : check_(check), context_(context), s1_(s1), s2_(s2), exactly_(exactly)
+      : check_(check), context_(context), s1_(s1), s2_(s2), exactly_(exactly), posesBefore_(context.counts.robotPoses)
     {
         ++context_.counts.motions;
     }
@@ -85,14 +85,16 @@ namespace ompl_certificates
     template <typename Exact>
     bool SampledMotionCheck::isRestFree(const Exact &exact)
     {
-        const auto certified = [this]
+        CheckCounts &counts = context_.counts;
+        const std::uint64_t posesOfFirst = counts.robotPoses - posesBefore_;
+        const auto certified = [&]
         {
-            CheckCounts &counts = context_.counts;
             const CheckCounts before = counts;
             const bool free = DiscreteMotionCheck(check_, context_, s1_, s2_).isFree();
             // It begins anew. What was checked before is not counted twice.
             counts.motions = before.motions;
-            counts.motionSamplesSkipped -= std::min(counts.motionSamplesSkipped, before.robotPoses);
+            counts.motionSamplesSkipped -=
+                std::min(counts.motionSamplesSkipped - before.motionSamplesSkipped, posesOfFirst);
             return free;
         };
         return check_.decide(context_.longMotionPolicy, context_, 0, certified, exact);

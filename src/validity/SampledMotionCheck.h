@@ -45,6 +45,8 @@ namespace ompl_certificates
         CheckContext &context_;
         const ompl::base::State *s1_, *s2_;
         const bool exactly_;
+        /** \brief The poses counted before this motion */
+        const std::uint64_t posesBefore_;
         int segments_{0};
     };
 }

@@ -259,7 +259,12 @@ namespace ompl_certificates
             place(robot, team_.getRobotState(state, robot), context);
             const Pose *poses = context.poses.data() + team_.getFirstBody(robot);
             for (const Body &body : team_.getRobot(robot).getBodies())
-                nearest = std::min(nearest, bodyClearance(*obstacles_, body, *poses++));
+            {
+                const Pose &pose = *poses++;
+                if (!isFinite(pose))
+                    return -std::numeric_limits<double>::infinity();
+                nearest = std::min(nearest, bodyClearance(*obstacles_, body, pose));
+            }
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
             nearest = std::min(nearest, pairs_.distance(pair, context));

@@ -291,6 +291,28 @@ namespace ompl_certificates
             return robotSamplesOf(counts) + counts.pairPoses;
         }
 
+        /** \brief Marks a context while a check is timed that no other may be timed within; also if a robot or an
+            obstacle of the user's throws. */
+        class TrialMark
+        {
+        public:
+            explicit TrialMark(CheckContext &context) : context_(context)
+            {
+                context_.isTrial = true;
+            }
+
+            ~TrialMark()
+            {
+                context_.isTrial = false;
+            }
+
+            TrialMark(const TrialMark &) = delete;
+            TrialMark &operator=(const TrialMark &) = delete;
+
+        private:
+            CheckContext &context_;
+        };
+
         /** \brief How long a check takes, whose result \e free is set to */
         template <typename Check>
         static std::chrono::nanoseconds timeOf(const Check &check, bool &free)
@@ -365,27 +387,25 @@ namespace ompl_certificates
         // A trial within a trial would spoil the times of the outer one.
         if (!context.isTrial && policy.isTrial())
         {
-            context.isTrial = true;
+            const TrialMark mark(context);
             std::chrono::nanoseconds withoutThem{0};
             const bool exactFirst = policy.beginsExactly();
             if (exactFirst)
                 withoutThem = timeOf(exact, free);
             context.counts = counts;
             const std::chrono::nanoseconds withThem = timeOf(certified, free);
-            // Between trials, checks with certificates are counted. So they are in trials: of a motion that collides,
-            // the standard check counts fewer samples, since none is skipped.
+            // Counts are those of the check with certificates, in trials, too: of a motion that collides, the standard
+            // check counts fewer samples, since none is skipped.
             const CheckCounts certifiedCounts = context.counts;
             if (!exactFirst)
                 withoutThem = timeOf(exact, free);
             context.counts = certifiedCounts;
-            context.isTrial = false;
             policy.note(samples(), withThem, withoutThem);
         }
         else if (!context.isTrial && policy.isTimed())
         {
-            context.isTrial = true;
+            const TrialMark mark(context);
             const std::chrono::nanoseconds time = timeOf(check, free);
-            context.isTrial = false;
             policy.noteTurn(samples(), time);
         }
         else if (exactTime > 0.0 && policy.usesCertificates())

@@ -4,6 +4,8 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/team/TeamObjective.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/PlannerData.h>
@@ -227,6 +229,73 @@ TEST_F(DRRTstarTest, UsesEveryStartAndGoal)
     EXPECT_EQ(data.numStartVertices(), 2U);
     EXPECT_EQ(data.numGoalVertices(), 1U);
     EXPECT_GE(data.numEdges(), 1U);
+}
+
+/** In the roadmap that they share, the start of one robot then lies beside the goal of another, as near as numbers are. */
+TEST_F(DRRTstarTest, SwapsRobotsOnACircle)
+{
+    for (const double center : {0.0, 4.0, 10.0})
+    {
+        SCOPED_TRACE(center);
+        constexpr unsigned int robots = 16;
+        auto team = std::make_shared<TeamStateSpace>();
+        for (unsigned int i = 0; i < robots; ++i)
+            team->addRobot(RigidRobot::disc("robot" + std::to_string(i), 0.3, cubeBounds(2, 20.0)));
+        TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+        std::vector<double> starts, goals;
+        for (unsigned int i = 0; i < robots; ++i)
+        {
+            const double angle = 2.0 * M_PI * i / robots;
+            for (auto *reals : {&starts, &goals})
+            {
+                const double turned = reals == &starts ? angle : angle + M_PI;
+                reals->push_back(center + 4.0 * std::cos(turned));
+                reals->push_back(center + 4.0 * std::sin(turned));
+            }
+        }
+        ob::ScopedState<> start(team), goal(team);
+        team->copyFromReals(start.get(), starts);
+        team->copyFromReals(goal.get(), goals);
+        setup.setStartAndGoalStates(start, goal);
+        plannerFor(setup);
+        stopAtFirst(setup);
+        EXPECT_EQ(setup.solve(30.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(setup.getSolutionPath().check());
+    }
+}
+
+TEST_F(DRRTstarTest, KeepsItsOwnCopyOfAPathThatIsSimplified)
+{
+    const auto setup = crowd(1, 2, 3.0, 1);
+    const auto planner = plannerFor(*setup);
+    stopAtFirst(*setup);
+    ASSERT_EQ(setup->solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+    ob::PlannerData data(setup->getSpaceInformation());
+    planner->getPlannerData(data);
+    ASSERT_GT(data.numVertices(), 1U);
+    const auto &states = setup->getSolutionPath().getStates();
+    for (unsigned int i = 0; i < data.numVertices(); ++i)
+        EXPECT_EQ(std::count(states.begin(), states.end(), data.getVertex(i).getState()), 0);
+}
+
+TEST_F(DRRTstarTest, ReturnsNoWorsePathAfterOneThatWasSimplified)
+{
+    for (unsigned int seed = 1; seed <= 10; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto setup = crowd(seed, 4, 3.0, 4);
+        plannerFor(*setup);
+        if (setup->solve(0.1) != ob::PlannerStatus::EXACT_SOLUTION)
+            continue;
+        setup->simplifySolution(0.2);
+        const auto objective = setup->getProblemDefinition()->getOptimizationObjective();
+        const double simplified = setup->getSolutionPath().cost(objective).value();
+        ob::PlannerSolution solution(nullptr);
+        ASSERT_TRUE(setup->getProblemDefinition()->getSolution(solution));
+        EXPECT_DOUBLE_EQ(solution.cost_.value(), simplified);
+        setup->solve(0.1);
+        EXPECT_LE(setup->getSolutionPath().cost(objective).value(), simplified * (1.0 + 1e-9));
+    }
 }
 
 TEST_F(DRRTstarTest, NamesTheRobotThatFindsNoWay)

@@ -71,7 +71,8 @@ namespace ompl_certificates
 
         /** \brief In which states of a batch \e body may touch an obstacle, by a quick look at bounding volumes. In the
             others it does not: there collides() finds it free. The poses may be off by as much as the third argument
-            says. */
+            says. Checkers look at states that are not finite themselves. It pays if it costs less than two calls of
+            touches(). */
         virtual BatchMask mayTouch(const Body & /*body*/, const PoseBatch & /*poses*/,
                                    const PoseError & /*error*/) const
         {

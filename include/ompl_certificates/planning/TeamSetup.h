@@ -71,6 +71,9 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Add \e path to the solutions, with its own cost: a later solve() then returns no worse one. */
+        void noteCostOf(const ompl::geometric::PathGeometric &path);
+
         /** \brief Simplify \e path step by step; undo a step whose path is invalid or not better. */
         void simplifyInSteps(ompl::geometric::PathGeometric &path,
                              const std::function<bool(const ompl::geometric::PathGeometric &)> &isBetter,
