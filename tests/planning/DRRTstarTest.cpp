@@ -254,8 +254,8 @@ TEST_F(DRRTstarTest, SwapsRobotsOnACircle)
             }
         }
         ob::ScopedState<> start(team), goal(team);
-        team->copyFromReals(start.get(), starts);
-        team->copyFromReals(goal.get(), goals);
+        start = starts;
+        goal = goals;
         setup.setStartAndGoalStates(start, goal);
         plannerFor(setup);
         stopAtFirst(setup);
