@@ -47,7 +47,8 @@ namespace ompl_certificates
             return {point, std::clamp(point.z(), -half, half)};
         }
 
-        /** Whether the z axis within \e half of the origin passes through a triangle */
+        /** Whether the z axis within \e half of the origin passes through a triangle. No triangle along the axis counts: of
+            it all numbers below are rounding, and it has an edge as near to the axis. */
         bool pierces(const Triangle &triangle, double half)
         {
             const auto &[a, b, c] = triangle;
@@ -57,7 +58,9 @@ namespace ompl_certificates
             const double sides[3] = {side(a, b), side(b, c), side(c, a)};
             const bool inside = (sides[0] > 0.0 && sides[1] > 0.0 && sides[2] > 0.0) ||
                                 (sides[0] < 0.0 && sides[1] < 0.0 && sides[2] < 0.0);
-            return inside && std::abs(normal.dot(a)) <= std::abs(normal.z()) * half;
+            constexpr double steepest = 1e-6;
+            return inside && std::abs(normal.z()) > steepest * normal.norm() &&
+                   std::abs(normal.dot(a)) <= std::abs(normal.z()) * half;
         }
 
         /** All points within \e radius of the z axis within \e half of the origin, against a triangle. With \e half ==

@@ -241,6 +241,8 @@ namespace ompl_certificates
             pose.translation().z() = 0.0;
         if (upright)
             makeUpright(pose);
+        else if (kind_ == Kind::BALL)
+            pose.linear().setIdentity();
         else if (kind_ == Kind::CAPSULE && axis.z() != 0.0)
         {
             // A capsule is round: any turn about its axis will do, and this one is exact.

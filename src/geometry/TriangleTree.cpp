@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ompl_certificates
 {
@@ -104,7 +105,8 @@ namespace ompl_certificates
                         outside = outside > 0.0F ? outside : 0.0F;
                         sum += outside * outside;
                     }
-                    bounds[k] = sum * SHRINK;
+                    // Not infinite: then a child would be left out before anything is found.
+                    bounds[k] = std::min(sum * SHRINK, std::numeric_limits<float>::max());
                 }
                 // Insert in order: the nearest child goes on top of the stack.
                 Open *const begin = stack + open;

@@ -154,7 +154,8 @@ namespace ompl_certificates
         for (std::size_t k = 0; k < 4; ++k)
         {
             Bounds bounds;
-            std::uint32_t child = 0;
+            // An absent child is the first leaf: a walk ends even where a huge distance makes all boxes overlap.
+            std::uint32_t child = LEAF;
             bounds.box.min().setConstant(INF);
             bounds.box.max().setConstant(-INF);
             if (ends[k] < ends[k + 1])

@@ -211,3 +211,31 @@ TEST(PrimitiveContact, OfPolytopesOfManyFacesIsLeftToTheExactCheck)
     EXPECT_EQ(touching(round, {Eigen::Vector3d(0, 0, 0), {2, 0, 0}, {0, 2, 0}}, 1e-3), Touching::YES);
     EXPECT_EQ(touching(round, {Eigen::Vector3d(1.1, 0, 0), {2, 0, 0}, {1.1, 2, 0}}, 1e-3), Touching::NO);
 }
+
+/** The plane of such a triangle contains the capsule's axis, but for rounding. */
+TEST(PrimitiveContact, OfTrianglesAlongACapsulesAxisIsNoMatterOfChance)
+{
+    Random random(1);
+    constexpr double half = 0.5, radius = 0.1;
+    unsigned int touching = 0;
+    for (unsigned int i = 0; i < scaled(100000); ++i)
+    {
+        const Eigen::AngleAxisd yaw(random.uniform(-M_PI, M_PI), Eigen::Vector3d::UnitZ());
+        const double lowest = half + radius + random.uniform(-0.1, 0.1);
+        Triangle triangle;
+        double low = 10.0;
+        for (Eigen::Vector3d &corner : triangle)
+        {
+            const double z = lowest + random.uniform(0.0, 1.0);
+            corner = yaw * Eigen::Vector3d(random.uniform(-2.0, 2.0), 0.0, z);
+            low = std::min(low, z);
+        }
+        const Touching answer = ompl_certificates::touching(Shape::capsule(3, radius, 2.0 * half), triangle, 1e-6);
+        if (low > half + radius)
+        {
+            ASSERT_NE(answer, Touching::YES) << "case " << i;
+        }
+        touching += answer == Touching::YES ? 1 : 0;
+    }
+    EXPECT_GT(touching, 0U);
+}

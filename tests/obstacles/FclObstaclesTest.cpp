@@ -187,3 +187,21 @@ TEST(FclObstacles, CountAPointRobotAsABody)
     EXPECT_TRUE(obstacles.collides(Body::disc(0.0), planarPose(5.0, 0.4)));
     EXPECT_FALSE(obstacles.collides(Body::disc(0.0), planarPose(5.0, 0.6)));
 }
+
+TEST(FclObstacles, TakeDiscsHoweverTheyAreTurned)
+{
+    Pose turned = poseAt({0.0, 0.0, 0.0});
+    turned.rotate(Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitX()));
+    const FclObstacles obstacles({{Body::disc(1.0), turned}}, 2);
+    const Body part({{Shape::ball(2, 0.1), turned}});
+    for (const double y : {0.0, 0.5, 0.9, 1.05})
+    {
+        SCOPED_TRACE(y);
+        const Pose pose = planarPose(0.0, y);
+        EXPECT_TRUE(obstacles.collides(part, pose));
+        EXPECT_EQ(obstacles.touches(part, pose), Touching::YES);
+        EXPECT_LT(obstacles.gap(part, pose, 0.0, 1.0), 1e-3);
+    }
+    EXPECT_FALSE(obstacles.collides(part, planarPose(0.0, 1.2)));
+    EXPECT_TRUE(part.getBounds().contains(Eigen::Vector3d(0.0, 0.09, 0.0)));
+}

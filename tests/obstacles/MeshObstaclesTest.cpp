@@ -332,3 +332,14 @@ TEST(MeshObstaclesThreads, AskFclForTheFirstTime)
         EXPECT_EQ(wrong, 0U);
     }
 }
+
+/** The squares of such distances are infinite in single precision. */
+TEST(MeshObstacles, AreNoFartherThanTheyAre)
+{
+    std::vector<PlacedBody> bodies;
+    for (const double x : {-1e20, 1e20})
+        for (int i = 0; i < 20; ++i)
+            bodies.push_back({Body::mesh(boxMesh({1.0, 1.0, 1.0})), poseAt({x, 10.0 * i, 0.0})});
+    const FclObstacles obstacles(bodies, 3);
+    EXPECT_NEAR(obstacles.clearance(Eigen::Vector3d::Zero()), 1e20, 1e14);
+}

@@ -240,3 +240,15 @@ TEST(PointCloudObstacles, RefuseWhatIsNoCloud)
         EXPECT_THROW(make({here, here}, {0.1, radius}, 3), ompl::Exception);
     }
 }
+
+TEST(PointCloudObstacles, EndWhereverABodyIs)
+{
+    Random random(1);
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 1000; ++i)
+        points.emplace_back(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    const PointCloudObstacles obstacles(PointCloud{points, 0.01}, 3);
+    for (const double far : {1e19, 1e40, 1e45, 1e300})
+        for (const Body &body : {Body::sphere(0.3), Body::box(0.3, 0.2, 0.1)})
+            EXPECT_FALSE(obstacles.collides(body, poseAt({far, 0.0, -far}))) << far;
+}

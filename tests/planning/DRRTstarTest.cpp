@@ -238,9 +238,13 @@ TEST_F(DRRTstarTest, SwapsRobotsOnACircle)
     {
         SCOPED_TRACE(center);
         constexpr unsigned int robots = 16;
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(center - 4.0);
+        bounds.setHigh(center + 16.0);
         auto team = std::make_shared<TeamStateSpace>();
         for (unsigned int i = 0; i < robots; ++i)
-            team->addRobot(RigidRobot::disc("robot" + std::to_string(i), 0.3, cubeBounds(2, 20.0)));
+            team->addRobot(RigidRobot::disc("robot" + std::to_string(i), 0.3, bounds));
+        team->setLongestValidSegmentFraction(0.01);
         TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
         std::vector<double> starts, goals;
         for (unsigned int i = 0; i < robots; ++i)
