@@ -242,12 +242,8 @@ namespace ompl_certificates_python
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
             TeamSetup &setup = checker.getSetup();
-            // Once: other threads may be checking states.
-            if (!setup.getSpaceInformation()->isSetup())
-                setup.getSpaceInformation()->setup();
             // Planners such as KPIECE have cells whose sizes OMPL infers from random states.
-            for (const auto &[name, projection] : setup.getStateSpace()->getRegisteredProjections())
-                projection->setup();
+            setup.getSpaceInformation()->setup();
             if (setup.getPlanner())
                 setup.clear();
             setup.getProblemDefinition()->clearSolutionPaths();
