@@ -16,7 +16,7 @@ namespace ompl_certificates
     };
 
     /** \brief Write where the point \e local of a body is
-        \return how far rounding may have moved it, at most, in any of the states; the error of the poses not included */
+        \return how far rounding may have moved it, at most, in any of the states; without the error of the poses */
     double placePoint(const PoseBatch &poses, const Eigen::Vector3d &local, PointBatch &point);
 
     /** \brief The states in which a point has numbers that are not finite */

@@ -6,8 +6,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief Whether two bodies of space touch. YES and NO stay true if one of them moves so that no point of
-        it goes farther than \e margin. UNKNOWN where they just touch, and where touching() of two of their shapes is. Allocates nothing.
+    /** \brief Whether two bodies of space touch. YES and NO stay true if one of them moves so that no point of it
+        goes farther than \e margin. UNKNOWN where they just touch, and where touching() of two of their shapes is.
+        Allocates nothing.
         \param pose from the frame of \e second to the frame of \e first */
     Touching touching(const Body &first, const Body &second, const Pose &pose, double margin);
 }

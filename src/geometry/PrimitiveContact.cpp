@@ -47,8 +47,9 @@ namespace ompl_certificates
             return {point, std::clamp(point.z(), -half, half)};
         }
 
-        /** Whether the z axis within \e half of the origin passes through a triangle. No triangle along the axis counts: of
-            it all numbers below are rounding, and it has an edge as near to the axis. */
+        /** Whether the z axis within \e half of the origin passes through a triangle. One whose plane nearly contains
+            the axis does not count: there the numbers below are rounding. If the axis passes through it, an edge is
+            about as near to the axis, which the distance shows. */
         bool pierces(const Triangle &triangle, double half)
         {
             const auto &[a, b, c] = triangle;

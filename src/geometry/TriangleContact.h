@@ -6,7 +6,8 @@
 namespace ompl_certificates
 {
     /** \brief Whether two triangles cross. NO and YES stay true if one of them moves so that no point of it
-        goes farther than \e margin. UNKNOWN where they lie in one plane, and in place of YES where a triangle is not higher than about twice \e margin.
+        goes farther than \e margin. UNKNOWN where they lie in one plane, and in place of YES where a triangle is not
+        higher than about twice \e margin.
 
         If two triangles cross, an edge of one pierces the other's face. An edge does so if its ends are on both sides
         of the face, and if it passes the three edges of the face on the same side. If no edge can, for any shift of one

@@ -91,8 +91,8 @@ namespace ompl_certificates
             \return how far coordinates shift a frame, at most */
         double computeBatch(const double *coordinates, PoseBatch *frames) const;
 
-        /** \brief How far off locateBatch() puts \e places, if no coordinate shifts a frame. The linear error is a fraction of
-            the arm's length: the angular error. A shift makes the arm longer. */
+        /** \brief How far off locateBatch() puts \e places, if no coordinate shifts a frame. The linear error is the
+            angular one times the length of the arm. A shift makes the arm longer. */
         PoseError errorOf(const std::vector<Place> &places) const;
 
         /** \brief Write where \e places are among the frames of a batch: to \e poses[0] and on */

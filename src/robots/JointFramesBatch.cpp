@@ -13,8 +13,8 @@ namespace ompl_certificates
     {
         constexpr std::size_t SIZE = PoseBatch::SIZE;
 
-        /** The rounding of one joint: of its sine and cosine, and of the products of rotations. If all of it adds up, it
-            is 1.6e-6: some 26 times half the resolution of single precision. */
+        /** The rounding of one joint: of its sine and cosine, and of the products of rotations. If all of it adds up,
+            it is 1.6e-6: some 26 times half the resolution of single precision. */
         constexpr double ROUNDING = 2e-6;
 
         /** Angles beyond are taken for no number. */

@@ -231,7 +231,7 @@ TEST_F(DRRTstarTest, UsesEveryStartAndGoal)
     EXPECT_GE(data.numEdges(), 1U);
 }
 
-/** In the roadmap that they share, the start of one robot then lies beside the goal of another, as near as numbers are. */
+/** In the roadmap that they share, the start of one robot lies beside the goal of another, as near as numbers are. */
 TEST_F(DRRTstarTest, SwapsRobotsOnACircle)
 {
     for (const double center : {0.0, 4.0, 10.0})

@@ -73,7 +73,7 @@ namespace
         }
     };
 
-    /** Balls that say what may touch them as one would write it: what is near the center */
+    /** A ball that says what may touch it as a user would write it: what is near its center */
     class OneBall : public FclObstacles
     {
     public:

@@ -54,8 +54,8 @@ TEST_P(NotFinite, StatesAreInvalidForAllMethods)
 
 INSTANTIATE_TEST_SUITE_P(Kind, NotFinite, testing::Range(0U, TEAMS));
 
-/** A robot that goes nowhere, and one beside it whose motion has many samples: all are valid but for the first robot. Not
-    of angles: OMPL itself aborts where it has to measure the distance to one that is no number. */
+/** One robot moves to a position that is not finite, the others to true ones. No angle is tried: OMPL aborts where it
+    measures the distance to an angle that is not a number. */
 TEST(NotFinite, MotionsHaveNoSampleThatIsValid)
 {
     const auto team = teamOfDiscs();

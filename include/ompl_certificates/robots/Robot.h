@@ -90,17 +90,17 @@ namespace ompl_certificates
             without the rounding of computePoses(). The checkers call this one. */
         void placeBodies(const ompl::base::State *state, Pose *poses) const;
 
-        /** \brief Whether computePoseBatch() is there, and quicker than computePoses(). It is used if all robots of the team
-            say so. */
+        /** \brief Whether computePoseBatch() is there, and quicker than computePoses(). It is used if all robots of the
+            team say so. */
         virtual bool hasPoseBatches() const
         {
             return false;
         }
 
         /** \brief computePoses() of PoseBatch::SIZE states at once, in single precision: one batch for each body, to \e
-            poses[0] and on. For robots of many bodies: checkers of motions leave out what such poses show to be far from
-            everything, and compute the poses of the rest by placeBodies(). It pays if it costs less than two calls of
-            computePoses(). Override hasPoseBatches(), too.
+            poses[0] and on. For robots of many bodies: checkers of motions leave out what such poses show to be far
+            from everything, and compute the poses of the rest by placeBodies(). It pays if it costs less than two calls
+            of computePoses(). Override hasPoseBatches(), too.
 
             Poses of planar robots need not be put into the plane. If a number of a state is not finite, a number of a
             pose must not be, for each body that it moves.
