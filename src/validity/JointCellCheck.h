@@ -37,8 +37,8 @@ namespace ompl_certificates
 
         JointCells::Values valuesOf(const ompl::base::State *state) const;
 
-        /** \brief What holds in all of \e cell. UNKNOWN if the robot's state proves nothing: it is beyond its bounds, or not
-            finite. */
+        /** \brief What holds in all of \e cell. UNKNOWN if the robot's state proves nothing: it is beyond its bounds, or
+            not finite. */
         JointCells::Answer prove(const JointCells::Cell &cell, CheckContext &context) const;
 
         const unsigned int robot_;
