@@ -49,9 +49,10 @@ if ((${#files[@]} == 0)); then
 fi
 
 scripts/install_dependencies.sh clang clang-tidy
-# Clang cannot read GCC's precompiled headers. Nothing is built: cmake only tells how files are compiled, those of tests
-# and programs, too.
+# Clang cannot read GCC's precompiled headers, and looks at one file at a time. Nothing is built: cmake only tells how
+# files are compiled, those of tests and programs, too.
 cmake -S . -B build-tidy -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+  -DCMAKE_UNITY_BUILD=OFF \
   -DOMPL_CERTIFICATES_BUILD_DEMOS=ON -DOMPL_CERTIFICATES_BUILD_TESTS=ON -DOMPL_CERTIFICATES_BUILD_BENCHMARKS=ON \
   >/dev/null
 printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P 2 clang-tidy --quiet --warnings-as-errors='*' -p build-tidy

@@ -28,7 +28,7 @@ namespace demos
         text << std::left;
         for (const std::string &name : plannerNames())
         {
-            const ob::PlannerPtr planner = makePlanner(name, si);
+            const ob::PlannerPtr planner = ompl_certificates::makePlanner(name, si);
             text << std::setw(23) << name << std::setw(12) << (planner->getSpecs().optimizingPaths ? "optimizing" : "")
                  << plannerDescription(name) << '\n';
             for (const auto &[key, parameter] : planner->params().getParams())

@@ -13,7 +13,7 @@ namespace generators
 {
     namespace
     {
-        constexpr double NOISE = 0.01;
+        constexpr double SCAN_NOISE = 0.01;
         constexpr std::size_t POINTS_OF_A_PERSON = 400;
 
         /** How near people come to walls and shelves, to each other, and to what they keep away from; between
@@ -110,7 +110,7 @@ namespace generators
             Eigen::Vector3d point(place.x() + radius * std::cos(angle), place.y() + radius * std::sin(angle),
                                   isOnTop ? PERSON_HEIGHT : PERSON_HEIGHT * share);
             for (double &coordinate : point)
-                coordinate += random_.uniform(-NOISE, NOISE);
+                coordinate += random_.uniform(-SCAN_NOISE, NOISE);
             points.push_back(point);
         }
         return points;
@@ -118,7 +118,7 @@ namespace generators
 
     std::vector<Eigen::Vector3d> CrowdedHall::seeAll(std::size_t fixed)
     {
-        std::vector<Eigen::Vector3d> points = sampleSurfaces(fixtures_, fixed, NOISE, random_);
+        std::vector<Eigen::Vector3d> points = sampleSurfaces(fixtures_, fixed, SCAN_NOISE, random_);
         for (const Person &person : people_)
             points.insert(points.end(), person.points.begin(), person.points.end());
         return points;

@@ -7,7 +7,7 @@ namespace generators
 {
     namespace
     {
-        constexpr double PI = boost::math::constants::pi<double>();
+        constexpr double TURN = 2.0 * boost::math::constants::pi<double>();
     }
 
     std::vector<Eigen::Vector2d> circleOf(unsigned int corners, const std::function<double(unsigned int)> &radius)
@@ -15,7 +15,7 @@ namespace generators
         std::vector<Eigen::Vector2d> points;
         for (unsigned int i = 0; i < corners; ++i)
         {
-            const double angle = 2.0 * PI * i / corners;
+            const double angle = TURN * i / corners;
             points.emplace_back(radius(i) * std::cos(angle), radius(i) * std::sin(angle));
         }
         return points;
@@ -27,7 +27,7 @@ namespace generators
         knot.addTube(
             [](double t)
             {
-                const double angle = 4.0 * PI * t, around = 2.0 + std::cos(1.5 * angle);
+                const double angle = 2.0 * TURN * t, around = 2.0 + std::cos(1.5 * angle);
                 return Eigen::Vector3d(around * std::cos(angle), around * std::sin(angle), std::sin(1.5 * angle));
             },
             0.25, 128, 10);

@@ -18,7 +18,7 @@ namespace generators
     namespace
     {
         /** How often a place is looked for before giving up */
-        constexpr int TRIES = 10000;
+        constexpr int TRIED_PLACES = 10000;
 
         /** The largest connected part of where a ball is free, as cells of a grid: a conservative answer, by a flood
             fill. From a cell to its neighbor the ball goes freely. */
@@ -173,7 +173,7 @@ namespace generators
                     zone.max()[axis] = std::min(zone.max()[axis], workspace_.max()[axis] - radius);
                 }
                 ob::State *state = taken->components[index];
-                for (int i = 0; i < TRIES && !zone.isEmpty(); ++i)
+                for (int i = 0; i < TRIED_PLACES && !zone.isEmpty(); ++i)
                 {
                     Coordinates values = randomCoordinates(robot, zone, random_);
                     if (!open.contains(positionOf(values, robot.getWorkspaceDimension())))

@@ -1,6 +1,7 @@
 #include "ompl_certificates/certificates/CertificateTree.h"
 
 #include "CertificateLimit.h"
+#include "geometry/Infinity.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr double INF = std::numeric_limits<double>::infinity();
-
-        constexpr float FLOAT_INF = std::numeric_limits<float>::infinity();
-
         using FloatPair = std::array<float, 2>;
 
         std::uint64_t packed(const FloatPair &pair)

@@ -2,6 +2,8 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 
+#include "geometry/Infinity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr double INF = std::numeric_limits<double>::infinity();
     }
 
     struct CertificateTree::NearSearch

@@ -1,6 +1,7 @@
 #include "CertifiedEnvironment.h"
 
 #include "ExactCheck.h"
+#include "geometry/Infinity.h"
 
 #include <algorithm>
 
@@ -14,8 +15,6 @@ namespace ompl_certificates
             return {query.pose * ball.center, ball.radius};
         }
 
-        constexpr double INF = std::numeric_limits<double>::infinity();
-
         /** How many levels of a sphere tree are refined, by a stored certificate and by new clearances */
         constexpr unsigned int STORED_LEVELS = 2, ASKED_LEVELS = 4;
 
@@ -23,7 +22,7 @@ namespace ompl_certificates
         constexpr unsigned int MOST_CLEARANCES = 8;
 
         /** A gap that proves so much of a motion on either side is not made more precise. */
-        constexpr double LONG_STRETCH = 0.1;
+        constexpr double LONG_GAP_STRETCH = 0.1;
     }
 
     CertifiedEnvironment::CertifiedEnvironment(ObstaclesPtr obstacles, std::shared_ptr<CertificateLimit> limit)
@@ -106,7 +105,7 @@ namespace ompl_certificates
         const double speed = query.motionBound ? query.motionBound->at(query.body.getBoundingRadius()) : 0.0;
         ++counts.clearanceQueries;
         const double gap =
-            obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, LONG_STRETCH * speed));
+            obstacles_->gap(query.body, query.pose, margin, margin + std::max(margin, LONG_GAP_STRETCH * speed));
         verdict.free = gap > margin;
         if (verdict.free)
             verdict.validInterval = speed > 0.0 ? (gap - margin) / speed : INF;

@@ -11,7 +11,7 @@ namespace ompl_certificates
 
     namespace
     {
-        ob::SO2StateSpace::StateType &trailerOf(const ob::State *state)
+        ob::SO2StateSpace::StateType &trailerHeadingOf(const ob::State *state)
         {
             return *state->as<ob::CompoundState>()->components[1]->as<ob::SO2StateSpace::StateType>();
         }
@@ -74,8 +74,8 @@ namespace ompl_certificates
         ob::State *carTo = pulls ? to->as<ob::CompoundState>()->components[0] : to;
         Planar car = Planar::of(carFrom);
         if (pulls)
-            Planar::setAngle(trailerOf(to), trailerAfter(trailerOf(from).value, car.yaw, control[0], turnRate,
-                                                         hitchLength_, duration));
+            Planar::setAngle(trailerHeadingOf(to), trailerAfter(trailerHeadingOf(from).value, car.yaw, control[0],
+                                                                turnRate, hitchLength_, duration));
         car.drive(duration * control[0], duration * turnRate);
         car.writeTo(carTo);
     }
@@ -98,6 +98,6 @@ namespace ompl_certificates
             return true;
         const double yaw = Planar::of(state->as<ob::CompoundState>()->components[0]).yaw;
         constexpr double fullTurn = 6.283185307179586;
-        return std::abs(std::remainder(yaw - trailerOf(state).value, fullTurn)) <= maxHingeAngle_;
+        return std::abs(std::remainder(yaw - trailerHeadingOf(state).value, fullTurn)) <= maxHingeAngle_;
     }
 }

@@ -12,7 +12,7 @@ namespace ompl_certificates
 
     namespace
     {
-        std::vector<std::shared_ptr<const DynamicRobot>> robotsOf(const ob::StateSpacePtr &space)
+        std::vector<std::shared_ptr<const DynamicRobot>> dynamicRobotsOf(const ob::StateSpacePtr &space)
         {
             const auto *team = dynamic_cast<const TeamStateSpace *>(space.get());
             if (!team)
@@ -33,7 +33,7 @@ namespace ompl_certificates
     std::shared_ptr<oc::RealVectorControlSpace> TeamPropagator::makeControlSpace(const TeamStateSpacePtr &team)
     {
         ob::RealVectorBounds bounds(0);
-        for (const auto &robot : robotsOf(team))
+        for (const auto &robot : dynamicRobotsOf(team))
         {
             const ob::RealVectorBounds &own = robot->getControlBounds();
             bounds.low.insert(bounds.low.end(), own.low.begin(), own.low.end());
@@ -45,7 +45,7 @@ namespace ompl_certificates
     }
 
     TeamPropagator::TeamPropagator(const oc::SpaceInformationPtr &si)
-      : StatePropagator(si), robots_(robotsOf(si->getStateSpace())), space_(si->getStateSpace())
+      : StatePropagator(si), robots_(dynamicRobotsOf(si->getStateSpace())), space_(si->getStateSpace())
     {
         std::size_t controls = 0;
         for (const auto &robot : robots_)

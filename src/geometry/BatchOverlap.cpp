@@ -10,7 +10,7 @@ namespace ompl_certificates
     namespace
     {
         /** Pays for the rounding of a few operations in single precision, relative to the numbers that go in */
-        constexpr double ROUNDING = 2e-6;
+        constexpr double FLOAT_ROUNDING = 2e-6;
 
         /** Half the sizes of a box */
         struct Half
@@ -97,7 +97,7 @@ namespace ompl_certificates
         }
         alignas(32) float all[PoseBatch::SIZE];
         eight(all) = farthest;
-        return ROUNDING * (static_cast<double>(*std::max_element(all, all + PoseBatch::SIZE)) + local.norm());
+        return FLOAT_ROUNDING * (static_cast<double>(*std::max_element(all, all + PoseBatch::SIZE)) + local.norm());
     }
 
     OMPL_CERTIFICATES_WIDE_WHOLE
@@ -118,7 +118,7 @@ namespace ompl_certificates
             const EightFloats difference = eight(a.at[i]) - eight(b.at[i]);
             squared += difference * difference;
         }
-        const auto most = static_cast<float>(distance * distance * (1.0 + ROUNDING));
+        const auto most = static_cast<float>(distance * distance * (1.0 + FLOAT_ROUNDING));
         return maskOf(~(squared > most));
     }
 
@@ -143,7 +143,7 @@ namespace ompl_certificates
                 for (int j = 0; j < 3; ++j)
                     relative.axes[j][i] += along * eight(b.poses.axes[j][k]);
             }
-        const double slack = margin + slackOf(a) + slackOf(b) + ROUNDING * (reachOf(a.box) + reachOf(b.box));
+        const double slack = margin + slackOf(a) + slackOf(b) + FLOAT_ROUNDING * (reachOf(a.box) + reachOf(b.box));
         return overlapping(Half(a.box), Half(b.box), relative, slack);
     }
 
@@ -171,8 +171,9 @@ namespace ompl_certificates
                     relative.axes[j][i] += along * eight(moving.poses.axes[j][k]);
             }
         }
-        const double slack = margin + slackOf(moving) +
-                             ROUNDING * (reachOf(standing) + reachOf(moving.box) + toStanding.translation().norm());
+        const double slack =
+            margin + slackOf(moving) +
+            FLOAT_ROUNDING * (reachOf(standing) + reachOf(moving.box) + toStanding.translation().norm());
         return overlapping(Half(standing), Half(moving.box), relative, slack);
     }
 }

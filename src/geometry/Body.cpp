@@ -76,7 +76,7 @@ namespace ompl_certificates
             return flat;
         }
 
-        std::string textOf(const Eigen::Vector3d &point, unsigned int dimension)
+        std::string coordinatesOf(const Eigen::Vector3d &point, unsigned int dimension)
         {
             std::string text = "(" + std::to_string(point.x()) + ", " + std::to_string(point.y());
             return text + (dimension == 3 ? ", " + std::to_string(point.z()) + ")" : ")");
@@ -91,7 +91,7 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < points.size(); ++i)
                 if (shape.signedDistance(points[i]) < -deepest)
                     throw ompl::Exception("Point " + std::to_string(i) + " of " + std::to_string(points.size()) +
-                                          " (counted from 0), " + textOf(points[i], shape.getDimension()) +
+                                          " (counted from 0), " + coordinatesOf(points[i], shape.getDimension()) +
                                           ", lies inside the convex hull of the others: make a body that is not convex "
                                           "of several shapes, or take the hull by Body::convexHull()");
         }

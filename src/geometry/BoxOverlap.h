@@ -1,15 +1,14 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_BOX_OVERLAP_
 #define OMPL_CERTIFICATES_GEOMETRY_BOX_OVERLAP_
 
+#include "FourNumbers.h"
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 
 namespace ompl_certificates
 {
-    /** \brief Four numbers: an instruction takes all of them. */
-    using FourFloats = float __attribute__((vector_size(16)));
-
     /** \brief A box along the axes of its own frame, in single precision. Of each vector, the last number is not
         used. */
     struct FloatBox

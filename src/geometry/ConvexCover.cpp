@@ -10,7 +10,7 @@ namespace ompl_certificates
     namespace
     {
         /** How many points a cover has, at most, and the rounding that is good enough, as a fraction of its extent */
-        constexpr std::size_t MOST_POINTS = 48;
+        constexpr std::size_t MOST_CORNERS = 48;
         constexpr double SMALL_ROUNDING = 0.005;
 
         /** Pays for the rounding of coordinates in single precision, relative to the extent */
@@ -65,7 +65,7 @@ namespace ompl_certificates
             point -= center_;
             extent_ = std::max(extent_, point.norm());
         }
-        if (points.size() <= MOST_POINTS)
+        if (points.size() <= MOST_CORNERS)
             setPoints(points);
         else
             coverAll(std::move(points));
@@ -142,7 +142,7 @@ namespace ompl_certificates
                 return;
             const auto farthest = std::max_element(outside.begin(), outside.end(),
                                                    [](const auto &a, const auto &b) { return a.first < b.first; });
-            if (chosen.size() == MOST_POINTS)
+            if (chosen.size() == MOST_CORNERS)
             {
                 rounding_ = farthest->first;
                 return;

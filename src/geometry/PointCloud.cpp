@@ -13,7 +13,7 @@ namespace ompl_certificates
     namespace
     {
         /** Cell numbers must fit well into what they are kept in. */
-        constexpr double MOST_CELLS = 1e9;
+        constexpr double LARGEST_CELL = 1e9;
 
         struct Binned
         {
@@ -35,7 +35,7 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 const Eigen::Array3d scaled = points[i].array() / cell, lowest = scaled.floor();
-                if (!(scaled.abs() < MOST_CELLS).all())
+                if (!(scaled.abs() < LARGEST_CELL).all())
                     throw ompl::Exception(
                         "A point of a cloud to be thinned must be finite and nearer than 10^9 cells "
                         "of size " +

@@ -1,18 +1,16 @@
 #include "PrimitiveContact.h"
 
 #include "CutPolygon.h"
+#include "Infinity.h"
 #include "TriangleDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ompl_certificates
 {
     namespace
     {
-        constexpr double INF = std::numeric_limits<double>::infinity();
-
         /** Polytopes with more pairs of faces take longer than FCL. */
         constexpr std::size_t MOST_FACE_PAIRS = 1000;
 

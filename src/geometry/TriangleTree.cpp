@@ -1,5 +1,6 @@
 #include "TriangleTree.h"
 
+#include "FourNumbers.h"
 #include "TriangleDistance.h"
 
 #include <algorithm>
@@ -10,12 +11,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Pays for the rounding of squared distances in single precision */
-        constexpr float SHRINK = 1.0F - 2e-6F;
-
-        /** The squares of larger coordinates do not fit into single precision. */
-        constexpr double FARTHEST = 1e18;
-
         /** Whether \e triangle is nearer than \e nearest, a squared distance; if so, lowers it */
         bool lowerToDistance(const TriangleTree::Facet &triangle, const Eigen::Vector3d &point, double &nearest)
         {

@@ -12,7 +12,7 @@ namespace ompl_certificates
     namespace
     {
         /** Pays for the rounding of boxes in single precision, relative to the largest coordinate */
-        constexpr double ROUNDING = 1e-6;
+        constexpr double BOX_ROUNDING = 1e-6;
 
         /** Farther away, or not a number, single precision says nothing. */
         constexpr double FARTHEST_BOX = 1e30;
@@ -63,7 +63,7 @@ namespace ompl_certificates
         const double distance = (box.center() - origin_).norm();
         if (!(distance < FARTHEST_BOX))
             return Touching::UNKNOWN;
-        const double slack = margin + ROUNDING * (extent_ + distance);
+        const double slack = margin + BOX_ROUNDING * (extent_ + distance);
         const Eigen::Vector3f low = (box.min() - origin_).cast<float>().array() - static_cast<float>(slack);
         const Eigen::Vector3f high = (box.max() - origin_).cast<float>().array() + static_cast<float>(slack);
         bool unknown = false;
@@ -107,7 +107,7 @@ namespace ompl_certificates
             return Touching::UNKNOWN;
         const BoxTurn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
-        const auto slack = static_cast<float>(margin + ROUNDING * (extent_ + other.extent_ + shift.norm()));
+        const auto slack = static_cast<float>(margin + BOX_ROUNDING * (extent_ + other.extent_ + shift.norm()));
         struct Open
         {
             std::uint32_t here, there;
@@ -174,7 +174,7 @@ namespace ompl_certificates
             return Touching::UNKNOWN;
         const BoxTurn turn(toHere, shift);
         const auto slack = static_cast<float>(
-            margin + ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
+            margin + BOX_ROUNDING * (extent_ + bounds.center().norm() + bounds.sizes().norm() + shift.norm()));
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;

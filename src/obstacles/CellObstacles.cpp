@@ -19,7 +19,7 @@ namespace ompl_certificates
     namespace
     {
         /** After so many boxes that a body may just touch, the exact check decides. */
-        constexpr unsigned int MOST_UNKNOWN = 32;
+        constexpr unsigned int MOST_UNKNOWN_CELLS = 32;
 
         /** After so many boxes near a body of several parts that none of them touches, the parts are tried one by
             one. */
@@ -226,7 +226,7 @@ namespace ompl_certificates
                          all = answer;
                          if (answer == Touching::YES && hit)
                              *hit = box;
-                         return answer == Touching::YES || ++unknown == MOST_UNKNOWN;
+                         return answer == Touching::YES || ++unknown == MOST_UNKNOWN_CELLS;
                      });
         return all;
     }

@@ -20,7 +20,7 @@ namespace ompl_certificates
             return number >= 0 ? number / divisor : -((divisor - 1 - number) / divisor);
         }
 
-        bool isBefore(const CellBox &a, const CellBox &b)
+        bool isBoxBefore(const CellBox &a, const CellBox &b)
         {
             return a.low != b.low ? a.low < b.low : a.high < b.high;
         }
@@ -168,10 +168,11 @@ namespace ompl_certificates
             std::vector<CellBox> old, now = boxesOf(place, cells);
             if (const auto block = blocks_.find(place); block != blocks_.end())
                 old = block->second->getTree().getBoxes();
-            std::sort(old.begin(), old.end(), isBefore);
-            std::sort(now.begin(), now.end(), isBefore);
-            std::set_difference(now.begin(), now.end(), old.begin(), old.end(), std::back_inserter(added), isBefore);
-            std::set_difference(old.begin(), old.end(), now.begin(), now.end(), std::back_inserter(removed), isBefore);
+            std::sort(old.begin(), old.end(), isBoxBefore);
+            std::sort(now.begin(), now.end(), isBoxBefore);
+            std::set_difference(now.begin(), now.end(), old.begin(), old.end(), std::back_inserter(added), isBoxBefore);
+            std::set_difference(old.begin(), old.end(), now.begin(), now.end(), std::back_inserter(removed),
+                                isBoxBefore);
             if (now.empty())
                 blocks_.erase(place);
             else

@@ -5,6 +5,7 @@
 #include "ompl_certificates/obstacles/CellBox.h"
 
 #include "geometry/BoxOverlap.h"
+#include "geometry/FourNumbers.h"
 
 #include <algorithm>
 #include <array>
@@ -64,22 +65,12 @@ namespace ompl_certificates
         /** Pays for the rounding in single precision, relative to the largest coordinate */
         static constexpr double ROUNDING = 1e-6;
 
-        /** Pays for the rounding of squared distances, and of the lowest one, in single precision */
-        static constexpr float SHRINK = 1.0F - 2e-6F;
-
-        /** The squares of larger coordinates do not fit into single precision. */
-        static constexpr double FARTHEST_POINT = 1e18;
-
         /** Three open children for each of at most 16 levels, and what is written above them */
         static constexpr std::size_t STACK_SIZE = 64;
 
         /** A child is a node, or a box with this flag. Boxes and nodes are never children of the same node, and the
             boxes stand in a row. */
         static constexpr std::uint32_t LEAF = 0x80000000U;
-
-        /** \brief Four numbers for one instruction */
-        using FourInts = std::int32_t __attribute__((vector_size(16)));
-        using FourFloats = float __attribute__((vector_size(16)));
 
         /** \brief Four boxes, in one line of the cache. An absent one is inside out. */
         struct alignas(64) Node
@@ -288,7 +279,7 @@ namespace ompl_certificates
     template <typename Visit>
     void CellTree::visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const
     {
-        if (!(point.cwiseAbs().maxCoeff() < FARTHEST_POINT))
+        if (!(point.cwiseAbs().maxCoeff() < FARTHEST))
         {
             for (std::uint32_t i = 0; i < boxes_.size(); ++i)
                 if (const double squared = squaredDistance(boxes_[i], point); squared < lowest)

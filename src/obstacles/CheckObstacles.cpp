@@ -11,7 +11,7 @@ namespace ompl_certificates
     namespace
     {
         /** The rounding error of a clearance, relative to the coordinates */
-        constexpr double ROUNDING = 1e-9;
+        constexpr double CLEARANCE_ROUNDING = 1e-9;
 
         std::string verdictOf(bool collides)
         {
@@ -35,7 +35,7 @@ namespace ompl_certificates
                     high_[i] = bounds.high[i];
                 }
                 size_ = (high_ - low_).norm();
-                slack_ = ROUNDING * (low_.norm() + high_.norm());
+                slack_ = CLEARANCE_ROUNDING * (low_.norm() + high_.norm());
                 require(obstacles.getTolerance() >= 0.0,
                         "getTolerance() must not be negative, but is " + textOf(obstacles.getTolerance()));
             }

@@ -6,7 +6,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::uint32_t LEAF_SIZE = 2;
+        constexpr std::uint32_t SHAPES_PER_LEAF = 2;
 
         /** Signed distance to a box: a lower bound of the signed distance to anything in the box. The depth in a flat
             box (in the plane) is bounded by its other extents. */
@@ -47,7 +47,7 @@ namespace ompl_certificates
         nodes_[index].box = box;
         nodes_[index].first = first;
         nodes_[index].count = count;
-        if (count > LEAF_SIZE)
+        if (count > SHAPES_PER_LEAF)
         {
             Eigen::Index axis;
             centers.sizes().maxCoeff(&axis);

@@ -9,7 +9,7 @@ namespace ompl_certificates
         /** The pose of a part for FCL. Its solver is wrong about prisms of equal height that are exactly level, as all
             polygons of a plane are. It finds them touching across gaps of up to a hundredth of their size. So they are
             lifted by a part of their height, which changes nothing in the plane. */
-        Pose poseForFcl(const Shape &shape, const Pose &pose)
+        Pose liftedForFcl(const Shape &shape, const Pose &pose)
         {
             if (shape.getKind() != Shape::Kind::POLYTOPE)
                 return pose;
@@ -61,7 +61,7 @@ namespace ompl_certificates
 
     bool PlanarCheck::primitiveCollides(const Shape &shape, const Pose &partPose) const
     {
-        if (!primitives_.isEmpty() && primitives_.collides(shape.getCollisionGeometry(), poseForFcl(shape, partPose)))
+        if (!primitives_.isEmpty() && primitives_.collides(shape.getCollisionGeometry(), liftedForFcl(shape, partPose)))
             return true;
         if (meshes_.isEmpty() || meshZInterval_.low > meshZInterval_.high)
             return false;

@@ -16,10 +16,10 @@ namespace ompl_certificates
     {
         constexpr double LARGEST = 1e15;
 
-        constexpr std::size_t MOST_POINTS = std::size_t(1) << 31;
+        constexpr std::size_t MOST_CLOUD_POINTS = std::size_t(1) << 31;
 
         /** The rounding of distances, relative to the largest coordinate */
-        constexpr double ROUNDING = 1e-12;
+        constexpr double DISTANCE_ROUNDING = 1e-12;
 
         double largestOf(const std::vector<double> &radii)
         {
@@ -42,9 +42,9 @@ namespace ompl_certificates
     {
         if (dimension != 2 && dimension != 3)
             throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
-        if (points.size() > MOST_POINTS)
-            throw ompl::Exception("A point cloud must have at most " + std::to_string(MOST_POINTS) + " points, not " +
-                                  std::to_string(points.size()));
+        if (points.size() > MOST_CLOUD_POINTS)
+            throw ompl::Exception("A point cloud must have at most " + std::to_string(MOST_CLOUD_POINTS) +
+                                  " points, not " + std::to_string(points.size()));
         if (radii.size() != 1 && radii.size() != points.size())
             throw ompl::Exception("A point cloud of " + std::to_string(points.size()) +
                                   " points needs as many radii or one, not " + std::to_string(radii.size()));
@@ -69,12 +69,14 @@ namespace ompl_certificates
     {
         const double largest = largestOf(radii);
         forest_ = plant(std::move(points), std::move(radii), dimension);
-        tolerance_ = ROUNDING * (forest_->getExtent() + largest);
+        tolerance_ = DISTANCE_ROUNDING * (forest_->getExtent() + largest);
     }
 
     PointCloudObstacles::PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius,
                                              unsigned int dimension)
-      : dimension_(dimension), forest_(std::move(forest)), tolerance_(ROUNDING * (forest_->getExtent() + largestRadius))
+      : dimension_(dimension)
+      , forest_(std::move(forest))
+      , tolerance_(DISTANCE_ROUNDING * (forest_->getExtent() + largestRadius))
     {
     }
 
@@ -90,7 +92,7 @@ namespace ompl_certificates
         if (!shape.getMesh() || dimension_ == 2)
             return shape.signedDistance(point) <= radius;
         // Any limit above the radius will do.
-        return shape.getMesh()->getTree().distance(point, radius + tolerance_ + ROUNDING) <= radius;
+        return shape.getMesh()->getTree().distance(point, radius + tolerance_ + DISTANCE_ROUNDING) <= radius;
     }
 
     ObstaclePart PointCloudObstacles::findHit(const Shape &shape, const Pose &pose) const
@@ -102,7 +104,7 @@ namespace ompl_certificates
             bounds.min().z() = bounds.max().z() = toShape.translation().z();
         // No rounding may hide what hits() finds.
         const double slack =
-            tolerance_ + ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
+            tolerance_ + DISTANCE_ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
         const auto isHit = [&](const Eigen::Vector3d &center, double radius)
         {
             const Eigen::Vector3d point = toShape * center;

@@ -14,7 +14,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        bool isBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+        bool isPointBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
         {
             return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
         }
@@ -174,13 +174,13 @@ namespace ompl_certificates
             layer.isShared = layer.isShared || !isWhole;
             layers.push_back({layer.tree, isWhole ? nullptr : layer.mask, layer.count});
         }
-        std::sort(inserted_.begin(), inserted_.end(), isBefore);
-        std::sort(removed_.begin(), removed_.end(), isBefore);
+        std::sort(inserted_.begin(), inserted_.end(), isPointBefore);
+        std::sort(removed_.begin(), removed_.end(), isPointBefore);
         std::vector<Eigen::Vector3d> added, removed;
         std::set_difference(inserted_.begin(), inserted_.end(), removed_.begin(), removed_.end(),
-                            std::back_inserter(added), isBefore);
+                            std::back_inserter(added), isPointBefore);
         std::set_difference(removed_.begin(), removed_.end(), inserted_.begin(), inserted_.end(),
-                            std::back_inserter(removed), isBefore);
+                            std::back_inserter(removed), isPointBefore);
         inserted_.clear();
         removed_.clear();
         const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr

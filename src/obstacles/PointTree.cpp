@@ -2,6 +2,9 @@
 
 #include "ompl_certificates/geometry/Ball.h"
 
+#include "geometry/FourNumbers.h"
+#include "geometry/Infinity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,14 +13,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr float INF = std::numeric_limits<float>::infinity();
-
-        /** Pays for the rounding of squared distances in single precision */
-        constexpr float SHRINK = 1.0F - 2e-6F;
-
-        /** The squares of larger coordinates do not fit into single precision. */
-        constexpr double FARTHEST = 1e18;
-
         const Eigen::Vector3d &pointOf(const Eigen::Vector3d &point)
         {
             return point;
@@ -79,7 +74,7 @@ namespace ompl_certificates
 
         float roundedUp(double value)
         {
-            return std::nextafter(static_cast<float>(value), INF);
+            return std::nextafter(static_cast<float>(value), FLOAT_INF);
         }
     }
 
@@ -129,8 +124,8 @@ namespace ompl_certificates
         }
         for (Eigen::Index axis = 0; axis < 3; ++axis)
         {
-            bounds.box.min()[axis] = std::nextafter(bounds.box.min()[axis], -INF);
-            bounds.box.max()[axis] = std::nextafter(bounds.box.max()[axis], INF);
+            bounds.box.min()[axis] = std::nextafter(bounds.box.min()[axis], -FLOAT_INF);
+            bounds.box.max()[axis] = std::nextafter(bounds.box.max()[axis], FLOAT_INF);
         }
         return bounds;
     }
@@ -156,8 +151,8 @@ namespace ompl_certificates
             Bounds bounds;
             // An absent child is the first leaf: a walk ends even where a huge distance makes all boxes overlap.
             std::uint32_t child = LEAF;
-            bounds.box.min().setConstant(INF);
-            bounds.box.max().setConstant(-INF);
+            bounds.box.min().setConstant(FLOAT_INF);
+            bounds.box.max().setConstant(-FLOAT_INF);
             if (ends[k] < ends[k + 1])
             {
                 bounds = addChild(ends[k], ends[k + 1], child);

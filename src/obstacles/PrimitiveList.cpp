@@ -1,10 +1,10 @@
 #include "PrimitiveList.h"
 
 #include "geometry/EightNumbers.h"
+#include "geometry/Infinity.h"
 #include "geometry/WideRegisters.h"
 
 #include <cmath>
-#include <limits>
 
 namespace ompl_certificates
 {
@@ -35,11 +35,9 @@ namespace ompl_certificates
             order(middle, end, blockSize);
         }
 
-        constexpr float INF = std::numeric_limits<float>::infinity();
-
         float roundedDown(double number)
         {
-            return std::nextafter(static_cast<float>(number), -INF);
+            return std::nextafter(static_cast<float>(number), -FLOAT_INF);
         }
 
         /** The primitives of a block, a bit for each, whose bounds touch the box from \e low to \e high */
@@ -71,8 +69,8 @@ namespace ompl_certificates
                 blocks_.emplace_back();
                 for (std::size_t axis = 0; axis < 3; ++axis)
                 {
-                    std::fill_n(blocks_.back().roundedLow[axis], BLOCK_SIZE, INF);
-                    std::fill_n(blocks_.back().roundedHigh[axis], BLOCK_SIZE, -INF);
+                    std::fill_n(blocks_.back().roundedLow[axis], BLOCK_SIZE, FLOAT_INF);
+                    std::fill_n(blocks_.back().roundedHigh[axis], BLOCK_SIZE, -FLOAT_INF);
                 }
             }
             Block &block = blocks_.back();

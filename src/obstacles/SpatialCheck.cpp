@@ -9,7 +9,7 @@ namespace ompl_certificates
         /** The pose of a part for FCL. Its solver is wrong about prisms of equal height that are exactly level: it
             finds them touching across gaps of up to a hundredth of their size. So polytopes are moved by less than
             decides a verdict. */
-        Pose poseForFcl(const Shape &shape, const Pose &pose)
+        Pose shiftedForFcl(const Shape &shape, const Pose &pose)
         {
             if (shape.getKind() != Shape::Kind::POLYTOPE)
                 return pose;
@@ -29,10 +29,11 @@ namespace ompl_certificates
 
     bool SpatialCheck::collides(const Body &body, const Pose &pose) const
     {
-        return !shapes_.isEmpty() && std::any_of(body.getParts().begin(), body.getParts().end(),
-                                                 [&](const Body::Part &part) {
-                                                     return shapes_.collides(part.shape.getCollisionGeometry(),
-                                                                             poseForFcl(part.shape, pose * part.pose));
-                                                 });
+        return !shapes_.isEmpty() &&
+               std::any_of(body.getParts().begin(), body.getParts().end(),
+                           [&](const Body::Part &part) {
+                               return shapes_.collides(part.shape.getCollisionGeometry(),
+                                                       shiftedForFcl(part.shape, pose * part.pose));
+                           });
     }
 }

@@ -8,8 +8,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr unsigned int DEEPEST = 16;
-
         /** Of a cell, in which a slice must reach so far to count: what pays for the rounding of heights */
         constexpr double ROUNDING = 1e-6;
 
@@ -135,8 +133,8 @@ namespace ompl_certificates
 
     void requireValid(const OctomapOptions &options)
     {
-        if (options.depth < 1 || options.depth > DEEPEST)
-            throw ompl::Exception("The depth of an octomap's cells must be from 1 to " + std::to_string(DEEPEST) +
+        if (options.depth < 1 || options.depth > OCTOMAP_DEPTH)
+            throw ompl::Exception("The depth of an octomap's cells must be from 1 to " + std::to_string(OCTOMAP_DEPTH) +
                                   ", not " + std::to_string(options.depth));
         if (options.slice && !(options.slice->low < options.slice->high))
             throw ompl::Exception("The slice of an octomap must have its low end below its high one");

@@ -7,8 +7,11 @@
 
 namespace ompl_certificates
 {
-    /** \brief How many cells of the greatest depth an octomap has along an axis */
-    constexpr std::int32_t OCTOMAP_CELLS = 1 << 16;
+    /** \brief How many levels an octomap has below its root */
+    constexpr unsigned int OCTOMAP_DEPTH = 16;
+
+    /** \brief How many cells of the greatest depth it has along an axis */
+    constexpr std::int32_t OCTOMAP_CELLS = 1 << OCTOMAP_DEPTH;
 
     /** \brief All of an octomap's cells */
     constexpr CellBox WHOLE_OCTOMAP{{-OCTOMAP_CELLS / 2, -OCTOMAP_CELLS / 2, -OCTOMAP_CELLS / 2},

@@ -1,5 +1,6 @@
 #include "OctomapFile.h"
 
+#include "OctomapCells.h"
 #include "certificates/WholeFile.h"
 
 #include <cmath>
@@ -11,7 +12,6 @@ namespace ompl_certificates
     namespace
     {
         constexpr std::uintmax_t MOST_BYTES = std::uintmax_t(1) << 30U;
-        constexpr unsigned int DEEPEST = 16;
 
         const std::string BINARY_MAGIC = "# Octomap OcTree binary file", FULL_MAGIC = "# Octomap OcTree file";
 
@@ -108,8 +108,8 @@ namespace ompl_certificates
 
             const char *take(std::size_t &at, std::size_t bytes, unsigned int depth) const
             {
-                if (depth > DEEPEST)
-                    fail("is damaged: it has nodes deeper than " + std::to_string(DEEPEST) + " levels");
+                if (depth > OCTOMAP_DEPTH)
+                    fail("is damaged: it has nodes deeper than " + std::to_string(OCTOMAP_DEPTH) + " levels");
                 if (text_.size() - at < bytes)
                     fail("ends before its last node");
                 at += bytes;

@@ -32,7 +32,7 @@ namespace ompl_certificates
         constexpr double OUTLINE_TOLERANCE = 0.2;
 
         /** How far a body may be from where it is, as a fraction of the scene's extent: less than a tenth of a pixel */
-        constexpr double TOLERANCE = 1e-4;
+        constexpr double MOTION_TOLERANCE = 1e-4;
 
         double extentOf(const ob::RealVectorBounds &bounds)
         {
@@ -61,7 +61,7 @@ namespace ompl_certificates
             for (unsigned int i = 0; i < path.getStateCount(); ++i)
                 states.push_back(path.getState(i)->as<ob::CompoundState>()->components[motions_.size()]);
             motions_.push_back(std::make_shared<const RobotMotion>(*member.robot, states, times,
-                                                                   TOLERANCE * extentOf(scene_.getBounds())));
+                                                                   MOTION_TOLERANCE * extentOf(scene_.getBounds())));
         }
     }
 

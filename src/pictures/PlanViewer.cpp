@@ -20,12 +20,12 @@ namespace ompl_certificates
     namespace
     {
         /** How far a body may be from where it is, as a fraction of the scene's extent: a tenth of a pixel */
-        constexpr double TOLERANCE = 1e-4;
+        constexpr double PLACE_TOLERANCE = 1e-4;
 
         /** How many lines of a tree are shown, of all robots together */
         constexpr std::size_t MAX_SEGMENTS = 24000;
 
-        constexpr std::size_t MAX_CERTIFICATES = 600;
+        constexpr std::size_t MAX_VIEWED_CERTIFICATES = 600;
 
         /** A ball is not shown if its center is that near to the center of a larger one, in radii of that one. */
         constexpr double SAME_PLACE = 0.4;
@@ -56,7 +56,7 @@ namespace ompl_certificates
             for (const ob::State *state : states)
                 components.push_back(state->as<ob::CompoundState>()->components[motions_.size()]);
             motions_.push_back(
-                std::make_shared<const RobotMotion>(*member.robot, components, times, TOLERANCE * extent));
+                std::make_shared<const RobotMotion>(*member.robot, components, times, PLACE_TOLERANCE * extent));
         }
         end_ = times.back();
     }
@@ -98,7 +98,7 @@ namespace ompl_certificates
 
     void PlanViewer::setCertificates(const std::vector<Certificate> &certificates)
     {
-        certificates_ = largestApart(certificates, MAX_CERTIFICATES, SAME_PLACE);
+        certificates_ = largestApart(certificates, MAX_VIEWED_CERTIFICATES, SAME_PLACE);
     }
 
     void PlanViewer::setReport(const PlanReport &report)

@@ -27,7 +27,7 @@ namespace ompl_certificates
 
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
             shorten the path. Each later round does twice as much. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, ATTEMPTS = 100;
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100;
 
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
@@ -226,7 +226,7 @@ namespace ompl_certificates
 
     void DRRTstar::shorten(og::PathGeometric path, const ob::PlannerTerminationCondition &condition)
     {
-        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, effort(ATTEMPTS), condition))
+        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, effort(SMOOTHING_ATTEMPTS), condition))
             report(path);
     }
 

@@ -11,7 +11,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+        constexpr std::uint32_t NO_NODE = std::numeric_limits<std::uint32_t>::max();
 
         /** A robot at a vertex after a step */
         struct Node
@@ -125,7 +125,7 @@ namespace ompl_certificates
         if (goalFree > last)
             return false;
 
-        std::vector<Node> nodes{{start_[robot], 0, NONE, 0.0}};
+        std::vector<Node> nodes{{start_[robot], 0, NO_NODE, 0.0}};
         std::priority_queue<Open> open;
         open.push({distances[start_[robot]], 0, 0});
         // After the others have arrived, one step is as another.
@@ -142,7 +142,7 @@ namespace ompl_certificates
             if (node.vertex == goal_[robot] && node.step >= goalFree)
             {
                 std::vector<Vertex> path(node.step + 1);
-                for (std::uint32_t i = index; i != NONE; i = nodes[i].parent)
+                for (std::uint32_t i = index; i != NO_NODE; i = nodes[i].parent)
                     path[nodes[i].step] = nodes[i].vertex;
                 keep(robot, path);
                 return true;

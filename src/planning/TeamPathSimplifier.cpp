@@ -18,7 +18,7 @@ namespace ompl_certificates
         constexpr double LEAST_GAIN = 1e-5;
 
         /** A path is good enough when that many attempts for each corner lower its cost by less than that part. */
-        constexpr std::uint64_t ATTEMPTS = 20;
+        constexpr std::uint64_t ATTEMPTS_PER_CORNER = 20;
         constexpr double LEAST_PROGRESS = 1e-3;
 
         /** Whether a cost is better than an old one, and differs from it by a part of that at least */
@@ -314,7 +314,7 @@ namespace ompl_certificates
         ob::Cost cost = first;
         while (!condition)
         {
-            simplify(path, ATTEMPTS * path.getStateCount() * checker_->getTeam().getRobotCount(), condition);
+            simplify(path, ATTEMPTS_PER_CORNER * path.getStateCount() * checker_->getTeam().getRobotCount(), condition);
             const ob::Cost before = std::exchange(cost, path.cost(objective_));
             if (!isBetterBy(LEAST_PROGRESS, *objective_, cost, before))
                 break;

@@ -17,10 +17,10 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+        constexpr double UNWRITTEN = std::numeric_limits<double>::quiet_NaN();
 
         /** The rounding error of coordinates and rotations, relative to their size */
-        constexpr double ROUNDING = 1e-9;
+        constexpr double POSE_ROUNDING = 1e-9;
 
         /** The shortest interval of a motion that is tried: below it, rounding hides the movement */
         constexpr double SHORTEST = 1e-3;
@@ -81,7 +81,7 @@ namespace ompl_certificates
             std::vector<Pose> posesOf(const ob::State *state) const
             {
                 Pose none;
-                none.matrix().setConstant(NONE);
+                none.matrix().setConstant(UNWRITTEN);
                 std::vector<Pose> poses(bodies_ + 1, none);
                 robot_.computePoses(state, poses.data());
                 for (std::size_t i = 0; i < bodies_; ++i)
@@ -97,7 +97,7 @@ namespace ompl_certificates
                         continue;
                     const double tilt = (turn.col(2) - Eigen::Vector3d::UnitZ()).norm();
                     const double z = poses[i].translation().z();
-                    if (tilt > ROUNDING || std::abs(z) > ROUNDING * (1.0 + poses[i].translation().norm()))
+                    if (tilt > POSE_ROUNDING || std::abs(z) > POSE_ROUNDING * (1.0 + poses[i].translation().norm()))
                         fail("the pose" + where + " leaves the plane: z = " + textOf(z) + ", tilted by " +
                              textOf(tilt));
                 }
@@ -108,7 +108,7 @@ namespace ompl_certificates
 
             std::vector<MotionBound> boundsOf(const ob::State *from, const ob::State *to) const
             {
-                std::vector<MotionBound> bounds(bodies_ + 1, MotionBound{NONE, NONE});
+                std::vector<MotionBound> bounds(bodies_ + 1, MotionBound{UNWRITTEN, UNWRITTEN});
                 robot_.computeMotionBounds(from, to, bounds.data());
                 for (std::size_t i = 0; i < bodies_; ++i)
                     if (!(bounds[i].linear >= 0.0 && bounds[i].angular >= 0.0))
@@ -125,8 +125,9 @@ namespace ompl_certificates
                                                       const std::vector<MotionBound> &bodyBounds) const
             {
                 const std::vector<BodyPair> &pairs = robot_.getBodyPairs();
-                std::vector<PairMotionBound> bounds(pairs.size() + 1,
-                                                    PairMotionBound{MotionBound{NONE, NONE}, MotionBound{NONE, NONE}});
+                std::vector<PairMotionBound> bounds(
+                    pairs.size() + 1,
+                    PairMotionBound{MotionBound{UNWRITTEN, UNWRITTEN}, MotionBound{UNWRITTEN, UNWRITTEN}});
                 robot_.computePairMotionBounds(from, to, bodyBounds.data(), bounds.data());
                 for (std::size_t i = 0; i < pairs.size(); ++i)
                     for (const MotionBound &bound : {bounds[i].first, bounds[i].second})
@@ -216,12 +217,12 @@ namespace ompl_certificates
             {
                 const Pose &before = interval.before[body], &after = interval.after[body];
                 const double radius = robot_.getBodies()[body].getBoundingRadius();
-                const double slack = ROUNDING * (1.0 + radius + before.translation().norm());
+                const double slack = POSE_ROUNDING * (1.0 + radius + before.translation().norm());
                 for (const Eigen::Vector3d &point : pointsOf(body, before, after))
                 {
                     const double distance = (after * point - before * point).norm(),
                                  most = bound.at(point.norm()) * (interval.last - interval.first);
-                    if (!(distance <= most * (1.0 + ROUNDING) + slack))
+                    if (!(distance <= most * (1.0 + POSE_ROUNDING) + slack))
                         fail(intervalText(interval) + ", the point " + textOf(point) + " of body " +
                              std::to_string(body) + " moves " + textOf(distance) + ", but its motion bound " +
                              wordsOf(bound) + " allows " + textOf(most));
@@ -253,9 +254,9 @@ namespace ompl_certificates
                 const Pose before = change.before[other].inverse() * change.before[body],
                            after = change.after[other].inverse() * change.after[body];
                 const double radius = robot_.getBodies()[other].getBoundingRadius();
-                const double slack =
-                    ROUNDING * (1.0 + radius + robot_.getBodies()[body].getBoundingRadius() +
-                                change.before[body].translation().norm() + change.before[other].translation().norm());
+                const double slack = POSE_ROUNDING * (1.0 + radius + robot_.getBodies()[body].getBoundingRadius() +
+                                                      change.before[body].translation().norm() +
+                                                      change.before[other].translation().norm());
                 for (const Eigen::Vector3d &point : pointsOf(body, before, after))
                 {
                     const Eigen::Vector3d start = before * point, end = after * point, moved = end - start;
@@ -268,7 +269,7 @@ namespace ompl_certificates
                     {
                         const double changed = std::abs((end - still).norm() - (start - still).norm()),
                                      most = bound.at(point.norm()) * change.length;
-                        if (!(changed <= most * (1.0 + ROUNDING) + slack))
+                        if (!(changed <= most * (1.0 + POSE_ROUNDING) + slack))
                             fail(where() + "the distance of the point " + textOf(point) + " of body " +
                                  std::to_string(body) + " to the point " + textOf(still) + " of body " +
                                  std::to_string(other) + " changes by " + textOf(changed) + ", but " + limit +
@@ -332,7 +333,7 @@ namespace ompl_certificates
                 double error = valueAt(between, one.index) - (start + time * change);
                 if (one.wraps)
                     error = std::remainder(error, turn);
-                if (!(std::abs(error) <= ROUNDING * (1.0 + std::abs(start) + std::abs(change))))
+                if (!(std::abs(error) <= POSE_ROUNDING * (1.0 + std::abs(start) + std::abs(change))))
                     fail(motionText(from.get(), to.get()) + ", at time " + textOf(time) + ", coordinate " +
                          std::to_string(one.index) + " in " + words + " is " + textOf(error) +
                          " from where a steady change would take it");

@@ -16,7 +16,7 @@ namespace ompl_certificates
 
         /** How many of the smallest cells there are, for 0, 1, 2 and 3 coordinates. With more of them, more checks find
             an answer in the end, but later. */
-        constexpr std::size_t MOST_CELLS[] = {1, 1U << 10, 1U << 15, 1U << 15};
+        constexpr std::size_t CELL_COUNTS[] = {1, 1U << 10, 1U << 15, 1U << 15};
 
         /** A motion is followed through so many cells. */
         constexpr int MOST_STEPS = 24;
@@ -55,7 +55,7 @@ namespace ompl_certificates
             all *= parts;
             widths[i] = one.reach * (one.upper - one.lower) / parts;
         }
-        for (; all < MOST_CELLS[coordinates_.size()]; all *= 2)
+        for (; all < CELL_COUNTS[coordinates_.size()]; all *= 2)
         {
             const auto widest =
                 std::max_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(coordinates_.size()));

@@ -15,7 +15,7 @@ namespace ompl_certificates
 
         /** The rounding of one joint: of its sine and cosine, and of the products of rotations. If all of it adds up,
             it is 1.6e-6: some 26 times half the resolution of single precision. */
-        constexpr double ROUNDING = 2e-6;
+        constexpr double JOINT_ROUNDING = 2e-6;
 
         /** Angles beyond are taken for no number. */
         constexpr double LARGEST_ANGLE = 1e6;
@@ -178,7 +178,7 @@ namespace ompl_certificates
             const PoseError one = next(frames[place.frame], place.pose);
             most = {std::max(most.linear, one.linear), std::max(most.angular, one.angular)};
         }
-        most.angular = ROUNDING * (most.angular + 1.0);
+        most.angular = JOINT_ROUNDING * (most.angular + 1.0);
         most.linear *= most.angular;
         return most;
     }

@@ -13,7 +13,7 @@ namespace ompl_certificates
         using Joint = KinematicTree::Joint;
         using JointType = KinematicTree::JointType;
 
-        std::string textOf(double value)
+        std::string briefly(double value)
         {
             std::ostringstream text;
             text << value;
@@ -47,19 +47,19 @@ namespace ompl_certificates
             if (joint.type == JointType::REVOLUTE || joint.type == JointType::PRISMATIC)
             {
                 if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper))
-                    failAt(joint, "the limits must be finite, not lower " + textOf(joint.lower) + ", upper " +
-                                      textOf(joint.upper));
+                    failAt(joint, "the limits must be finite, not lower " + briefly(joint.lower) + ", upper " +
+                                      briefly(joint.upper));
                 if (joint.lower > joint.upper)
-                    failAt(joint, "the limit lower " + textOf(joint.lower) + " must not be above upper " +
-                                      textOf(joint.upper));
+                    failAt(joint, "the limit lower " + briefly(joint.lower) + " must not be above upper " +
+                                      briefly(joint.upper));
             }
             if (!joint.mimic)
                 return;
             if (!hasOneCoordinate(joint.type))
                 failAt(joint, "only revolute, continuous and prismatic joints can mimic others");
             if (!std::isfinite(joint.mimic->multiplier) || !std::isfinite(joint.mimic->offset))
-                failAt(joint, "the mimic's multiplier " + textOf(joint.mimic->multiplier) + " and offset " +
-                                  textOf(joint.mimic->offset) + " must be finite");
+                failAt(joint, "the mimic's multiplier " + briefly(joint.mimic->multiplier) + " and offset " +
+                                  briefly(joint.mimic->offset) + " must be finite");
         }
 
         bool areEqual(const Joint &a, const Joint &b)
@@ -168,7 +168,7 @@ namespace ompl_certificates
             if (followed.type == JointType::CONTINUOUS &&
                 (joint.type == JointType::PRISMATIC || multiplier != std::round(multiplier)))
                 failAt(joint, "mimics the continuous joint '" + name +
-                                  "', so it must turn, by a whole multiple and not by " + textOf(multiplier));
+                                  "', so it must turn, by a whole multiple and not by " + briefly(multiplier));
         }
     }
 

@@ -13,15 +13,15 @@ namespace ompl_certificates
     namespace
     {
         using Node = pugi::xml_node;
-        using Names = std::vector<std::string_view>;
+        using NameList = std::vector<std::string_view>;
 
-        constexpr std::size_t MOST_BYTES = 128U << 20U, MOST_NODES = 100000, MOST_LEVELS = 1000;
-        const Names COUNTED{"triangles", "polylist", "polygons"},
+        constexpr std::size_t MOST_CONTENT_BYTES = 128U << 20U, MOST_NODES = 100000, MOST_LEVELS = 1000;
+        const NameList COUNTED{"triangles", "polylist", "polygons"},
             UNCOUNTED{"tristrips", "trifans", "lines", "linestrips"};
         constexpr const char *LIBRARY = "library_nodes";
         constexpr const char *SEMANTICS[] = {"POSITION", "NORMAL", "TEXCOORD"};
 
-        bool isOneOf(const Names &names, std::string_view name)
+        bool isOneOf(const NameList &names, std::string_view name)
         {
             return std::find(names.begin(), names.end(), name) != names.end();
         }
@@ -65,8 +65,8 @@ namespace ompl_certificates
 
             void run()
             {
-                if (content_.size() > MOST_BYTES)
-                    throw std::runtime_error("it is larger than " + std::to_string(MOST_BYTES >> 20U) + " MB");
+                if (content_.size() > MOST_CONTENT_BYTES)
+                    throw std::runtime_error("it is larger than " + std::to_string(MOST_CONTENT_BYTES >> 20U) + " MB");
                 if (const auto result = document_.load_buffer(content_.data(), content_.size()); !result)
                     fail(result.offset, std::string("it is not XML: ") + result.description());
                 const Node root = document_.child("COLLADA");

@@ -14,7 +14,7 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr std::uintmax_t MOST_BYTES = 512U << 20U;
+        constexpr std::uintmax_t MOST_MESH_BYTES = 512U << 20U;
 
         [[noreturn]] void fail(const std::string &file, const std::string &complaint)
         {
@@ -47,7 +47,7 @@ namespace ompl_certificates
     MeshFile::MeshFile(const std::string &file, bool keepsAxes) : name_(file)
     {
         const Reader read = readerOf(file);
-        const std::string content = readWholeFile(file, MOST_BYTES);
+        const std::string content = readWholeFile(file, MOST_MESH_BYTES);
         if (content.empty())
             fail(file, "is empty");
         try

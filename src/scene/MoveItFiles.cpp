@@ -18,7 +18,7 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr std::size_t MAX_LINKS = 10000;
+        constexpr std::size_t MAX_CONSTRAINTS = 10000;
 
         /** MoveIt's own default */
         constexpr double RESOLUTION = 0.005;
@@ -156,7 +156,7 @@ namespace ompl_certificates
 
         std::map<std::string, double> readGoal(const YamlNode &node, const std::vector<std::string> &group)
         {
-            const auto goals = node.items(1, MAX_LINKS);
+            const auto goals = node.items(1, MAX_CONSTRAINTS);
             if (goals.size() > 1)
                 goals[1].fail("several goals are not supported");
             const YamlNode &goal = goals.front();
@@ -164,7 +164,7 @@ namespace ompl_certificates
                         "visibility_constraints"});
             refuse(goal, {"position_constraints", "orientation_constraints", "visibility_constraints"});
             std::map<std::string, double> values;
-            for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_LINKS))
+            for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_CONSTRAINTS))
             {
                 item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
                 const std::string name = item.at("joint_name").text();

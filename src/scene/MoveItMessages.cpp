@@ -27,7 +27,7 @@ namespace ompl_certificates
             return values;
         }
 
-        Eigen::Matrix3d readRotation(const YamlNode &node)
+        Eigen::Matrix3d readTurn(const YamlNode &node)
         {
             const auto values = readNumbers(node, {"x", "y", "z", "w"});
             const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
@@ -43,7 +43,7 @@ namespace ompl_certificates
             if (node.has(position))
                 pose.translation() = readMoveItVector(node.at(position));
             if (node.has(rotation))
-                pose.linear() = readRotation(node.at(rotation));
+                pose.linear() = readTurn(node.at(rotation));
             return pose;
         }
 

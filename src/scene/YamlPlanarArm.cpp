@@ -50,7 +50,7 @@ namespace ompl_certificates
         }
 
         /** All links may collide but those that a joint connects. */
-        std::vector<std::pair<std::string, std::string>> pairsOf(const KinematicTree &tree)
+        std::vector<std::pair<std::string, std::string>> namedPairsOf(const KinematicTree &tree)
         {
             const auto &links = tree.getLinks();
             std::vector<std::pair<std::string, std::string>> pairs;
@@ -93,7 +93,7 @@ namespace ompl_certificates
             length = link.at("length").number();
         }
         if (!node.has("self_collision") || node.at("self_collision").boolean())
-            options.linkPairs = pairsOf(tree);
+            options.linkPairs = namedPairsOf(tree);
         Scene::Member member;
         try
         {

@@ -15,7 +15,7 @@ namespace ompl_certificates
     namespace
     {
         /** Pays for the rounding of a relative pose, relative to the positions */
-        constexpr double ROUNDING = 1e-14;
+        constexpr double RELATIVE_POSE_ROUNDING = 1e-14;
     }
 
     JointCellCheck::JointCellCheck(unsigned int robot, const Robot &description, std::size_t pair,
@@ -79,7 +79,7 @@ namespace ompl_certificates
         if (!space->satisfiesBounds(middle) || !isFinite(relative))
             return Answer::UNKNOWN;
         // Where the other coordinates have taken the bodies, far from the origin, their relative pose is less precise.
-        const double within = inCell + ROUNDING * (one.translation().norm() + other.translation().norm());
+        const double within = inCell + RELATIVE_POSE_ROUNDING * (one.translation().norm() + other.translation().norm());
         const Body &first = description_.getBodies()[pair_.first], &second = description_.getBodies()[pair_.second];
         if (cell.answer == Answer::UNKNOWN)
         {

@@ -4,6 +4,7 @@
 #include "BodyFrame.h"
 #include "certificates/CertifiedEnvironment.h"
 #include "geometry/ConvexCover.h"
+#include "geometry/Infinity.h"
 
 #include <algorithm>
 #include <ompl/util/Exception.h>
@@ -12,14 +13,12 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr double INF = std::numeric_limits<double>::infinity();
-
         /** Bounding spheres that prove so much of a motion on either side are not looked into; a gap that proves so
             much is not made more precise. */
         constexpr double SHORT_STRETCH = 0.06, LONG_STRETCH = 0.12;
 
         /** Covers the rounding of squared distances */
-        constexpr double ROUNDING = 1e-12;
+        constexpr double SQUARES_ROUNDING = 1e-12;
 
         /** How long two balls stay apart whose gap exceeds a margin. The cushion lets the gap at any other time of that
             interval prove this, too. */
@@ -92,7 +91,7 @@ namespace ompl_certificates
                         (bodies.frame ? bodies.frame->getTolerance() : 0.0);
         bodies.farthest =
             (one.getSphereTree().getRoot().radius + other.getSphereTree().getRoot().radius + bodies.margin) *
-            (1.0 + ROUNDING);
+            (1.0 + SQUARES_ROUNDING);
         bodies.centersWithin = areCentersWithin(one) && areCentersWithin(other);
         return bodies;
     }

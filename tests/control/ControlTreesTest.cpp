@@ -1,13 +1,13 @@
 #include "DynamicProblems.h"
 
 #include "support/ForgivenLeaks.h"
+#include "support/IterationLimit.h"
 #include "support/Message.h"
 #include "support/Quiet.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/kpiece/KPIECE1.h>
 #include <ompl/control/planners/pdst/PDST.h>

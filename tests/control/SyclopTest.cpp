@@ -2,12 +2,12 @@
 
 #include "DynamicProblems.h"
 
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 #include "support/Random.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/control/planners/syclop/GridDecomposition.h>
 #include <ompl/control/planners/syclop/SyclopEST.h>
 #include <ompl/control/planners/syclop/SyclopRRT.h>

@@ -5,11 +5,6 @@
 #include <chrono>
 #include <thread>
 
-namespace
-{
-    const std::string SCENES = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes";
-}
-
 TEST(CompareWithOmpl, refusesBadOptions)
 {
     const Folder folder;

@@ -1,10 +1,5 @@
 #include "demos/Program.h"
 
-namespace
-{
-    const std::string SCENES = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/";
-}
-
 TEST(DryRun, tellsWhatWouldBePlannedAndPlansNothing)
 {
     const Folder folder;

@@ -17,6 +17,9 @@
 
 using ompl_certificates::test::Folder;
 
+/** \brief The folder with the scenes of the demos */
+inline const std::string SCENES = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/";
+
 inline std::string contentOf(const std::string &file)
 {
     std::ifstream stream(file);

@@ -73,6 +73,8 @@ endif()
 
 # Compiled, not run: what a snippet does is shown by the demos.
 add_library(doc_snippets OBJECT ${snippets})
+# Each begins with the names of the others.
+set_target_properties(doc_snippets PROPERTIES UNITY_BUILD OFF)
 if(OMPL_CERTIFICATES_SANITIZE)
   # A sanitizer sees what runs.
   set_target_properties(doc_snippets PROPERTIES EXCLUDE_FROM_ALL ON)

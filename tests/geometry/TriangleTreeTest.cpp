@@ -38,7 +38,7 @@ namespace
         return nearest;
     }
 
-    TriangleTree::Corners randomTriangle(Random &random, double size)
+    TriangleTree::Corners randomCorners(Random &random, double size)
     {
         const Eigen::Vector3d at = random.point(3, size);
         const double extent = size * random.logUniform(1e-3, 1.0);
@@ -61,7 +61,7 @@ TEST(TriangleTree, FindsTheDistanceOfOneTriangle)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         TriangleTree tree;
-        const auto corners = randomTriangle(random, 1.0);
+        const auto corners = randomCorners(random, 1.0);
         tree.add(corners, 7);
         tree.build();
         for (int i = 0; i < 5; ++i)
@@ -90,7 +90,7 @@ TEST(TriangleTree, FindsTheNearestOfMany)
         const unsigned int count = 1 + random.below(random.chance(0.3) ? 2000 : 30);
         for (unsigned int i = 0; i < count; ++i)
         {
-            auto corners = randomTriangle(random, unit);
+            auto corners = randomCorners(random, unit);
             for (auto &corner : corners)
                 corner += offset;
             tree.add(corners, i);

@@ -1,12 +1,12 @@
 #include "KdTreeSpaces.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 #include "support/RandomStates.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>

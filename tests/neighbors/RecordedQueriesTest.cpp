@@ -2,13 +2,13 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
+#include "support/IterationLimit.h"
 #include "support/Random.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalState.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>

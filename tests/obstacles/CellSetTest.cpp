@@ -12,7 +12,7 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    constexpr std::int32_t HALF = 20;
+    constexpr std::int32_t REACH = 20;
     constexpr double SIZE = 0.25;
 
     using Cells = std::set<std::array<std::int32_t, 3>>;
@@ -40,7 +40,7 @@ namespace
         CellBox box;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            box.low[axis] = static_cast<std::int32_t>(random.below(2 * HALF)) - HALF;
+            box.low[axis] = static_cast<std::int32_t>(random.below(2 * REACH)) - REACH;
             box.high[axis] = box.low[axis] + 1 + static_cast<std::int32_t>(random.below(random.chance(0.5) ? 3 : 18));
         }
         if (dimension == 2)
@@ -86,7 +86,7 @@ namespace
             ASSERT_EQ(found, cells);
             for (int i = 0; i < 20; ++i)
             {
-                const Eigen::Vector3d point = random.point(dimension, random.logUniform(0.1, 4.0) * SIZE * HALF);
+                const Eigen::Vector3d point = random.point(dimension, random.logUniform(0.1, 4.0) * SIZE * REACH);
                 const double clearance = obstacles.clearance(point), expected = fresh.clearance(point);
                 // Within cells it depends on how they are joined.
                 ASSERT_EQ(std::max(clearance, 0.0), std::max(expected, 0.0));
@@ -102,7 +102,7 @@ namespace
                 const double limited = obstacles.clearanceUpTo(point, most);
                 ASSERT_TRUE(clearance < most ? std::abs(limited - clearance) < 1e-12 : limited >= most - 1e-12);
                 const Body body = bodyAmongCells(random, dimension, SIZE);
-                const Pose pose = random.pose(dimension, 1.2 * SIZE * HALF);
+                const Pose pose = random.pose(dimension, 1.2 * SIZE * REACH);
                 ObstaclePart hit = NO_PART;
                 const bool collides = fresh.collides(body, pose);
                 ASSERT_EQ(obstacles.collides(body, pose), collides);
@@ -167,7 +167,7 @@ TEST_P(CellSets, TellWhichClearancesMayChange)
             const CellObstacles fresh(SIZE, boxesOf(mirror), GetParam());
             for (int i = 0; i < 200; ++i)
             {
-                Eigen::Vector3d point = random.point(GetParam(), 1.2 * SIZE * HALF);
+                Eigen::Vector3d point = random.point(GetParam(), 1.2 * SIZE * REACH);
                 if (const auto inside = dynamic_cast<const CellObstacles &>(*before).getBoxes();
                     !inside.empty() && i % 2 == 0)
                 {

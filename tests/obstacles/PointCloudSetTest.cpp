@@ -49,9 +49,9 @@ namespace
     }
 
     /** Obstacles that a set made, and those of the same points made anew */
-    struct Version
+    struct CloudVersion
     {
-        Version(ObstaclesPtr fromSet, const Points &thePoints, unsigned int dimension)
+        CloudVersion(ObstaclesPtr fromSet, const Points &thePoints, unsigned int dimension)
           : made(std::move(fromSet)), points(sorted(thePoints)), fresh(PointCloud{thePoints, RADIUS}, dimension)
         {
         }
@@ -129,7 +129,7 @@ TEST(PointCloudSet, MakesTheObstaclesOfItsPoints)
         const unsigned int dimension = 2 + seed % 2;
         PointCloudSet set(RADIUS, dimension);
         Points mirror;
-        std::deque<Version> versions;
+        std::deque<CloudVersion> versions;
         versions.emplace_back(set.takeChange().after, mirror, dimension);
         for (int round = 0; round < 25; ++round)
         {
@@ -145,7 +145,7 @@ TEST(PointCloudSet, MakesTheObstaclesOfItsPoints)
             ASSERT_EQ(change.removed == nullptr, pointsOf(change.removed).empty());
         }
         // What was made before has not changed.
-        for (const Version &version : versions)
+        for (const CloudVersion &version : versions)
             ASSERT_NO_FATAL_FAILURE(version.expectEquality(random));
     }
 }

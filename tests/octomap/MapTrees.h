@@ -3,10 +3,10 @@
 
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 
 namespace ompl_certificates
 {

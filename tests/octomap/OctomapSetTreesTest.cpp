@@ -15,7 +15,7 @@ namespace ob = ompl::base;
 
 namespace
 {
-    constexpr double RESOLUTION = 0.2;
+    constexpr double CELL_SIZE = 0.2;
 
     OctomapOptions optionsFor(unsigned int dimension)
     {
@@ -35,7 +35,7 @@ TEST(OctomapSetTrees, AreThoseOfAFreshMap)
             SCOPED_TRACE("seed " + std::to_string(seed) + ", dimension " + std::to_string(dimension));
             Random random(seed);
             const auto team = teamFor(dimension);
-            const auto map = randomMap(random, RESOLUTION);
+            const auto map = randomMap(random, CELL_SIZE);
             OctomapSet set(*map, optionsFor(dimension));
             const Checkers changed(team, set.takeChange().after);
             for (const auto &setup : changed.certified())
@@ -74,7 +74,7 @@ TEST(OctomapSetThreads, SeeOneMapOrTheOther)
             SCOPED_TRACE("seed " + std::to_string(seed) + ", dimension " + std::to_string(dimension));
             Random random(seed);
             const auto team = teamFor(dimension);
-            const auto map = randomMap(random, RESOLUTION);
+            const auto map = randomMap(random, CELL_SIZE);
             OctomapSet set(*map, optionsFor(dimension));
             TeamSetup setup(team, set.takeChange().after);
             const auto checker = setup.getTeamChecker();

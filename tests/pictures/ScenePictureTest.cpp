@@ -26,9 +26,9 @@ namespace ompl_certificates
             "[7, 3, 1]}]\n";
 
         /** The scene and a path from its start over \e middle to its goal */
-        struct Planned
+        struct PlannedPath
         {
-            Planned(const std::string &text, std::vector<double> middle) : scene(sceneFromYaml(text, "scene"))
+            PlannedPath(const std::string &text, std::vector<double> middle) : scene(sceneFromYaml(text, "scene"))
             {
                 setup = scene.makeSetup();
                 setup->setup();
@@ -75,7 +75,7 @@ namespace ompl_certificates
         TEST(ScenePicture, NumbersShowWhereRobotsAreAtEqualTimes)
         {
             // The motions take as long as the robot that goes farther: 30 for the near one, then 60 for the far one.
-            const Planned planned(PLANE, {20, 20, 30, 40});
+            const PlannedPath planned(PLANE, {20, 20, 30, 40});
             ScenePicture picture(planned.scene);
             picture.setPath(*planned.path);
             const std::string svg = picture.toSvg();
@@ -98,7 +98,7 @@ namespace ompl_certificates
 
         TEST(ScenePicture, TheLegendTellsWhatIsDrawn)
         {
-            const Planned planned(PLANE, {20, 20, 30, 40});
+            const PlannedPath planned(PLANE, {20, 20, 30, 40});
             ScenePicture picture(planned.scene);
             for (const std::string text : {">equal times<", ">planner's tree<", ">certified free<"})
                 EXPECT_EQ(picture.toSvg().find(text), std::string::npos) << text;
@@ -114,7 +114,7 @@ namespace ompl_certificates
 
         TEST(ScenePicture, AxesHaveTicksAtRoundNumbers)
         {
-            const std::string svg = ScenePicture(Planned(PLANE, {20, 20, 30, 40}).scene).toSvg();
+            const std::string svg = ScenePicture(PlannedPath(PLANE, {20, 20, 30, 40}).scene).toSvg();
             for (const char *number : {"-10", "0", "10", "90"})
                 EXPECT_EQ(countOf(svg, "text-anchor='middle'>" + std::string(number) + "<"), 1u) << number;
             for (const char *number : {"0", "10", "50"})
@@ -126,7 +126,7 @@ namespace ompl_certificates
 
         TEST(ScenePicture, SpaceIsSeenFromThreeSidesAndObstaclesEndAtTheFrames)
         {
-            const std::string svg = ScenePicture(Planned(SPACE, {4, 2, 1.5}).scene).toSvg();
+            const std::string svg = ScenePicture(PlannedPath(SPACE, {4, 2, 1.5}).scene).toSvg();
             for (const std::string title : {"from above", "from the side", "from a corner"})
                 EXPECT_EQ(countOf(svg, ">" + title + "<"), 1u) << title;
             for (const std::string axis : {">x<", ">y<", ">z<"})
@@ -141,7 +141,7 @@ namespace ompl_certificates
 
         TEST(ScenePicture, CertificatesInThePlaneAreAllDrawnUnlessThereAreVeryMany)
         {
-            const Planned planned(PLANE, {20, 20, 30, 40});
+            const PlannedPath planned(PLANE, {20, 20, 30, 40});
             ScenePicture picture(planned.scene);
             const double scale = 7.2;  // pixels per unit of length
             const auto drawn = [&](std::size_t count)
@@ -158,7 +158,7 @@ namespace ompl_certificates
 
         TEST(ScenePicture, OfManyCertificatesInSpaceThoseAreDrawnThatAddToLargerOnes)
         {
-            const Planned planned(SPACE, {4, 2, 1.5});
+            const PlannedPath planned(SPACE, {4, 2, 1.5});
             ScenePicture picture(planned.scene);
             picture.setCertificates(
                 {{{1.0, 1.0, 1.0}, 0.25}, {{1.0, 1.0, 1.0}, 0.5}, {{1.2, 1.0, 1.0}, 0.3}, {{3.0, 1.0, 1.0}, 0.125}});

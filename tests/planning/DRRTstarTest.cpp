@@ -39,7 +39,7 @@ namespace
         setup.setOptimizationObjective(objective);
     }
 
-    std::vector<std::vector<double>> realsOf(og::PathGeometric &path)
+    std::vector<std::vector<double>> realsAlong(og::PathGeometric &path)
     {
         std::vector<std::vector<double>> reals(path.getStateCount());
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
@@ -185,7 +185,7 @@ TEST_F(DRRTstarTest, FindsEqualPathsUnderAllMethods)
             plannerFor(*setup);
             setup->setup();
             ASSERT_EQ(setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
-            const auto path = realsOf(setup->getSolutionPath());
+            const auto path = realsAlong(setup->getSolutionPath());
             if (first.empty())
                 first = path;
             EXPECT_EQ(path, first);

@@ -1,12 +1,12 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 
 #include <gtest/gtest.h>
 #include <map>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;

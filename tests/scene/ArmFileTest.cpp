@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/robots/CheckRobot.h"
+#include "support/ArmFiles.h"
 #include "support/ArmTexts.h"
 #include "support/Folder.h"
 #include "support/Message.h"
@@ -20,8 +21,6 @@ namespace ompl_certificates
 
     namespace
     {
-        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
-        const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
 
         Pose poseAtZero(const Arm &arm, const std::string &link)
         {

@@ -1,6 +1,7 @@
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "support/ArmFiles.h"
 #include "support/ArmTexts.h"
 #include "support/FclVerdicts.h"
 #include "support/Folder.h"
@@ -16,11 +17,9 @@ namespace ompl_certificates
 {
     namespace
     {
-        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
-        const std::string ROBOTS = OMPL_CERTIFICATES_SHARED_DIR "/robots/";
 
         /** A scene of the demo arm with \e keys */
-        Scene sceneWith(const std::string &keys, const std::string &end = "start: ready, goal: upright")
+        Scene sceneWithArm(const std::string &keys, const std::string &end = "start: ready, goal: upright")
         {
             return sceneFromYaml(
                 "environment: {min: [-1, -1, 0], max: [1, 1, 2]}\n"
@@ -35,11 +34,11 @@ namespace ompl_certificates
             return std::dynamic_pointer_cast<const Arm>(scene.getMembers().front().robot);
         }
 
-        std::string messageOf(const std::string &keys, const std::string &end = "start: ready, goal: upright")
+        std::string messageAboutArm(const std::string &keys, const std::string &end = "start: ready, goal: upright")
         {
             try
             {
-                sceneWith(keys, end);
+                sceneWithArm(keys, end);
             }
             catch (const ompl::Exception &exception)
             {
@@ -60,30 +59,30 @@ namespace ompl_certificates
 
     TEST(ArmScene, ReadsStatesByNameListAndMap)
     {
-        const Scene scene = sceneWith("", "start: ready, goal: [0.1, 0.2, 0.3, 0.4, 0.5, 7]");
+        const Scene scene = sceneWithArm("", "start: ready, goal: [0.1, 0.2, 0.3, 0.4, 0.5, 7]");
         EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{0.0, -0.6, 1.9, 0.0, 0.3, 0.0}));
         EXPECT_NEAR(scene.getMembers()[0].goal[5], 7.0 - 2.0 * M_PI, 1e-12) << "a continuous joint";
-        const Scene other = sceneWith("",
-                                      "start: upright, goal: {flange: 1, waist: 2, elbow: 0.5, wrist_roll: 0, "
-                                      "wrist_bend: -0.5, shoulder_lift: 0.2}");
+        const Scene other = sceneWithArm("",
+                                         "start: upright, goal: {flange: 1, waist: 2, elbow: 0.5, wrist_roll: 0, "
+                                         "wrist_bend: -0.5, shoulder_lift: 0.2}");
         EXPECT_EQ(other.getMembers()[0].goal, (std::vector<double>{2.0, 0.2, 0.5, 0.0, -0.5, 1.0}));
     }
 
     TEST(ArmScene, ReadsBaseJointsAndAttachedBodies)
     {
-        const Eigen::Vector3d closed = fingerOf(sceneWith(""));
-        const auto open = fingerOf(sceneWith("states: {gripper: open}"));
+        const Eigen::Vector3d closed = fingerOf(sceneWithArm(""));
+        const auto open = fingerOf(sceneWithArm("states: {gripper: open}"));
         EXPECT_NEAR((open - closed).norm(), 0.035, 1e-12);
-        EXPECT_NEAR((fingerOf(sceneWith("joints: {finger: 0.02}")) - closed).norm(), 0.02, 1e-12);
-        EXPECT_NEAR((fingerOf(sceneWith("states: {gripper: open}, joints: {finger: 0.02}")) - closed).norm(), 0.02,
+        EXPECT_NEAR((fingerOf(sceneWithArm("joints: {finger: 0.02}")) - closed).norm(), 0.02, 1e-12);
+        EXPECT_NEAR((fingerOf(sceneWithArm("states: {gripper: open}, joints: {finger: 0.02}")) - closed).norm(), 0.02,
                     1e-12);
-        const Eigen::Vector3d turned =
-            fingerOf(sceneWith("base: {position: [1, 2, 3], rotation: {axis: [0, 0, 1], angle: 1.5707963267948966}}"));
+        const Eigen::Vector3d turned = fingerOf(
+            sceneWithArm("base: {position: [1, 2, 3], rotation: {axis: [0, 0, 1], angle: 1.5707963267948966}}"));
         EXPECT_TRUE(turned.isApprox(Eigen::Vector3d(1 - closed.y(), 2 + closed.x(), 3 + closed.z()), 1e-9));
-        const Scene carrying = sceneWith(
+        const Scene carrying = sceneWithArm(
             "attached: [{name: bar, link: palm, shape: {type: sphere, radius: 0.05}, "
             "position: [0, 0, 0.2], touch_links: [left_finger, right_finger]}]");
-        EXPECT_EQ(armOf(carrying)->getBodies().size(), armOf(sceneWith(""))->getBodies().size() + 1);
+        EXPECT_EQ(armOf(carrying)->getBodies().size(), armOf(sceneWithArm(""))->getBodies().size() + 1);
         const auto team = carrying.makeTeam();
         const auto start = carrying.makeStart(team);
         const auto poseOf = [&](const std::string &link)
@@ -95,8 +94,8 @@ namespace ompl_certificates
     {
         const auto notesOf = [](const std::string &touching)
         {
-            const Scene scene =
-                sceneWith("attached: [{name: ball, link: palm, shape: {type: sphere, radius: 0.2}" + touching + "}]");
+            const Scene scene = sceneWithArm("attached: [{name: ball, link: palm, shape: {type: sphere, radius: 0.2}" +
+                                             touching + "}]");
             std::string text;
             for (const std::string &note : scene.getNotes())
                 text += note;
@@ -167,7 +166,7 @@ namespace ompl_certificates
         };
         for (const auto &[keys, end, place, part] : cases)
         {
-            const std::string message = messageOf(keys, end);
+            const std::string message = messageAboutArm(keys, end);
             EXPECT_NE(message.find("test.yaml:3: " + place), std::string::npos) << message << " " << place;
             EXPECT_NE(message.find(part), std::string::npos) << message << " " << part;
         }
@@ -194,7 +193,7 @@ namespace ompl_certificates
 
     TEST(ArmScene, StatesInCollisionWithItselfAreRefused)
     {
-        const Scene scene = sceneWith("", "start: ready, goal: [0, 1.9, 2.5, 0, 1.8, 0]");
+        const Scene scene = sceneWithArm("", "start: ready, goal: [0, 1.9, 2.5, 0, 1.8, 0]");
         try
         {
             scene.validate();

@@ -13,7 +13,7 @@ namespace ompl_certificates
     TEST(MeshFile, RefusesWhatIsNoMesh)
     {
         const Folder folder;
-        struct Broken
+        struct BrokenMesh
         {
             const char *name;
             std::string content;
@@ -22,7 +22,7 @@ namespace ompl_certificates
         const std::string ply = PLY, header = ply.substr(0, ply.find("end_header") + 11);
         std::string nan = binaryStl(1, 1);
         nan.replace(84 + 3 * sizeof(float), sizeof(float), "\xFF\xFF\xFF\x7F", sizeof(float));
-        const Broken files[] = {
+        const BrokenMesh files[] = {
             {"empty.obj", "", "is empty"},
             {"empty.dae", "", "is empty"},
             {"words.obj", "this is not a mesh at all\n", "it has no triangles"},
@@ -107,7 +107,7 @@ namespace ompl_certificates
             {"mesh.txt", OBJ, "must end with .dae, .stl, .obj or .ply"},
             {"mesh", OBJ, "must end with .dae, .stl, .obj or .ply"},
         };
-        for (const Broken &broken : files)
+        for (const BrokenMesh &broken : files)
         {
             SCOPED_TRACE(broken.name);
             const std::string file = folder.write(broken.name, broken.content);

@@ -9,7 +9,7 @@ namespace ompl_certificates
     {
         using namespace test;
 
-        struct Broken
+        struct BrokenProblem
         {
             std::string text, message;
         };
@@ -21,7 +21,7 @@ namespace ompl_certificates
             const auto primitive = [&](const std::string &keys)
             { return object("primitives: [{" + keys + "}], primitive_poses: [{}]"); };
             const std::string place = "scene.yaml:3: world.collision_objects[0]";
-            const Broken all[]{
+            const BrokenProblem all[]{
                 {"world: [", "scene.yaml:1: not valid YAML"},
                 {"name: none\n", "scene.yaml:1: world: missing"},
                 {BALL + "wrold: 1\n", "scene.yaml:4: wrold: unknown key"},
@@ -94,7 +94,7 @@ namespace ompl_certificates
                         "false]]}\n",
                  "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that link 'tip' may touch"},
             };
-            for (const Broken &broken : all)
+            for (const BrokenProblem &broken : all)
             {
                 SCOPED_TRACE(broken.text);
                 EXPECT_EQ(messageOf(broken.text).substr(0, broken.message.size()), broken.message);
@@ -104,7 +104,7 @@ namespace ompl_certificates
         TEST_F(MoveItScene, BrokenRequestsAreRefused)
         {
             const std::string group = "group_name: arm\n";
-            const Broken all[]{
+            const BrokenProblem all[]{
                 {START + GOAL, "request.yaml:1: group_name: missing"},
                 {"group_name: leg\n" + START + GOAL, "request.yaml:1: group_name: "},
                 {group + START, "request.yaml:1: goal_constraints: missing"},
@@ -129,7 +129,7 @@ namespace ompl_certificates
                 {group + "start_state: {joint_state: {name: [turn], position: [0]}}\n" + GOAL,
                  "request.yaml:2: start_state: has no position of joint 'bend'"},
             };
-            for (const Broken &broken : all)
+            for (const BrokenProblem &broken : all)
             {
                 SCOPED_TRACE(broken.text);
                 EXPECT_EQ(messageOf(BALL, broken.text).substr(0, broken.message.size()), broken.message);

@@ -8,7 +8,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        struct Broken
+        struct BrokenScene
         {
             const char *name;
             const char *yaml;
@@ -21,7 +21,7 @@ namespace ompl_certificates
         const std::string TAIL = "\nrobots: [{type: single_integrator, start: [1, 1], goal: [2, 2]}]";
 
         /** Whole files */
-        const Broken FILES[] = {
+        const BrokenScene FILES[] = {
             {"Empty", "", "f.yaml: is empty"},
             {"Syntax", "environment: {min: [0, 0}\nrobots: []", "f.yaml:1: not valid YAML"},
             {"SyntaxLater", "name: x\nenvironment:\n  min: [0, 0]\n max: [1, 1]\n", "f.yaml:4: not valid YAML"},
@@ -44,7 +44,7 @@ namespace ompl_certificates
         };
 
         /** environment and what follows it, before TAIL */
-        const Broken ENVIRONMENTS[] = {
+        const BrokenScene ENVIRONMENTS[] = {
             {"MinAboveMax", "environment: {min: [0, 5], max: [9, 4]}",
              "f.yaml:1: environment.max[1]: must be above min"},
             {"MinIsMax", "environment: {min: [0, 0], max: [0, 9]}", "f.yaml:1: environment.max[0]: must be above min"},
@@ -82,7 +82,7 @@ namespace ompl_certificates
         };
 
         /** An obstacle */
-        const Broken OBSTACLES[] = {
+        const BrokenScene OBSTACLES[] = {
             {"NoType", "{center: [1, 1]}", ".type: missing"},
             {"UnknownType", "{type: blob, center: [1, 1]}", ".type: must be one of box, disc"},
             {"SphereInThePlane", "{type: sphere, center: [1, 1], radius: 1}", ".type: must be one of"},
@@ -119,7 +119,7 @@ namespace ompl_certificates
         };
 
         /** A robot in the plane */
-        const Broken ROBOTS[] = {
+        const BrokenScene PLANAR_ROBOTS[] = {
             {"NoType", "{start: [1, 1], goal: [2, 2]}", ".type: missing"},
             {"UnknownType", "{type: quadruped, start: [1, 1], goal: [2, 2]}", ".type: unknown type 'quadruped'"},
             {"TypeNoText", "{type: [a], start: [1, 1], goal: [2, 2]}", ".type: must be a text, not a list"},
@@ -167,7 +167,7 @@ namespace ompl_certificates
         };
 
         /** A robot in space */
-        const Broken ROBOTS_3D[] = {
+        const BrokenScene ROBOTS_3D[] = {
             {"PlanarType", "{type: car_first_order_0, start: [1, 1, 0], goal: [2, 2, 0]}",
              ".type: 'car_first_order_0' moves in"},
             {"Disc", "{type: rigid, space: R3, shape: {type: disc, radius: 1}, start: [1, 1, 1], goal: [2, 2, 2]}",
@@ -208,7 +208,7 @@ namespace ompl_certificates
 
     TEST(BrokenYaml, Files)
     {
-        for (const Broken &broken : FILES)
+        for (const BrokenScene &broken : FILES)
         {
             SCOPED_TRACE(broken.name);
             expectBroken(broken.yaml, broken.message);
@@ -217,7 +217,7 @@ namespace ompl_certificates
 
     TEST(BrokenYaml, Environments)
     {
-        for (const Broken &broken : ENVIRONMENTS)
+        for (const BrokenScene &broken : ENVIRONMENTS)
         {
             SCOPED_TRACE(broken.name);
             expectBroken(broken.yaml + TAIL, broken.message);
@@ -226,7 +226,7 @@ namespace ompl_certificates
 
     TEST(BrokenYaml, Obstacles)
     {
-        for (const Broken &broken : OBSTACLES)
+        for (const BrokenScene &broken : OBSTACLES)
         {
             SCOPED_TRACE(broken.name);
             expectBroken(
@@ -239,12 +239,12 @@ namespace ompl_certificates
 
     TEST(BrokenYaml, Robots)
     {
-        for (const Broken &broken : ROBOTS)
+        for (const BrokenScene &broken : PLANAR_ROBOTS)
         {
             SCOPED_TRACE(broken.name);
             expectBroken(HEAD + broken.yaml, "f.yaml:3: robots[0]" + std::string(broken.message));
         }
-        for (const Broken &broken : ROBOTS_3D)
+        for (const BrokenScene &broken : ROBOTS_3D)
         {
             SCOPED_TRACE(broken.name);
             expectBroken(HEAD_3D + broken.yaml, "f.yaml:3: robots[0]" + std::string(broken.message));

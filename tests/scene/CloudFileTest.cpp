@@ -1,4 +1,5 @@
 #include "support/Folder.h"
+#include "support/MeshTexts.h"
 #include "support/Message.h"
 
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
@@ -31,11 +32,6 @@ namespace ompl_certificates
             std::string bytes(numbers.size() * sizeof(float), '\0');
             std::memcpy(bytes.data(), numbers.data(), bytes.size());
             return bytes;
-        }
-
-        std::string with(std::string text, const std::string &old, const std::string &now)
-        {
-            return text.replace(text.find(old), old.size(), now);
         }
 
         const std::string SCENE =

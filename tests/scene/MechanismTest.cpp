@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "support/ArmFiles.h"
 #include "support/ArmTexts.h"
 #include "support/Checkers.h"
 #include "support/Folder.h"
@@ -18,17 +19,16 @@ namespace ompl_certificates
 
     namespace
     {
-        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
         const std::string TWIN = "  - {type: urdf, file: twin.urdf, srdf: twin.srdf, ";
         const std::string LEFT = TWIN + "name: left, group: left, start: ahead, goal: ahead",
                           RIGHT = TWIN + "name: right, group: right, start: ahead, goal: ahead";
 
-        Scene sceneOf(const std::string &robots, const std::string &source = ARMS + "test.yaml")
+        Scene mechanisms(const std::string &robots, const std::string &source = ARMS + "test.yaml")
         {
             return sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n" + robots, source);
         }
 
-        const Arm &armOf(const Scene &scene, std::size_t robot)
+        const Arm &mechanismOf(const Scene &scene, std::size_t robot)
         {
             return dynamic_cast<const Arm &>(*scene.getMembers().at(robot).robot);
         }
@@ -91,10 +91,10 @@ namespace ompl_certificates
         const Scene scene = loadScene(ARMS + "twin_team.yaml");
         EXPECT_NO_THROW(scene.validate());
         using Names = std::vector<std::string>;
-        EXPECT_EQ(linksOf(armOf(scene, 0)), (Names{"torso", "left_shoulder", "left_upper_arm", "left_forearm"}));
-        EXPECT_EQ(linksOf(armOf(scene, 1)), (Names{"right_shoulder", "right_upper_arm", "right_forearm"}));
+        EXPECT_EQ(linksOf(mechanismOf(scene, 0)), (Names{"torso", "left_shoulder", "left_upper_arm", "left_forearm"}));
+        EXPECT_EQ(linksOf(mechanismOf(scene, 1)), (Names{"right_shoulder", "right_upper_arm", "right_forearm"}));
         // The SRDF file disables seven of 21 pairs, two of those that are left between the parts.
-        const Arm &left = armOf(scene, 0), &right = armOf(scene, 1);
+        const Arm &left = mechanismOf(scene, 0), &right = mechanismOf(scene, 1);
         EXPECT_EQ(left.getBodyPairs().size(), 3u);
         EXPECT_EQ(right.getBodyPairs().size(), 1u);
         EXPECT_EQ(bodyPairsBetween(scene, 0, 1), 10u);
@@ -173,20 +173,21 @@ namespace ompl_certificates
     TEST(Mechanism, StandsOnOneBase)
     {
         const std::string there = ", base: {position: [0, 0, 0.5]}}\n";
-        const Scene scene = sceneOf(LEFT + there + RIGHT + there + TWIN +
-                                    "name: other, group: both, start: [0, 0, 0, 0, 0, 0], "
-                                    "goal: [0, 0, 0, 0, 0, 0]}\n");
-        EXPECT_EQ(armOf(scene, 0).getBodies().size() + armOf(scene, 1).getBodies().size(), 7u);
-        EXPECT_EQ(armOf(scene, 2).getBodies().size(), 7u) << "another mechanism";
+        const Scene scene = mechanisms(LEFT + there + RIGHT + there + TWIN +
+                                       "name: other, group: both, start: [0, 0, 0, 0, 0, 0], "
+                                       "goal: [0, 0, 0, 0, 0, 0]}\n");
+        EXPECT_EQ(mechanismOf(scene, 0).getBodies().size() + mechanismOf(scene, 1).getBodies().size(), 7u);
+        EXPECT_EQ(mechanismOf(scene, 2).getBodies().size(), 7u) << "another mechanism";
         EXPECT_EQ(bodyPairsBetween(scene, 0, 2), 28u);
         EXPECT_EQ(bodyPairsBetween(scene, 1, 2), 21u);
         // Parts of two mechanisms are checked in full, too.
-        const Scene four = sceneOf(LEFT + there + RIGHT + there + TWIN + "group: left, start: ahead, goal: ahead}\n" +
-                                   TWIN + "group: right, start: ahead, goal: ahead}\n");
+        const Scene four =
+            mechanisms(LEFT + there + RIGHT + there + TWIN + "group: left, start: ahead, goal: ahead}\n" + TWIN +
+                       "group: right, start: ahead, goal: ahead}\n");
         EXPECT_EQ(bodyPairsBetween(four, 0, 1), 10u);
         EXPECT_EQ(bodyPairsBetween(four, 0, 3), 12u);
         EXPECT_EQ(bodyPairsBetween(four, 2, 3), 10u);
-        EXPECT_FALSE(armOf(four, 0).isLike(armOf(four, 1)));
+        EXPECT_FALSE(mechanismOf(four, 0).isLike(mechanismOf(four, 1)));
     }
 
     TEST(Mechanism, SharesValuesOfJointsAndAttachedBodies)
@@ -210,15 +211,16 @@ namespace ompl_certificates
                    ", goal: " + state + (keys.empty() ? "" : ", ") + keys + "}\n";
         };
         const auto read = [&](const std::string &first, const std::string &second)
-        { return sceneOf(first + second, folder / "scene.yaml"); };
+        { return mechanisms(first + second, folder / "scene.yaml"); };
         const Scene scene =
             read(robotWith("l", "attached: [{name: bar, link: tool, shape: {type: sphere, radius: 0.05}}]"),
                  robotWith("r", "states: {u: high}"));
-        EXPECT_EQ(linksOf(armOf(scene, 0)), (std::vector<std::string>{"base", "lift", "a"}));
-        EXPECT_EQ(linksOf(armOf(scene, 1)), (std::vector<std::string>{"b", "tool", "bar"}));
+        EXPECT_EQ(linksOf(mechanismOf(scene, 0)), (std::vector<std::string>{"base", "lift", "a"}));
+        EXPECT_EQ(linksOf(mechanismOf(scene, 1)), (std::vector<std::string>{"b", "tool", "bar"}));
         const auto start = scene.makeStart(scene.makeTeam());
-        EXPECT_NEAR(armOf(scene, 0).getLinkPose(start->as<ob::CompoundState>()->components[0], "a").translation().z(),
-                    1.5, 1e-12);
+        EXPECT_NEAR(
+            mechanismOf(scene, 0).getLinkPose(start->as<ob::CompoundState>()->components[0], "a").translation().z(),
+            1.5, 1e-12);
         // Robots that drive are robots of their own, on whatever frame.
         const Scene driving = read(robotWith("m", "", "[0, 0, 0]"), robotWith("m", "", "[0.9, 0, 0]"));
         EXPECT_EQ(bodyPairsBetween(driving, 0, 1), 25u);

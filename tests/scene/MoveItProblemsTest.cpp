@@ -15,7 +15,7 @@ namespace ompl_certificates
         namespace fs = std::filesystem;
         namespace ob = ompl::base;
 
-        const fs::path ROBOTS = fs::path(OMPL_CERTIFICATES_SHARED_DIR) / "robots";
+        const fs::path PROBLEMS = fs::path(OMPL_CERTIFICATES_SHARED_DIR) / "robots";
 
         /** The problems of MotionBenchMaker for a robot */
         class MoveItProblems : public ::testing::TestWithParam<std::string>
@@ -23,11 +23,11 @@ namespace ompl_certificates
         protected:
             void SetUp() override
             {
-                if (!fs::is_directory(ROBOTS / GetParam()))
-                    GTEST_SKIP() << "there is no " << ROBOTS / GetParam();
-                const std::string description = (ROBOTS / GetParam() / GetParam()).string();
+                if (!fs::is_directory(PROBLEMS / GetParam()))
+                    GTEST_SKIP() << "there is no " << PROBLEMS / GetParam();
+                const std::string description = (PROBLEMS / GetParam() / GetParam()).string();
                 robot_ = std::make_unique<const ArmFile>(description + ".urdf", description + ".srdf");
-                for (const auto &family : fs::directory_iterator(ROBOTS / GetParam() / "problems"))
+                for (const auto &family : fs::directory_iterator(PROBLEMS / GetParam() / "problems"))
                     families_.push_back(family.path());
                 std::sort(families_.begin(), families_.end());
                 ASSERT_EQ(families_.size(), 7u);

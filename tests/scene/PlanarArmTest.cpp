@@ -13,22 +13,23 @@ namespace ompl_certificates
             "disc, radius: 0.3, center: [0.5, 0]}}]";
         const std::string STATES = "start: [0.5, 0, 0], goal: [1, 1, 1]";
 
-        Scene sceneWith(const std::string &robot, const std::string &bounds = "min: [-5, -5], max: [5, 5]")
+        Scene sceneWithPlanarArm(const std::string &robot, const std::string &bounds = "min: [-5, -5], max: [5, 5]")
         {
             return sceneFromYaml(
                 "environment: {" + bounds + ", obstacles: []}\nrobots:\n  - {type: arm, " + robot + "}\n", "f.yaml");
         }
 
-        const Arm &armOf(const Scene &scene)
+        const Arm &planarArmOf(const Scene &scene)
         {
             return dynamic_cast<const Arm &>(*scene.getMembers().front().robot);
         }
 
-        std::string messageOf(const std::string &robot, const std::string &bounds = "min: [-5, -5], max: [5, 5]")
+        std::string messageAboutPlanarArm(const std::string &robot,
+                                          const std::string &bounds = "min: [-5, -5], max: [5, 5]")
         {
             try
             {
-                sceneWith(robot, bounds).validate();
+                sceneWithPlanarArm(robot, bounds).validate();
             }
             catch (const ompl::Exception &exception)
             {
@@ -39,8 +40,8 @@ namespace ompl_certificates
 
         TEST(PlanarArm, LinksHangTogether)
         {
-            const Scene scene = sceneWith(LINKS + ", base: {center: [1, 2], angle: 0.25}, " + STATES);
-            const Arm &arm = armOf(scene);
+            const Scene scene = sceneWithPlanarArm(LINKS + ", base: {center: [1, 2], angle: 0.25}, " + STATES);
+            const Arm &arm = planarArmOf(scene);
             EXPECT_EQ(arm.getWorkspaceDimension(), 2u);
             EXPECT_EQ(arm.getGroup(), (std::vector<std::string>{"joint_1", "joint_2", "joint_3"}));
             ASSERT_EQ(arm.getBodies().size(), 3u);
@@ -65,7 +66,7 @@ namespace ompl_certificates
 
         TEST(PlanarArm, AnglesWithoutLimitsAreWrapped)
         {
-            const Scene scene = sceneWith(LINKS + ", start: [2, 7, -7], goal: [0, 0, 0]");
+            const Scene scene = sceneWithPlanarArm(LINKS + ", start: [2, 7, -7], goal: [0, 0, 0]");
             const auto &start = scene.getMembers().front().start;
             EXPECT_EQ(start[0], 2.0);
             EXPECT_NEAR(start[1], 7.0 - 2.0 * M_PI, 1e-12);
@@ -75,8 +76,9 @@ namespace ompl_certificates
         TEST(PlanarArm, LinksThatAreNotNeighborsCollideUnlessTheyMay)
         {
             const std::string folded = "start: [0, 2.9, 2.9], goal: [0, 0, 0]";
-            EXPECT_NE(messageOf(LINKS + ", " + folded).find("of 'robot_0' collides with itself"), std::string::npos);
-            EXPECT_EQ(messageOf(LINKS + ", self_collision: false, " + folded), "");
+            EXPECT_NE(messageAboutPlanarArm(LINKS + ", " + folded).find("of 'robot_0' collides with itself"),
+                      std::string::npos);
+            EXPECT_EQ(messageAboutPlanarArm(LINKS + ", self_collision: false, " + folded), "");
         }
 
         TEST(PlanarArm, NamesWhatIsWrong)
@@ -102,8 +104,8 @@ namespace ompl_certificates
                 {LINKS + ", self_collision: 1, " + STATES, place + ".self_collision: must be true or false, not 1"},
             };
             for (const auto &[robot, message] : all)
-                EXPECT_EQ(messageOf(robot).substr(0, message.size()), message);
-            EXPECT_EQ(messageOf(LINKS + ", " + STATES, "min: [-5, -5, 0], max: [5, 5, 1]"),
+                EXPECT_EQ(messageAboutPlanarArm(robot).substr(0, message.size()), message);
+            EXPECT_EQ(messageAboutPlanarArm(LINKS + ", " + STATES, "min: [-5, -5, 0], max: [5, 5, 1]"),
                       place + ".type: 'arm' moves in the plane; the scene has 3 dimensions");
         }
 

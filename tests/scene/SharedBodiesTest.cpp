@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "support/ArmFiles.h"
 #include "support/Folder.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        const std::string ARMS = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
-
         /** Expect that the bodies of an arm are in memory those that another arm has first. */
         void expectShared(const Robot &first, const Robot &second)
         {

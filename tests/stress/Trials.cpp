@@ -1,13 +1,13 @@
 #include "Changes.h"
 #include "Compare.h"
 
+#include "support/IterationLimit.h"
 #include "support/RandomStates.h"
 
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>

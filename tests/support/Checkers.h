@@ -12,6 +12,9 @@ namespace ompl_certificates
 {
     namespace test
     {
+        /** \brief The methods with certificates */
+        inline const std::vector<Method> CERTIFIED{Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION};
+
         /** \brief All methods for one team among the same obstacles, FCL alone first */
         struct Checkers
         {

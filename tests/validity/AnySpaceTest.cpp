@@ -1,4 +1,5 @@
 #include "support/ErrorsOnly.h"
+#include "support/IterationLimit.h"
 #include "support/Teams.h"
 
 #include "ompl_certificates/validity/Basic.h"
@@ -16,7 +17,6 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/base/spaces/WrapperStateSpace.h>
 #include <ompl/base/spaces/constraint/ProjectedStateSpace.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>

@@ -11,8 +11,6 @@ namespace ob = ompl::base;
 
 namespace
 {
-    const std::vector<Method> CERTIFIED{Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION};
-
     TeamSetupPtr continuousSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                                  double resolution)
     {

@@ -16,8 +16,6 @@ namespace og = ompl::geometric;
 
 namespace
 {
-    const std::vector<Method> CERTIFIED{Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION};
-
     /** A box that turns among 25 turned boxes */
     TeamStateSpacePtr boxTeam()
     {

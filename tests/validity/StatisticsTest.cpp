@@ -1,10 +1,10 @@
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
+#include "support/IterationLimit.h"
 
 #include <atomic>
 #include <chrono>
 #include <gtest/gtest.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Console.h>
 #include <thread>

@@ -1,3 +1,4 @@
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 #include "support/Teams.h"
 
@@ -6,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
@@ -18,7 +18,7 @@ namespace og = ompl::geometric;
 
 namespace
 {
-    constexpr unsigned int KINDS = 4;
+    constexpr unsigned int METRICS = 4;
 
     TeamStateSpacePtr teamOf(unsigned int kind)
     {
@@ -185,7 +185,7 @@ TEST_P(SumMetric, GrowsTheTreesOfRrtConnectInACompoundStateSpace)
     expectEqualTrees<og::RRTConnect>();
 }
 
-INSTANTIATE_TEST_SUITE_P(Kind, SumMetric, testing::Range(0U, KINDS));
+INSTANTIATE_TEST_SUITE_P(Kind, SumMetric, testing::Range(0U, METRICS));
 
 TEST(SumMetric, IsNotTheDefault)
 {

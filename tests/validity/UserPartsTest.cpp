@@ -117,7 +117,7 @@ namespace
         return team;
     }
 
-    struct Counts
+    struct OwnCounts
     {
         unsigned int states{0}, valid{0}, validMotions{0};
 
@@ -130,7 +130,7 @@ namespace
         }
     };
 
-    void expectEqualVerdicts(Random &random, const Checkers &checkers, Counts &counts)
+    void expectEqualVerdicts(Random &random, const Checkers &checkers, OwnCounts &counts)
     {
         auto from = randomState(random, checkers.team);
         for (unsigned int i = 0; i < 100; ++i)
@@ -165,7 +165,7 @@ class UserParts : public ErrorsOnly<unsigned int>
 
 TEST_P(UserParts, ObstaclesWithALowerBoundOnlyGiveEqualVerdicts)
 {
-    Counts counts;
+    OwnCounts counts;
     for (unsigned int seed = 0; seed < scaled(10); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Kind, UserParts, testing::Range(0U, TEAMS));
 TEST(UserRobot, GivesEqualVerdicts)
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-    Counts counts;
+    OwnCounts counts;
     for (unsigned int seed = 0; seed < scaled(10); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
