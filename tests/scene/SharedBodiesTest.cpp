@@ -7,6 +7,8 @@
 
 namespace ompl_certificates
 {
+    using namespace test;
+
     namespace
     {
         /** Expect that the bodies of an arm are in memory those that another arm has first. */
