@@ -28,7 +28,6 @@
 #include "ompl_certificates/validity/CertificateFile.h"
 
 #include <cstdio>
-#include <iostream>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -136,36 +135,23 @@ namespace
     void write(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
                const ob::PlannerData &tree)
     {
-        std::string failures;
-        const auto attempt = [&failures](const std::string &file, const auto &writeFile)
-        {
-            if (!file.empty())
-                try
-                {
-                    writeFile(file);
-                }
-                catch (const std::exception &exception)
-                {
-                    failures += (failures.empty() ? "" : "; ") + std::string(exception.what());
-                }
-        };
-        attempt(options.savedCertificates,
-                [&](const std::string &file) { saveCertificates(*setup.getTeamChecker(), file); });
-        attempt(options.report, [&](const std::string &file) { demos::writeOutput(file, report.toJson()); });
+        demos::Outputs outputs;
+        outputs.attempt(options.savedCertificates,
+                        [&](const std::string &file) { saveCertificates(*setup.getTeamChecker(), file); });
+        outputs.attempt(options.report, [&](const std::string &file) { demos::writeOutput(file, report.toJson()); });
         // An approximate path looks like any other in a file, and would be taken for a solution.
         if (report.solved)
         {
-            attempt(options.path,
-                    [&](const std::string &file) { demos::writeOutput(file, toCsv(setup.getSolutionPath())); });
-            attempt(options.animation, [&](const std::string &file)
-                    { demos::writeOutput(file, PlanAnimation(scene, setup.getSolutionPath()).toSvg()); });
+            outputs.attempt(options.path,
+                            [&](const std::string &file) { demos::writeOutput(file, toCsv(setup.getSolutionPath())); });
+            outputs.attempt(options.animation, [&](const std::string &file)
+                            { demos::writeOutput(file, PlanAnimation(scene, setup.getSolutionPath()).toSvg()); });
         }
-        attempt(options.picture,
-                [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
-        attempt(options.view, [&](const std::string &file)
-                { demos::writeOutput(file, demos::planPage(scene, setup, report, tree)); });
-        if (!failures.empty())
-            throw ompl::Exception(failures);
+        outputs.attempt(options.picture,
+                        [&](const std::string &file) { demos::writeOutput(file, drawn(options, scene, setup, tree)); });
+        outputs.attempt(options.view, [&](const std::string &file)
+                        { demos::writeOutput(file, demos::planPage(scene, setup, report, tree)); });
+        outputs.finish();
     }
 
     /** The scene; a planning scene of MoveIt needs the files of --request, --urdf and --srdf. */
@@ -222,8 +208,7 @@ namespace
             loadCertificates(*setup->getTeamChecker(), options.loadedCertificates);
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
-            for (const std::string &note : scene.getNotes())
-                std::cout << "note: " << note << std::endl;
+            demos::printNotes(scene);
 
         if (options.dryRun)
         {

@@ -118,6 +118,8 @@ namespace demos
         setup.setup();
         setup.getStatistics().reset();
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
+        if (!options.quiet)
+            printNotes(scene);
         if (options.dryRun)
         {
             printTask(options, scene, *setup.getPlanner());
@@ -144,14 +146,16 @@ namespace demos
                 std::printf("no path was written to %s\n", options.path.c_str());
         }
         std::fflush(stdout);
-        if (!options.report.empty())
-            writeOutput(options.report, report.toJson());
-        if (report.solved && !options.path.empty())
-            writeOutput(options.path, toCsv(setup.getSolutionPath()));
-        if (!options.picture.empty())
-            writeOutput(options.picture, drawn(options, scene, setup, tree));
-        if (!options.view.empty())
-            writeOutput(options.view, planPage(scene, setup, report, tree));
+        Outputs outputs;
+        outputs.attempt(options.report, [&](const std::string &file) { writeOutput(file, report.toJson()); });
+        if (report.solved)
+            outputs.attempt(options.path,
+                            [&](const std::string &file) { writeOutput(file, toCsv(setup.getSolutionPath())); });
+        outputs.attempt(options.picture,
+                        [&](const std::string &file) { writeOutput(file, drawn(options, scene, setup, tree)); });
+        outputs.attempt(options.view,
+                        [&](const std::string &file) { writeOutput(file, planPage(scene, setup, report, tree)); });
+        outputs.finish();
         return report.solved ? SOLVED : NOT_SOLVED;
     }
 }

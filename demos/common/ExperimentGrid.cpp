@@ -6,6 +6,7 @@
 #include "common/PlannerFactory.h"
 #include "generators/RandomPolygons.h"
 
+#include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
@@ -75,6 +76,17 @@ namespace demos
             return at(node, [&] { return generators::randomPolygons(settings); });
         }
 
+        /** What its file does not say: it may name others, with meshes or maps. */
+        std::string shapesOf(const Scene &scene)
+        {
+            std::vector<PlacedBody> bodies;
+            for (const Scene::Member &member : scene.getMembers())
+                for (const Body &body : member.robot->getBodies())
+                    bodies.push_back({body});
+            return std::to_string(scene.makeObstacles()->getFingerprint()) + ' ' +
+                   std::to_string(FclObstacles(bodies, scene.getDimension()).getFingerprint());
+        }
+
         ExperimentGrid::Workspace readWorkspace(const GridNode &node, const fs::path &folder, std::string &hashed)
         {
             node.allow({"name", "file", "random_polygons", "robots"});
@@ -97,6 +109,7 @@ namespace demos
                 const std::string path = (folder / file.text()).lexically_normal().string();
                 hashed += at(file, [&] { return readFile(path); }) + '\0';
                 workspace.scene = at(file, [&] { return std::make_shared<Scene>(loadScene(path)); });
+                hashed += at(file, [&] { return shapesOf(*workspace.scene); }) + '\0';
                 workspace.name = workspace.scene->getName();
                 for (char &c : workspace.name)
                     if (std::isalnum(static_cast<unsigned char>(c)) == 0)

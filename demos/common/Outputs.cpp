@@ -94,4 +94,10 @@ namespace demos
             done += written < 0 ? 0 : static_cast<std::size_t>(written);
         }
     }
+
+    void Outputs::finish() const
+    {
+        if (!failures_.empty())
+            throw ompl::Exception(failures_);
+    }
 }

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_OUTPUTS_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_OUTPUTS_
 
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,34 @@ namespace demos
     /** \brief Write \e text to \e file with writeFile(), or to standard output if it is -
         \throws ompl::Exception that names the file if it cannot be written */
     void writeOutput(const std::string &file, const std::string &text);
+
+    /** \brief Files that are written one after another: one that cannot be written does not keep the others from it. */
+    class Outputs
+    {
+    public:
+        /** \brief Write \e file by \e writeFile, unless it has no name */
+        template <typename WriteFile>
+        void attempt(const std::string &file, const WriteFile &writeFile)
+        {
+            if (file.empty())
+                return;
+            try
+            {
+                writeFile(file);
+            }
+            catch (const std::exception &exception)
+            {
+                failures_ += (failures_.empty() ? "" : "; ") + std::string(exception.what());
+            }
+        }
+
+        /** \brief Tell of all that failed
+            \throws ompl::Exception if anything has */
+        void finish() const;
+
+    private:
+        std::string failures_;
+    };
 }
 
 #endif

@@ -15,6 +15,13 @@ namespace demos
         }
     }
 
+    void printNotes(const Scene &scene)
+    {
+        for (const std::string &note : scene.getNotes())
+            std::printf("note: %s\n", note.c_str());
+        std::fflush(stdout);
+    }
+
     void print(const PlanReport &report, const TeamSetup &setup)
     {
         const CheckCounts &checks = report.checks;

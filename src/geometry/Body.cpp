@@ -1,6 +1,7 @@
 #include "ompl_certificates/geometry/Body.h"
 
 #include "ConvexCover.h"
+#include "RigidPose.h"
 #include "SphereTreeBuilder.h"
 
 #include <algorithm>
@@ -177,8 +178,7 @@ namespace ompl_certificates
         {
             if (part.shape.getDimension() != parts.front().shape.getDimension())
                 throw ompl::Exception("A body is made of planar shapes or of spatial ones, not of both");
-            if (!part.pose.matrix().allFinite())
-                throw ompl::Exception("The pose of a body's shape must be finite");
+            part.pose = rigidPose(part.pose, "a body's shape");
             if (!part.shape.snapToPlane(part.pose))
                 throw ompl::Exception("A planar shape turns about the z axis only, and is at z = 0 if it is no mesh");
         }

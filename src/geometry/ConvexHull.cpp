@@ -17,7 +17,11 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr const char *NO_VOLUME = "The points of a polytope span no volume";
+        constexpr const char *NO_VOLUME =
+            "The points of a polytope span no volume, or it is thinner than 3e-7 of its extent";
+
+        /** Thinner hulls could lack a face: it takes neighbors for points of its plane. Relative to the extent */
+        constexpr double THINNEST = 3e-7;
 
         double distanceToFace(const ConvexHull &hull, const ConvexHull::Face &face, const Eigen::Vector3d &point)
         {
@@ -250,8 +254,9 @@ namespace ompl_certificates
             Eigen::Vector3d inside_{Eigen::Vector3d::Zero()};
         };
 
-        ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double tolerance)
+        ConvexHull spatialHull(const std::vector<Eigen::Vector3d> &given, double extent)
         {
+            const double tolerance = 1e-10 * extent;
             const std::vector<Eigen::Vector3d> points = distinct(given, tolerance);
             ConvexHull hull;
             hull.faces = FaceSearch(points, tolerance).run();
@@ -267,12 +272,11 @@ namespace ompl_certificates
                     }
                     vertex = newIndex[vertex];
                 }
-            // Of points so near to one plane the tolerance could take the wrong ones for those in it.
             const auto isThin = [&](const ConvexHull::Face &face)
             {
                 return std::all_of(points.begin(), points.end(),
                                    [&](const Eigen::Vector3d &point)
-                                   { return face.normal.dot(point) - face.offset > -10.0 * tolerance; });
+                                   { return face.normal.dot(point) - face.offset > -THINNEST * extent; });
             };
             if (hull.faces.size() < 4 || std::any_of(hull.faces.begin(), hull.faces.end(), isThin))
                 throw ompl::Exception(NO_VOLUME);
@@ -321,6 +325,6 @@ namespace ompl_certificates
         }
         if (dimension == 2)
             return planarHull(points, 1e-12 * box.sizes().head<2>().squaredNorm());
-        return spatialHull(points, 1e-10 * box.diagonal().norm());
+        return spatialHull(points, box.diagonal().norm());
     }
 }

@@ -7,6 +7,7 @@
 #include "Fingerprint.h"
 #include "PlanarCheck.h"
 #include "SpatialCheck.h"
+#include "geometry/RigidPose.h"
 
 #include <algorithm>
 #include <ompl/util/Exception.h>
@@ -45,11 +46,10 @@ namespace ompl_certificates
                 if (body.getDimension() != dimension)
                     throw ompl::Exception("An obstacle has " + std::to_string(body.getDimension()) +
                                           " dimensions, its workspace " + std::to_string(dimension));
-                if (!pose.matrix().allFinite())
-                    throw ompl::Exception("The pose of an obstacle must be finite");
+                const Pose rigid = rigidPose(pose, "an obstacle");
                 for (const auto &part : body.getParts())
                 {
-                    Pose partPose = pose * part.pose;
+                    Pose partPose = rigid * part.pose;
                     if (!part.shape.snapToPlane(partPose))
                         throw ompl::Exception(
                             "An obstacle of a planar workspace must stand upright, and at z = 0 if it is no "

@@ -36,9 +36,9 @@ namespace ompl_certificates
 
         bool isBeginning(const std::string &a, const std::string &b)
         {
-            constexpr std::size_t SHORTEST = 4;
+            constexpr std::size_t SHORTEST_BEGINNING = 4;
             const std::size_t length = std::min(a.size(), b.size());
-            return length >= SHORTEST && a.compare(0, length, b, 0, length) == 0;
+            return length >= SHORTEST_BEGINNING && a.compare(0, length, b, 0, length) == 0;
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/planners/cforest/CForestStateSpaceWrapper.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -124,7 +125,38 @@ namespace ompl_certificates
 
     ob::PlannerStatus TeamSetup::solve(double time)
     {
-        return SimpleSetup::solve(ob::timedPlannerTerminationCondition(time));
+        return solve(ob::timedPlannerTerminationCondition(time));
+    }
+
+    ob::PlannerStatus TeamSetup::solve(const ob::PlannerTerminationCondition &condition)
+    {
+        const ob::PlannerStatus status = SimpleSetup::solve(condition);
+        takePathsOfForest();
+        return status;
+    }
+
+    void TeamSetup::takePathsOfForest()
+    {
+        std::vector<ob::PlannerSolution> solutions = pdef_->getSolutions();
+        bool changed = false;
+        for (ob::PlannerSolution &solution : solutions)
+        {
+            const auto *path = dynamic_cast<const og::PathGeometric *>(solution.path_.get());
+            // Its states are those of the space that it wraps.
+            if (!path ||
+                !dynamic_cast<const ob::CForestStateSpaceWrapper *>(path->getSpaceInformation()->getStateSpace().get()))
+                continue;
+            const auto own = std::make_shared<og::PathGeometric>(si_);
+            for (std::size_t i = 0; i < path->getStateCount(); ++i)
+                own->append(path->getState(static_cast<unsigned int>(i)));
+            solution.path_ = own;
+            changed = true;
+        }
+        if (!changed)
+            return;
+        pdef_->clearSolutionPaths();
+        for (const ob::PlannerSolution &solution : solutions)
+            pdef_->addSolutionPath(solution);
     }
 
     void TeamSetup::setup()

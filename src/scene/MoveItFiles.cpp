@@ -246,6 +246,10 @@ namespace ompl_certificates
 
     bool isMoveItScene(const std::string &file)
     {
+        // A pipe can be read but once, by who reads the scene.
+        std::error_code error;
+        if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+            return false;
         const std::string text = readWholeFile(file);
         try
         {

@@ -26,6 +26,18 @@ namespace ompl_certificates
             }
         }
 
+        Body makeBox(const YamlNode &node, const std::vector<double> &size)
+        {
+            try
+            {
+                return size.size() == 2 ? Body::box(size[0], size[1]) : Body::box(size[0], size[1], size[2]);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                node.fail(exception.what());
+            }
+        }
+
         Body readHull(const YamlNode &node, unsigned int dimension)
         {
             const auto items = node.items(dimension + 1, MAX_HULL_POINTS);
@@ -85,7 +97,7 @@ namespace ompl_certificates
             {
                 allowKeys(node, dimension, {"size"});
                 const auto size = node.at("size").positives(dimension);
-                return place(planar ? Body::box(size[0], size[1]) : Body::box(size[0], size[1], size[2]));
+                return place(makeBox(node.at("size"), size));
             }
             if (type == (planar ? "disc" : "sphere"))
             {

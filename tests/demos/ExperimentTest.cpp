@@ -184,6 +184,22 @@ TEST(Experiment, refusesTheFolderOfAnotherGrid)
     EXPECT_EQ(runGrid(folder / "other.yaml", folder / "out", errors), 2);
     EXPECT_NE(errors.find("another grid"), std::string::npos) << errors;
     EXPECT_EQ(trialsOf(folder / "out"), before);
+    // What a scene names counts, too.
+    const std::string scene =
+                          "environment: {min: [0, 0, 0], max: [9, 9, 9], obstacles: [{type: mesh, file: block.obj}]}\n"
+                          "robots: [{type: rigid, space: R3, shape: {type: sphere, radius: 0.1}, start: [1, 1, 8], "
+                          "goal: [8, 8, 8]}]\n",
+                      corners = "v 2 2 2\nv 3 2 2\nv 2 3 2\nv 2 2 ", faces = "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    writeFile(folder / "scene.yaml", scene);
+    writeFile(folder / "block.obj", corners + "3" + faces);
+    writeFile(folder / "mesh.yaml",
+              "trials: 1\niterations: 10\ngoal: false\nscenes:\n  - file: scene.yaml\nplanners:\n"
+              "  - {planner: RRT}\n");
+    ASSERT_EQ(runGrid(folder / "mesh.yaml", folder / "meshes", errors), 0) << errors;
+    ASSERT_EQ(runGrid(folder / "mesh.yaml", folder / "meshes", errors), 0) << errors;
+    writeFile(folder / "block.obj", corners + "4" + faces);
+    EXPECT_EQ(runGrid(folder / "mesh.yaml", folder / "meshes", errors), 2);
+    EXPECT_NE(errors.find("a scene that has changed"), std::string::npos) << errors;
     std::filesystem::create_directory(folder / "full");
     writeFile(folder / "full/thesis.tex", "years of work");
     EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "full", errors), 2);

@@ -1,6 +1,8 @@
 #include "demos/Program.h"
 
+#include <csignal>
 #include <sstream>
+#include <sys/resource.h>
 
 namespace
 {
@@ -37,6 +39,27 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
         EXPECT_NE(contentOf(folder / "plan.html").find("</html>"), std::string::npos);
         EXPECT_NE(contentOf(folder / "report.json").find(std::string("\"") + motion + '"'), std::string::npos);
     }
+}
+
+TEST(PlanDynamicsTest, TellsOfAllFilesThatCannotBeWritten)
+{
+    // A limit on the size of files acts like a full disk, and the program inherits it.
+    const Folder folder;
+    rlimit before;
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{1024, before.rlim_max};
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    Program program("plan_team",
+                    {DOORWAY, "--dynamics", "--goal-tolerance", "3", "--time", "30", "--path", folder / "path.csv",
+                     "--picture", folder / "plan.svg", "--view", folder / "plan.html"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(program.wait(), 2);
+    const std::string errors = program.errors();
+    for (const char *file : {"plan.svg", "plan.html"})
+        EXPECT_NE(errors.find(folder / file + ": cannot be written"), std::string::npos) << errors;
+    EXPECT_GE(linesOf(folder / "path.csv").size(), 3u);
 }
 
 TEST(PlanDynamicsTest, RefusesBadInput)

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fcntl.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <thread>
 
 namespace
@@ -184,6 +186,36 @@ TEST_F(PlanTeam, writesOneFileToStandardOutput)
     Program view("plan_team", {scene(), "--planner", "RRTConnect", "--view", "-", "--quiet"});
     ASSERT_EQ(view.wait(), 0);
     EXPECT_NE(view.output().find("</html>"), std::string::npos);
+}
+
+TEST_F(PlanTeam, readsASceneFromAPipe)
+{
+    const std::string pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    Program program("plan_team", {pipe, "--planner", "RRTConnect"});
+    int end = -1;
+    for (int i = 0; i < 1000 && end < 0; ++i)
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        end = open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);  // once the program reads
+    }
+    ASSERT_GE(end, 0);
+    const std::string text = easyScene();
+    EXPECT_EQ(write(end, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    close(end);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+}
+
+TEST_F(PlanTeam, drawsThePathOfAForest)
+{
+    ASSERT_EQ(plan({scene(), "--planner", "CForest", "--time", "0.5", "--path", folder_ / "path.csv", "--picture",
+                    folder_ / "plan.svg", "--picture-tree", "--view", folder_ / "plan.html"}),
+              0)
+        << errors_;
+    const std::string forest = contentOf(folder_ / "path.csv");
+    ASSERT_EQ(plan({scene(), "--path", folder_ / "path.csv"}), 0) << errors_;
+    const std::string other = contentOf(folder_ / "path.csv");
+    EXPECT_EQ(forest.substr(0, forest.find('\n')), other.substr(0, other.find('\n')));
 }
 
 TEST_F(PlanTeam, namesTheFileThatDidNotFitOnTheDiskAndWritesTheOthers)

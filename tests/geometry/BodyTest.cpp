@@ -84,6 +84,23 @@ TEST(Body, RefusesNoPartsMixedPartsAndPosesThatAreNotFinite)
     EXPECT_THROW(Body({{disc, planarPose(std::numeric_limits<double>::infinity(), 0.0)}}), ompl::Exception);
 }
 
+TEST(Body, TakesRoundedRotationsForTrueOnes)
+{
+    Pose rounded = Pose::Identity();
+    rounded.linear() << 0.866, -0.5, 0.0, 0.5, 0.866, 0.0, 0.0, 0.0, 1.0;
+    const Pose pose =
+        Body({{Shape::polytope(3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), rounded}}).getParts()[0].pose;
+    EXPECT_LT((pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+    EXPECT_LT((pose.linear() - rounded.linear()).norm(), 1e-3);
+    const Pose exact = planarPose(1.0, 2.0, 0.3);
+    EXPECT_EQ(Body({{Body::disc(1.0).getParts()[0].shape, exact}}).getParts()[0].pose.matrix(), exact.matrix());
+    Pose larger = Pose::Identity(), mirror = Pose::Identity();
+    larger.linear() *= 1.01;
+    mirror.linear()(0, 0) = -1.0;
+    for (const Pose &bad : {larger, mirror})
+        EXPECT_THROW(Body({{Body::sphere(1.0).getParts()[0].shape, bad}}), ompl::Exception);
+}
+
 TEST(Body, RefusesPlanarPartsThatLeaveThePlane)
 {
     Pose lifted = Pose::Identity(), tilted = Pose::Identity();

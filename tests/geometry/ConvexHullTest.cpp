@@ -186,7 +186,8 @@ TEST(ConvexHull, IsRightOrRefusedForThinPointsAndFarFromTheOrigin)
         Random random(seed);
         const bool isFar = seed % 2 == 0;
         const Eigen::Vector3d center = random.direction(3) * (isFar ? 1e8 : 0.0);
-        const double thickness = isFar ? 1.0 : random.logUniform(1e-11, 1e-6);
+        const double thickness = isFar ? 1.0 : random.logUniform(1e-10, 1e-5);
+        const double rounding = isFar ? 1e-6 : 1e-9;
         const Eigen::Quaterniond turn = random.rotation();
         Points points, there;
         for (int i = 0; i < 12; ++i)
@@ -211,8 +212,8 @@ TEST(ConvexHull, IsRightOrRefusedForThinPointsAndFarFromTheOrigin)
             for (const auto &point : points)
                 nearest = std::min(nearest, (point - query).norm());
             const double distance = hull.signedDistance(query + center);
-            EXPECT_LE(distance, nearest + 1e-6);
-            EXPECT_GE(distance, farthestBeyond(points, 3, query) - 1e-6);
+            EXPECT_LE(distance, nearest + rounding);
+            EXPECT_GE(distance, farthestBeyond(points, 3, query) - rounding);
         }
     }
 }

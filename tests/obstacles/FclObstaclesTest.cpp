@@ -157,6 +157,29 @@ TEST(FclObstacles, RefuseAnotherDimensionAndPosesThatAreNotFinite)
     EXPECT_THROW(FclObstacles({{Body::disc(1.0), planarPose(std::nan(""), 0.0)}}, 2), ompl::Exception);
 }
 
+/** A cube is turned, and its rotation written with three decimals: all checks must mean the same cube. */
+TEST(FclObstacles, TakeRoundedRotationsForTrueOnes)
+{
+    Random random(1);
+    Pose pose = Pose::Identity();
+    pose.linear() = random.rotation().toRotationMatrix();
+    for (double &number : pose.linear().reshaped())
+        number = std::round(1e3 * number) / 1e3;
+    const FclObstacles cube({{Body::box(2.0, 2.0, 2.0), pose}}, 3);
+    const Body ball = Body::sphere(0.5);
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Pose place = poseAt(random.direction(3) * random.uniform(1.4, 2.4));
+        const double clearance = cube.clearance(place.translation());
+        if (std::abs(clearance - 0.5) > 1e-6)
+        {
+            ASSERT_EQ(cube.collides(ball, place), clearance < 0.5) << i;
+        }
+    }
+    pose.linear() *= 1.01;
+    EXPECT_THROW(FclObstacles({{Body::sphere(1.0), pose}}, 3), ompl::Exception);
+}
+
 TEST(FclObstacles, RefuseWhatLeavesThePlane)
 {
     const auto make = [](const Body &body, const Pose &pose) { FclObstacles({{body, pose}}, 2); };

@@ -220,13 +220,13 @@ TEST(MeshObstacles, AreMadeOfFclsModels)
     Pose pose = planarPose(1.0, 2.0, 0.5);
     pose.translation().z() = 3.0;
     const auto mesh = boxMesh({1, 2, 3});
-    using Objects = std::vector<std::shared_ptr<fcl::CollisionObjectd>>;
-    const Objects objects{std::make_shared<fcl::CollisionObjectd>(modelOf(*mesh), pose),
-                          std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::OBBd>(*mesh), pose)};
+    using Meshes = std::vector<std::shared_ptr<fcl::CollisionObjectd>>;
+    const Meshes objects{std::make_shared<fcl::CollisionObjectd>(modelOf(*mesh), pose),
+                         std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::OBBd>(*mesh), pose)};
     for (const unsigned int dimension : {2U, 3U})
         for (const auto &object : objects)
         {
-            const FclObstacles obstacles(Objects{object}, dimension);
+            const FclObstacles obstacles(Meshes{object}, dimension);
             ASSERT_EQ(obstacles.getBodies().size(), 1U);
             EXPECT_TRUE(obstacles.getBodies()[0].body == meshBody(dimension, mesh));
             EXPECT_TRUE(obstacles.getBodies()[0].pose.isApprox(pose));
@@ -237,7 +237,7 @@ TEST(MeshObstacles, AreMadeOfFclsModels)
     EXPECT_NO_THROW(FclObstacles{objects});
     EXPECT_THROW(FclObstacles(objects, 2), ompl::Exception);
     const auto boxes = std::make_shared<fcl::CollisionObjectd>(modelOf<fcl::AABBd>(*mesh), pose);
-    EXPECT_THROW(FclObstacles(Objects{boxes}), ompl::Exception);
+    EXPECT_THROW(FclObstacles(Meshes{boxes}), ompl::Exception);
 }
 
 TEST(MeshObstacles, InThePlaneAreCheckedAgainstPrismsThatAreHighEnough)

@@ -98,6 +98,9 @@ TEST(PlannersOnThreads, CForest)
     planner->setNumThreads(3);       // of RRT*
     planner->setFocusSearch(false);  // OMPL knows this for a few spaces of its own only
     plan.solveWith(planner, SECONDS);
+    // It plans in spaces that wrap the team's, of which pictures and files know nothing.
+    EXPECT_EQ(plan.setup->getSolutionPath().getSpaceInformation(), plan.si());
+    EXPECT_TRUE(plan.setup->getSolutionPath().check());
 }
 
 TEST(PlannersOnThreads, ParallelRRT)

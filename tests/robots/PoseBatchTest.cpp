@@ -90,7 +90,7 @@ TEST(PoseBatch, OfAnArmIsAsNearToItsPosesAsItSays)
 
 TEST(PoseBatch, OfOddNumbersHasOddNumbers)
 {
-    constexpr double INF = std::numeric_limits<double>::infinity();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     for (unsigned int seed = 1; seed <= 60; ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -102,7 +102,7 @@ TEST(PoseBatch, OfOddNumbersHasOddNumbers)
             trial[k].random();
         const std::size_t k = random.below(PoseBatch::SIZE);
         std::vector<double> reals = trial[k].reals();
-        const std::vector<double> odd{INF, -INF, std::nan("")};
+        const std::vector<double> odd{infinite, -infinite, std::nan("")};
         reals[random.below(reals.size())] = odd[random.below(3)];
         trial[k] = reals;
         trial.compute();

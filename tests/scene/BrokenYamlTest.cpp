@@ -184,6 +184,9 @@ namespace ompl_certificates
              "{type: rigid, space: R3, shape: {type: sphere, radius: 1, quaternion: [0, 0, 0, 1], "
              "rotation: {axis: [0, 0, 1], angle: 1}}, start: [1, 1, 1], goal: [2, 2, 2]}",
              ".shape.quaternion: give either"},
+            {"ThinBox",
+             "{type: rigid, space: R3, shape: {type: box, size: [1, 1, 1.0e-9]}, start: [1, 1, 1], goal: [2, 2, 2]}",
+             ".shape.size: The points of a polytope span no volume"},
             {"FlatPolytope",
              "{type: rigid, space: R3, shape: {type: polytope, vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], "
              "[1, 1, 0]]}, start: [1, 1, 1], goal: [2, 2, 2]}",

@@ -37,11 +37,13 @@ namespace ompl_certificates
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
         void setup() override;
 
-        using SimpleSetup::solve;
-
         /** \brief Plan for at most \e time seconds; see SimpleSetup. Returns when the planner has ended: OMPL's own
             function then waits for a thread of its own, up to a millisecond, which is longer than many plans take. */
         ompl::base::PlannerStatus solve(double time = 1.0) override;
+
+        /** \brief Plan until \e condition becomes true; see SimpleSetup. Paths are of this setup's space, those of
+            CForest, too, which plans in spaces of its own. */
+        ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief Simplify the solution with OMPL's PathSimplifier, then robot by robot with a TeamPathSimplifier, for
             at most \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises.
@@ -73,6 +75,9 @@ namespace ompl_certificates
     private:
         /** \brief Add \e path to the solutions, with its own cost: a later solve() then returns no worse one. */
         void noteCostOf(const ompl::geometric::PathGeometric &path);
+
+        /** \brief Make all solutions paths of this setup's space. */
+        void takePathsOfForest();
 
         /** \brief Simplify \e path step by step; undo a step whose path is invalid or not better. */
         void simplifyInSteps(ompl::geometric::PathGeometric &path,

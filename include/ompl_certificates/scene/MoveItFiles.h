@@ -8,7 +8,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Whether \e file is a planning scene of MoveIt in YAML, by its keys. Only if it can be read at all.
+    /** \brief Whether \e file is a planning scene of MoveIt in YAML, by its keys. A pipe is not, for it can
+        be read but once.
         \throws ompl::Exception if the file cannot be read */
     bool isMoveItScene(const std::string &file);
 
