@@ -280,7 +280,16 @@ namespace ompl_certificates
                                   std::to_string(certificate.point.z()));
         if (limit_ && !limit_->take())
             return NO_CERTIFICATE;
-        return store(certificate);
+        try
+        {
+            return store(certificate);
+        }
+        catch (...)
+        {
+            if (limit_)
+                limit_->give(1);
+            throw;
+        }
     }
 
     CertificateIndex CertificateTree::store(const Certificate &certificate)

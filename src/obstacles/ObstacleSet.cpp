@@ -70,13 +70,14 @@ namespace ompl_certificates
         for (const auto &[id, obstacle] : taken_)
             if (!isIn(obstacles_, id, obstacle.pose))
                 removed.push_back(obstacle);
-        taken_ = obstacles_;
+        std::map<Id, PlacedBody> taken = obstacles_;
         ObstacleChange change;
         change.after = make(all);
         if (!added.empty())
             change.added = make(added);
         if (!removed.empty())
             change.removed = make(removed);
+        taken_.swap(taken);
         return change;
     }
 }

@@ -181,8 +181,6 @@ namespace ompl_certificates
                             std::back_inserter(added), isPointBefore);
         std::set_difference(removed_.begin(), removed_.end(), inserted_.begin(), inserted_.end(),
                             std::back_inserter(removed), isPointBefore);
-        inserted_.clear();
-        removed_.clear();
         const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr
         {
             if (points.empty())
@@ -194,6 +192,8 @@ namespace ompl_certificates
             new PointCloudObstacles(std::make_unique<const PointForest>(std::move(layers)), radius_, dimension_));
         change.added = obstaclesOf(std::move(added));
         change.removed = obstaclesOf(std::move(removed));
+        inserted_.clear();
+        removed_.clear();
         return change;
     }
 }
