@@ -1,6 +1,7 @@
 #include "Checker.h"
 #include "Signals.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -62,7 +63,18 @@ namespace ompl_certificates_python
             constexpr double pi = boost::math::constants::pi<double>();
             for (const std::size_t i : checker_.angles_)
                 if (!(values[i] >= -pi && values[i] < pi))
-                    *addresses_[i] = std::remainder(values[i], 2.0 * pi);
+                {
+                    const double angle = std::remainder(values[i], 2.0 * pi);
+                    *addresses_[i] = angle < pi ? angle : -pi;
+                }
+            // OMPL takes no rounded quaternions, and Debian's aborts.
+            for (const std::size_t i : checker_.quaternions_)
+            {
+                const double length = Eigen::Map<const Eigen::Vector4d>(values + i).norm();
+                if (std::abs(length - 1.0) > 1e-10)
+                    for (std::size_t k = i; k < i + 4; ++k)
+                        *addresses_[k] = values[k] / length;
+            }
             return state_.get();
         }
 

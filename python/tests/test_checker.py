@@ -90,6 +90,16 @@ def test_angles_wrap_and_quaternions_have_length_one() -> None:
     with pytest.raises(oc.Error, match="^states: row 1: a quaternion must have length 1, not 2"):
         oc.Checker(space).is_valid([[1, 1, 1, 0, 0, 0, 1], [1, 1, 1, 0, 0, 0, 2]])
 
+    # Those of single precision are not quite of length 1, for which OMPL would end the program.
+    space.add_obstacle(oc.Body.box(3, 3, 3), (5, 5, 5))
+    poses = np.random.default_rng(1).normal(size=(200, 7))
+    poses[:, :3] = 5 + 2 * poses[:, :3]
+    poses[:, 3:] /= np.linalg.norm(poses[:, 3:], axis=1)[:, None]
+    rounded = poses.astype(np.float32).astype(float)
+    for motion in ("discrete", "continuous"):
+        free = oc.Checker(space, motion=motion).check_motions(rounded[:-1], rounded[1:])
+        assert 0 < free.sum() < len(free)
+
 
 def test_changes_reach_the_checker(room: oc.Scene) -> None:
     crates = [(x, y) for x in (1, 3, 7, 9) for y in (1, 3, 7, 9, 5.2)]

@@ -113,6 +113,14 @@ namespace ompl_certificates
         return text;
     }
 
+    std::string readRegularFile(const std::string &file, std::uintmax_t mostBytes)
+    {
+        std::error_code error;
+        if (fs::exists(file, error) && !fs::is_regular_file(file, error))
+            fail(file, "is not a regular file");
+        return readWholeFile(file, mostBytes);
+    }
+
     void writeWholeFile(const std::string &file, const std::string &text)
     {
         if (isDevice(file))

@@ -3,7 +3,7 @@
 #include "OctomapCells.h"
 #include "certificates/WholeFile.h"
 
-#include <cmath>
+#include <limits>
 #include <ompl/util/Exception.h>
 #include <sstream>
 
@@ -66,7 +66,7 @@ namespace ompl_certificates
                     if (key == "id")
                         words >> header.type;
                     else if (key == "res")
-                        words >> header.resolution;
+                        readResolution(words, header);
                     else if (key == "size")
                         header.hasNodes = static_cast<bool>(words >> header.nodes);
                 }
@@ -96,12 +96,22 @@ namespace ompl_certificates
                 return line.compare(0, beginning.size(), beginning) == 0;
             }
 
+            static void readResolution(std::istream &words, Header &header)
+            {
+                std::string text;
+                words >> text;
+                std::istringstream number(text);
+                if (!(number >> header.resolution) || number.peek() != std::istringstream::traits_type::eof())
+                    header.resolution = std::numeric_limits<double>::quiet_NaN();
+            }
+
             void requireHeader(const Header &header) const
             {
                 if (header.type != "OcTree" && !(header.isBinary && header.type == "1"))
                     fail("id: must be OcTree, not '" + header.type + "'");
-                if (!(header.resolution > 0.0) || !std::isfinite(header.resolution))
-                    fail("res: must be positive and finite");
+                // Centers of all cells are then coordinates that shapes may have, too.
+                if (!(header.resolution >= 1e-9 && header.resolution <= 1e4))
+                    fail("res: must be a number from 1e-9 to 1e4");
                 if (!header.hasNodes)
                     fail("size: must be the number of nodes");
             }
@@ -149,7 +159,7 @@ namespace ompl_certificates
 
     std::unique_ptr<octomap::OcTree> readOctomap(const std::string &file)
     {
-        const std::string content = readWholeFile(file, MOST_BYTES);
+        const std::string content = readRegularFile(file, MOST_BYTES);
         const OctomapText text(content, file);
         const Header header = text.readHeader();
         text.requireNodes(header);

@@ -210,7 +210,11 @@ namespace ompl_certificates
         {
             const Path path = tree_->getPath();
             if (!confirm(path))
+            {
+                if (condition)
+                    break;
                 continue;
+            }
             treeCost_ = tree_->getCost();
             take(path, condition);
         }

@@ -297,6 +297,7 @@ namespace ompl_certificates
 
     void ProductTree::insert(const TeamRoadmaps::Path &path)
     {
+        addStart(path.front());
         for (std::size_t step = 1; step < path.size(); ++step)
             add(path[step], numbers_.at(path[step - 1]), objective_->infiniteCost());
     }

@@ -87,6 +87,12 @@ namespace ompl_certificates
             motions_[edge.motion].knowledge = Knowledge::BLOCKED;
         }
 
+        /** \brief Note that a motion is not within getSwept(): from then on, that is without bounds */
+        void forgetSwept(Motion motion)
+        {
+            motions_[motion].swept.radius = std::numeric_limits<double>::infinity();
+        }
+
         /** \brief Add a copy of a free state, and join it to those around it. An equal vertex is taken if there is
             one. */
         Vertex add(const ompl::base::State *state);

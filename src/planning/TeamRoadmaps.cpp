@@ -150,6 +150,9 @@ namespace ompl_certificates
         const Roadmap::Edge &a = *getRoadmap(first).findEdge(firstFrom, firstTo);
         const Roadmap::Edge &b = *getRoadmap(second).findEdge(secondFrom, secondTo);
         pairMotions_[keyOf(first, firstFrom, a, second, secondFrom, b)] = false;
+        // Where the way back is another curve, it may leave the ball around the way there.
+        getRoadmap(first).forgetSwept(a.motion);
+        getRoadmap(second).forgetSwept(b.motion);
     }
 
     void TeamRoadmaps::copyTo(const Configuration &configuration, ob::State *state) const

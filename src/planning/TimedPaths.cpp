@@ -8,6 +8,18 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
+    namespace
+    {
+        /** OMPL calls orientations equal that nearly are: a motion between two such is a motion. */
+        bool areSame(const ob::StateSpace &space, const ob::State *a, const ob::State *b)
+        {
+            std::vector<double> first, second;
+            space.copyToReals(first, a);
+            space.copyToReals(second, b);
+            return first.empty() ? space.equalStates(a, b) : first == second;
+        }
+    }
+
     TimedPaths::TimedPaths(const Team &team, const ompl::geometric::PathGeometric &path)
       : team_(team), knots_(team.getRobotCount())
     {
@@ -23,7 +35,7 @@ namespace ompl_certificates
                 auto &knots = knots_[robot];
                 const ob::State *state = team.getRobotState(whole, robot);
                 const auto isHere = [&](const Knot &knot)
-                { return team.getRobotSpace(robot).equalStates(knot.state.get(), state); };
+                { return areSame(team.getRobotSpace(robot), knot.state.get(), state); };
                 // One that waits needs a knot at either end of the wait.
                 if (knots.size() > 1 && isHere(knots.back()) && isHere(knots[knots.size() - 2]))
                     knots.back().time = duration_;

@@ -37,8 +37,9 @@ namespace ompl_certificates
         // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal: angles up to 0.9e-4, or 1.6e-4 with its
         // tolerance on their norms. Between two such it keeps the first orientation until the end of the motion, then
         // jumps. No bound on the speed holds for that jump.
-        constexpr double jump = 2e-4, noTurn = 1e-12;
-        if (angle > noTurn && angle < jump)
+        constexpr double jump = 2e-4, noTurn = 1e-12, tolerance = 8e-9;
+        const bool areUnit = std::abs(a.squaredNorm() * b.squaredNorm() - 1.0) < tolerance;
+        if (angle > noTurn && (angle < jump || !areUnit))
             return 1e100;
         // Unnormalised quaternions do not turn evenly. OMPL's tolerance on their norms bounds how unevenly.
         return angle * (1.0 + 1e-6);

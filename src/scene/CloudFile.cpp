@@ -22,11 +22,7 @@ namespace ompl_certificates
         if (found == readers.end())
             throw ompl::Exception(file.empty() ? "''" : file,
                                   "must end with .pcd, .ply, .xyz or .txt to be read as a point cloud");
-        // Opening a pipe would wait for who writes to it.
-        std::error_code error;
-        if (fs::exists(file, error) && !fs::is_regular_file(file, error))
-            throw ompl::Exception(file, "is not a regular file");
-        const std::string content = readWholeFile(file, mostBytes);
+        const std::string content = readRegularFile(file, mostBytes);
         try
         {
             return {found->second(content), 0.0};

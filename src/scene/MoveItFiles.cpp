@@ -28,15 +28,26 @@ namespace ompl_certificates
         using Pair = std::pair<std::string, std::string>;
 
         /** The poses of frames that obstacles can be in */
-        Frames readFrames(const YamlNode &root, const std::string &rootLink, const MoveItRobotState &state)
+        Frames readFrames(const YamlNode &root, const KinematicTree &tree, const MoveItRobotState &state)
         {
-            Frames frames{{"", Pose::Identity()}, {rootLink, state.base.value_or(Pose::Identity())}};
+            Frames frames{{"", Pose::Identity()},
+                          {tree.getLinks().front().name, state.base.value_or(Pose::Identity())}};
+            std::string planningFrame;
             for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
             {
                 item.allow({"header", "child_frame_id", "transform"});
                 // All are relative to the one frame that MoveIt plans in.
-                frames.emplace(moveItFrame(item), Pose::Identity());
-                frames[item.at("child_frame_id").text()] = readMoveItTransform(item.at("transform"));
+                const std::string frame = moveItFrame(item), child = item.at("child_frame_id").text();
+                if (planningFrame.empty())
+                    planningFrame = frame;
+                if (!frame.empty() && frame != planningFrame)
+                    item.at("header").fail("must name the frame of the other transforms, '" + planningFrame +
+                                           "', not '" + frame + "'");
+                frames.emplace(frame, Pose::Identity());
+                // Where links are is what the robot's state says.
+                const Pose pose = readMoveItTransform(item.at("transform"));
+                if (!tree.hasLink(child))
+                    frames[child] = pose;
             }
             return frames;
         }
@@ -86,8 +97,12 @@ namespace ompl_certificates
 
         /** The pairs that may touch by an allowed collision matrix; a pair that it does not name must not. */
         std::set<Pair> readMatrix(const YamlNode &matrix, const KinematicTree &tree,
-                                  const std::set<std::string> &obstacles)
+                                  const std::vector<AttachedBody> &attached, const std::set<std::string> &obstacles)
         {
+            std::set<std::string> carried;
+            for (const AttachedBody &body : attached)
+                carried.insert(body.name);
+            const auto isRobot = [&](const std::string &name) { return tree.hasLink(name) || carried.count(name) > 0; };
             matrix.allow({"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
             std::vector<std::string> names;
             for (const YamlNode &name : moveItItems(matrix, "entry_names"))
@@ -107,14 +122,24 @@ namespace ompl_certificates
                 {
                     if (!values[k].boolean())
                         continue;
-                    if (obstacles.count(names[i]) > 0 && tree.hasLink(names[k]))
-                        values[k].fail("obstacle '" + names[i] + "' that link '" + names[k] +
-                                       "' may touch is not supported");
+                    for (const auto &[obstacle, link] : {Pair{names[i], names[k]}, {names[k], names[i]}})
+                        if (obstacles.count(obstacle) > 0 && isRobot(link))
+                            values[k].fail("obstacle '" + obstacle + "' that '" + link +
+                                           "' may touch is not supported");
                     allowed.insert({names[i], names[k]});
                     allowed.insert({names[k], names[i]});
                 }
             }
             return allowed;
+        }
+
+        /** A scene that is a difference has an empty matrix where nothing has changed. */
+        bool hasMatrix(const YamlNode &root)
+        {
+            if (!root.has("allowed_collision_matrix") || root.at("allowed_collision_matrix").isEmpty())
+                return false;
+            const bool isDifference = root.has("is_diff") && root.at("is_diff").boolean();
+            return !isDifference || !moveItItems(root.at("allowed_collision_matrix"), "entry_names").empty();
         }
 
         void refusePadding(const YamlNode &root)
@@ -235,7 +260,15 @@ namespace ompl_certificates
                 state.joints[joint] = value;
             if (start.base)
                 state.base = start.base;
-            state.attached.insert(state.attached.end(), start.attached.begin(), start.attached.end());
+            for (const AttachedBody &body : start.attached)
+            {
+                const auto same = std::find_if(state.attached.begin(), state.attached.end(),
+                                               [&](const AttachedBody &other) { return other.name == body.name; });
+                if (same == state.attached.end())
+                    state.attached.push_back(body);
+                else
+                    *same = body;
+            }
         }
 
         std::string folderOf(const std::string &file)
@@ -283,8 +316,7 @@ namespace ompl_certificates
         MoveItRobotState state;
         if (root.has("robot_state"))
             state = readMoveItRobotState(root.at("robot_state"), tree, folder);
-        const std::string rootLink = tree.getLinks().front().name;
-        const World world = readWorld(root.at("world"), readFrames(root, rootLink, state), folder);
+        const World world = readWorld(root.at("world"), readFrames(root, tree, state), folder);
 
         if (wish.has("start_state"))
             merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);
@@ -296,9 +328,9 @@ namespace ompl_certificates
         settings.attached = state.attached;
         settings.bounds = readWorkspace(wish);
         std::set<Pair> allowed;
-        if (root.has("allowed_collision_matrix") && !root.at("allowed_collision_matrix").isEmpty())
+        if (hasMatrix(root))
         {
-            allowed = readMatrix(root.at("allowed_collision_matrix"), tree, world.names);
+            allowed = readMatrix(root.at("allowed_collision_matrix"), tree, state.attached, world.names);
             settings.mayTouch = [&allowed](const std::string &first, const std::string &second) {
                 return allowed.count({first, second}) > 0;
             };

@@ -140,7 +140,7 @@ namespace ompl_certificates
         Body readResource(const YamlNode &node, const std::string &folder)
         {
             node.allow({"resource", "dimensions"});
-            std::string name = node.at("resource").text();
+            std::string name = node.at("resource").path();
             if (name.rfind("package://", 0) == 0)
                 node.at("resource").fail("package:// is not supported in scenes; give a path");
             if (name.rfind("file://", 0) == 0)

@@ -7,6 +7,7 @@
 #include <boost/endian/conversion.hpp>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <stdexcept>
 
 namespace ompl_certificates
@@ -61,12 +62,13 @@ namespace ompl_certificates
         private:
             void readHeader()
             {
+                std::map<std::string, std::size_t> counts;
                 while (data_.empty())
                 {
                     if (!text_.nextLine())
                         text_.fail("the header has no line 'DATA'");
                     const std::string_view key = text_.next();
-                    if (key.empty() || key.front() == '#' || key == "VERSION" || key == "VIEWPOINT" || key == "HEIGHT")
+                    if (key.empty() || key.front() == '#' || key == "VERSION" || key == "VIEWPOINT")
                         continue;
                     std::vector<std::string> words;
                     for (std::string_view word = text_.next(); !word.empty(); word = text_.next())
@@ -78,15 +80,28 @@ namespace ompl_certificates
                             fields_.push_back({word});
                     else if (key == "SIZE" || key == "TYPE" || key == "COUNT")
                         describeFields(key, words);
-                    else if (key == "POINTS")
-                        count_ = wholeNumber(words[0], text_.getRest().size());
+                    else if (key == "POINTS" || key == "WIDTH" || key == "HEIGHT")
+                        counts[std::string(key)] = wholeNumber(words[0], text_.getRest().size());
                     else if (key == "DATA")
                         data_ = words[0];
-                    else if (key != "WIDTH")
+                    else
                         text_.fail("there is " + inQuotes(key) + ", which is no entry of a header");
                 }
                 if (fields_.empty())
                     text_.fail("the header has no line 'FIELDS'");
+                readCount(counts);
+            }
+
+            /** All points, and those of an image's rows and columns, must be as many. */
+            void readCount(const std::map<std::string, std::size_t> &counts)
+            {
+                if (counts.count("POINTS") == 0)
+                    text_.fail("the header has no line 'POINTS'");
+                count_ = counts.at("POINTS");
+                if (counts.count("WIDTH") > 0 && counts.count("HEIGHT") > 0 &&
+                    counts.at("WIDTH") * counts.at("HEIGHT") != count_)
+                    text_.fail("WIDTH " + std::to_string(counts.at("WIDTH")) + " times HEIGHT " +
+                               std::to_string(counts.at("HEIGHT")) + " is not POINTS " + std::to_string(count_));
             }
 
             void describeFields(std::string_view key, const std::vector<std::string> &words)
@@ -156,6 +171,9 @@ namespace ompl_certificates
                         point[static_cast<Eigen::Index>(axis)] = text_.toNumber(words[places_[axis].word]);
                     add(point);
                 }
+                while (text_.nextLine())
+                    if (!text_.next().empty())
+                        text_.fail("it goes on after the last of " + std::to_string(count_) + " points");
             }
 
             void readBinary()

@@ -3,6 +3,7 @@
 #include "LineReader.h"
 #include "XmlFile.h"
 
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 
 namespace ompl_certificates
@@ -48,7 +49,10 @@ namespace ompl_certificates
                     for (const Node child : node.children("joint"))
                         joints.insert(joint(child, "name"));
                     for (const Node child : node.children("link"))
-                        joints.insert(tree_.getLinks()[link(child, "name")].joint.name);
+                    {
+                        const std::size_t index = link(child, "name");
+                        joints.insert(index == 0 ? virtualJoint_ : tree_.getLinks()[index].joint.name);
+                    }
                     for (const Node child : node.children("group"))
                     {
                         const std::string name = file_.attribute(child, "name");
@@ -163,7 +167,8 @@ namespace ompl_certificates
             auto &values = states[group][xml.attribute(node, "name")];
             for (const Node child : node.children("joint"))
             {
-                const std::string joint = all.joint(child, "name"), text = xml.attribute(child, "value");
+                const std::string joint = all.joint(child, "name"),
+                                  text = boost::algorithm::trim_copy(xml.attribute(child, "value"));
                 double value = 0.0;
                 // Joints with several coordinates are not described by one number.
                 if (joint == virtualName || text.find_first_of(" \t") != std::string::npos)

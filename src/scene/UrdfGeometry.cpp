@@ -2,7 +2,9 @@
 
 #include "YamlNode.h"
 
+#include <boost/algorithm/string/trim.hpp>
 #include <ompl/util/Exception.h>
+#include <pugixml.hpp>
 #include <sstream>
 
 namespace ompl_certificates
@@ -37,6 +39,16 @@ namespace ompl_certificates
         {
             std::error_code error;
             return fs::exists(path, error) && !fs::is_directory(path, error);
+        }
+
+        /** Whether \e folder says that it is a package of another name */
+        bool isOtherPackage(const fs::path &folder, const std::string &package)
+        {
+            pugi::xml_document manifest;
+            if (!isFile(folder / "package.xml") || !manifest.load_file((folder / "package.xml").c_str()))
+                return false;
+            const std::string name = manifest.document_element().child_value("name");
+            return !name.empty() && boost::algorithm::trim_copy(name) != package;
         }
     }
 
@@ -123,7 +135,7 @@ namespace ompl_certificates
             if (!(std::abs(factor) >= YamlNode::MIN_SIZE && std::abs(factor) <= YamlNode::MAX_NUMBER))
                 throw ompl::Exception("mesh '" + mesh.filename + "': scale must be finite and not zero, not " +
                                       scaleText.str());
-        const std::array<std::string, 2> key{path.string(), scaleText.str()};
+        const auto key = std::make_tuple(path.string(), scale.x(), scale.y(), scale.z());
         if (const auto known = shapes_.find(key); known != shapes_.end())
             return known->second;
         auto file = meshes_.find(path.string());
@@ -159,15 +171,23 @@ namespace ompl_certificates
                     missing("in '" + known->second + "'");
                 return (fs::path(known->second) / path).lexically_normal();
             }
-            // The package is the folder of the URDF file or above it, or stands beside one of these.
+            // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often have
+            // files of the same names, so a folder of another name counts last, and not if it says what it is.
+            std::vector<fs::path> candidates, others;
             for (fs::path above = folder; !above.empty(); above = above.parent_path())
             {
-                for (const fs::path &candidate : {above / package / path, above / path})
-                    if (isFile(candidate))
-                        return candidate.lexically_normal();
+                candidates.push_back(above / package / path);
+                if (above.filename() == package)
+                    candidates.push_back(above / path);
+                else if (!isOtherPackage(above, package))
+                    others.push_back(above / path);
                 if (above == above.parent_path())
                     break;
             }
+            candidates.insert(candidates.end(), others.begin(), others.end());
+            for (const fs::path &candidate : candidates)
+                if (isFile(candidate))
+                    return candidate.lexically_normal();
             missing("from '" + folder.string() + "' upwards; tell where package '" + package + "' is");
         }
         if (name.find("://") != std::string::npos)

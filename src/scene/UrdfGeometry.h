@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <urdf_model/link.h>
 
 namespace ompl_certificates
@@ -30,7 +31,7 @@ namespace ompl_certificates
         const std::string file_;
         const ArmFile::Options &options_;
         std::map<std::string, MeshFile> meshes_;
-        std::map<std::array<std::string, 2>, Shape> shapes_;
+        std::map<std::tuple<std::string, double, double, double>, Shape> shapes_;
     };
 
     /** \brief A pose of urdfdom's */

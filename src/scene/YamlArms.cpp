@@ -175,7 +175,7 @@ namespace ompl_certificates
 
     std::string YamlArms::pathOf(const YamlNode &node) const
     {
-        return (folder_ / node.text()).lexically_normal().string();
+        return (folder_ / node.path()).lexically_normal().string();
     }
 
     std::string YamlArms::keyOf(const YamlNode &node, ArmFile::Options &options) const
@@ -256,17 +256,19 @@ namespace ompl_certificates
             for (const std::string &group : node.at("states").keys())
             {
                 const YamlNode state = node.at("states").at(group);
+                Values described;
                 try
                 {
-                    for (const auto &[joint, value] : file.getState(group, state.text()))
-                        if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
-                            hasOneValue(jointOf(state, file.getTree(), joint)))
-                            own[joint] = value;
+                    described = file.getState(group, state.text());
                 }
                 catch (const ompl::Exception &exception)
                 {
                     state.fail(exception.what());
                 }
+                for (const auto &[joint, value] : described)
+                    if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
+                        hasOneValue(jointOf(state, file.getTree(), joint)))
+                        own[joint] = checkedJointValue(state, jointOf(state, file.getTree(), joint), value);
             }
         if (node.has("joints"))
             for (const auto &[joint, value] : readValues(node.at("joints"), file.getTree()))

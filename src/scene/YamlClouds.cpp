@@ -13,7 +13,7 @@ namespace ompl_certificates
     {
         PointCloud loadCloud(const YamlNode &node, const std::string &source)
         {
-            const auto path = std::filesystem::path(source).parent_path() / node.text();
+            const auto path = std::filesystem::path(source).parent_path() / node.path();
             try
             {
                 return ompl_certificates::loadCloud(path.lexically_normal().string());

@@ -10,7 +10,7 @@ namespace ompl_certificates
 
     const MeshFile &YamlMeshes::fileOf(const YamlNode &node)
     {
-        const std::string file = (folder_ / node.text()).lexically_normal().string();
+        const std::string file = (folder_ / node.path()).lexically_normal().string();
         const auto known = files_.find(file);
         if (known != files_.end())
             return known->second;

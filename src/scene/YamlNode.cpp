@@ -132,10 +132,19 @@ namespace ompl_certificates
 
     std::string YamlNode::text() const
     {
+        return textUpTo(100);
+    }
+
+    std::string YamlNode::path() const
+    {
+        return textUpTo(4095);
+    }
+
+    std::string YamlNode::textUpTo(std::size_t longest) const
+    {
         if (!node_.IsScalar())
             fail("must be a text, not " + describe());
         const std::string &value = node_.Scalar();
-        constexpr std::size_t longest = 100;
         const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; };
         if (value.empty() || value.size() > longest || std::any_of(value.begin(), value.end(), isControl))
             fail("must be a text of one line and 1 to " + std::to_string(longest) + " bytes, not '" + oneLine(value) +

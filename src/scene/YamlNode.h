@@ -70,6 +70,9 @@ namespace ompl_certificates
         /** \brief A text of one line that is not empty */
         std::string text() const;
 
+        /** \brief The path of a file or of a folder: a text that may be as long as systems allow */
+        std::string path() const;
+
         /** \brief true or false */
         bool boolean() const;
 
@@ -87,6 +90,7 @@ namespace ompl_certificates
 
     private:
         void requireMap() const;
+        std::string textUpTo(std::size_t longest) const;
 
         YAML::Node node_;
         std::string key_;

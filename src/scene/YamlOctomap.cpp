@@ -50,7 +50,7 @@ namespace ompl_certificates
             keys.emplace_back("heights");
         node.allow(keys);
         const OctomapOptions options = readOptions(node, dimension);
-        const auto file = std::filesystem::path(source).parent_path() / node.at("file").text();
+        const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
         try
         {
             return std::make_shared<OctomapObstacles>(file.lexically_normal().string(), options);

@@ -53,7 +53,8 @@ namespace ompl_certificates
         /** The type of that name; db-CBS writes the version "_0" into most of them, and not into some. */
         const KnownType *findType(std::string name)
         {
-            if (const std::size_t version = name.find("_0"); version != std::string::npos)
+            const std::size_t version = name.find("_0");
+            if (version != std::string::npos && version > 0 && (version + 2 == name.size() || name[version + 2] == '_'))
                 name.erase(version, 2);
             for (const KnownType &type : KNOWN_TYPES)
                 if (name == type.name)

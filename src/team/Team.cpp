@@ -1,8 +1,11 @@
 #include "ompl_certificates/team/Team.h"
 
+#include <algorithm>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
 
@@ -54,6 +57,23 @@ namespace ompl_certificates
             return true;
         }
 
+        /** Whether there is one way from a state to another, whatever the parameters of the space, and back it is the
+            same. Reeds and Shepp's curves depend on a radius. Of two that are equally long, they take one on the way
+            there and the other on the way back, though the space says that it is symmetric. */
+        bool hasOneWay(const ob::StateSpace &space)
+        {
+            const std::type_info &type = typeid(space);
+            if (type == typeid(ob::RealVectorStateSpace) || type == typeid(ob::SO2StateSpace) ||
+                type == typeid(ob::SO3StateSpace))
+                return true;
+            if (type != typeid(ob::SE2StateSpace) && type != typeid(ob::SE3StateSpace) &&
+                type != typeid(ob::CompoundStateSpace) && type != typeid(TeamStateSpace))
+                return false;
+            const auto &parts = static_cast<const ob::CompoundStateSpace &>(space).getSubspaces();
+            return std::all_of(parts.begin(), parts.end(),
+                               [](const ob::StateSpacePtr &part) { return hasOneWay(*part); });
+        }
+
         template <typename Space>
         bool areBoth(const ob::StateSpace &a, const ob::StateSpace &b)
         {
@@ -97,6 +117,7 @@ namespace ompl_certificates
         }
         const ob::StateSpacePtr inner = innerSpace(space_, wrappers_, interpolatesRobots_);
         read(inner);
+        isSymmetric_ = interpolatesRobots_ && hasOneWay(*inner);
         if (auto *compound = dynamic_cast<ob::CompoundStateSpace *>(inner.get()))
             compound->lock();
     }
@@ -125,7 +146,8 @@ namespace ompl_certificates
             throw ompl::Exception(space_->getName(), "its component '" + component->getName() +
                                                          "' does not hold states of robot '" + robot.getName() +
                                                          "', which moves in a space of another class or dimension");
-        interpolatesRobots_ = interpolatesRobots_ && (component.get() == &own || areAlike(*component, own));
+        interpolatesRobots_ =
+            interpolatesRobots_ && (component.get() == &own || (areAlike(*component, own) && hasOneWay(own)));
         spaces_.push_back(component);
     }
 }

@@ -30,14 +30,15 @@ namespace ompl_certificates
 
     void ContinuousMotionCheck::makeCells()
     {
-        constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / CELLS;
+        // A number of a cell and as many again can be added.
+        constexpr unsigned int mostSegments = std::numeric_limits<int>::max() / (2 * CELLS) - 1;
         cells_ = CELLS * static_cast<int>(std::min(std::max(countSegments(), 1U), mostSegments));
     }
 
     void ContinuousMotionCheck::orient()
     {
         const ompl::base::StateSpace &space = *check_.getTeam().getStateSpace();
-        if (!space.hasSymmetricInterpolate())
+        if (!check_.getTeam().isSymmetric())
             return;
         const std::size_t size = space.getSerializationLength();
         context_.serialized.resize(2 * size);
@@ -105,7 +106,7 @@ namespace ompl_certificates
             const auto [subject, first, last] = queue[next];
             if (first > last)
                 continue;
-            const int middle = (first + last) / 2;
+            const int middle = first + (last - first) / 2;
             int around;
             if (!settleCell(subject, middle, around))
                 return false;

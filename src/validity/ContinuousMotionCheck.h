@@ -12,7 +12,7 @@ namespace ompl_certificates
         free up to both ends of the cell. So the verdict depends only on the obstacles, the motion and the resolution.
 
         Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
-        also prove, by a small margin. Where the space interpolates symmetrically, both directions of a motion are one.
+        also prove, by a small margin. Where Team::isSymmetric(), both directions of a motion are one.
         Time then runs from the state whose serialized values come first. */
     class ContinuousMotionCheck : public MotionCheck
     {

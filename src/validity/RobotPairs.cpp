@@ -182,7 +182,10 @@ namespace ompl_certificates
         }
         else if (!bodies.frame)
         {
-            verdict.free = gap > 0.0 && sample.requiredInterval == 0.0;  // False for NaN
+            // Balls are as far apart as their gap, and stay so if they do not move. False for NaN
+            verdict.free = gap > 0.0 && (sample.requiredInterval == 0.0 || speed == 0.0);
+            if (verdict.free && sample.moves && speed == 0.0)
+                verdict.before = verdict.after = INF;
             return verdict;
         }
         if (bodies.cells && sample.requiredInterval == 0.0 && settleByCells(*bodies.cells, context, sample, verdict))

@@ -79,6 +79,9 @@ TEST_P(OctomapFile, IsRefusedWhenDamaged)
     expectRefusal(changed("res 0.1", "res 0"), "res");
     expectRefusal(changed("res 0.1", "res nan"), "res");
     expectRefusal(changed("res 0.1", "res -1"), "res");
+    expectRefusal(changed("res 0.1", "res 0.1x"), "res");
+    expectRefusal(changed("res 0.1", "res 1e-320"), "res");
+    expectRefusal(changed("res 0.1", "res 1e308"), "res");
     expectRefusal(changed("size ", "size 1"), "size");
     expectRefusal(changed("size ", "length "), "size");
     // All nodes are inner ones, deeper and deeper.

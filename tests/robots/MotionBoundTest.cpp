@@ -160,3 +160,22 @@ TEST(MotionBounds, AreNotWastefulForRigidRobots)
     EXPECT_NEAR(bound.angular, 1.0, 1e-5);
     EXPECT_NEAR(bound.at(2.0), 5.0, 1e-4);
 }
+
+/** OMPL takes quaternions for equal by their product, so between longer ones it jumps farther. */
+TEST(MotionBounds, AreNoneWhereQuaternionsAreNotOfLengthOne)
+{
+    const RobotPtr robot = RigidRobot::inSE3("r", Body::box(1.0, 1.0, 1.0), cubeBounds(3, 3.0));
+    const Eigen::Quaterniond start = Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5);
+    const Eigen::Quaterniond end = start * Eigen::Quaterniond(Eigen::AngleAxisd(6e-4, Eigen::Vector3d::UnitZ()));
+    for (const double length : {1.0, 1.0 + 1e-7})
+    {
+        const auto from = se3State(robot->getStateSpace(), start);
+        auto to = se3State(robot->getStateSpace(), end);
+        auto &turn = to->as<ob::SE3StateSpace::StateType>()->rotation();
+        for (double *coordinate : {&turn.x, &turn.y, &turn.z, &turn.w})
+            *coordinate *= length;
+        MotionBound bound;
+        robot->computeMotionBounds(from.get(), to.get(), &bound);
+        EXPECT_EQ(bound.angular < 1.0, length == 1.0);
+    }
+}

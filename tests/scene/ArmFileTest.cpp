@@ -265,6 +265,58 @@ namespace ompl_certificates
         EXPECT_NE(messageOf([] { ArmFile("/none.urdf"); }).find("/none.urdf"), std::string::npos);
     }
 
+    TEST(ArmFile, FindsThePackageThatIsMeant)
+    {
+        const test::Folder folder;
+        const auto cube = [&](const std::string &path, const std::string &size)
+        {
+            std::filesystem::create_directories(std::filesystem::path(folder / path).parent_path());
+            folder.write(path, "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+        };
+        cube("robot/meshes/part.obj", "1");
+        cube("hand/meshes/part.obj", "2");
+        std::filesystem::create_directories(folder / "robot/urdf");
+        const auto sizeOf = [&](const std::string &package)
+        {
+            const ArmFile file(folder.write(
+                "robot/urdf/a.urdf", robot(link("base", "<collision><geometry><mesh filename='package://" + package +
+                                                            "/meshes/part.obj'/></geometry></collision>") +
+                                           link("tip") + joint("j", "revolute", "base", "tip", LIMIT))));
+            return file.makeArm("arm", "", {})->getBodies().front().getBoundingRadius();
+        };
+        EXPECT_NEAR(sizeOf("robot"), M_SQRT1_2, 1e-12);
+        EXPECT_NEAR(sizeOf("hand"), M_SQRT2, 1e-12);
+        // A clone may have another name, but not if it says what it is.
+        EXPECT_NEAR(sizeOf("robot_description"), M_SQRT1_2, 1e-12);
+        folder.write("robot/package.xml", "<package><name> robot_description </name></package>");
+        EXPECT_NEAR(sizeOf("robot_description"), M_SQRT1_2, 1e-12);
+        folder.write("robot/package.xml", "<package><name>other</name></package>");
+        EXPECT_THROW(sizeOf("robot_description"), ompl::Exception);
+    }
+
+    TEST(ArmFile, TrimsValuesMovesBasesAndTellsScalesApart)
+    {
+        const test::Folder folder;
+        folder.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const auto mesh = [](const std::string &scale)
+        { return "<collision><geometry><mesh filename='part.obj' scale='" + scale + " 1 1'/></geometry></collision>"; };
+        const ArmFile file(folder.write("a.urdf", robot(link("base", mesh("123456")) + link("tip", mesh("123456.4")) +
+                                                        joint("j", "revolute", "base", "tip", LIMIT))),
+                           folder.write("a.srdf",
+                                        "<robot name='test'><virtual_joint name='place' type='floating' "
+                                        "parent_frame='world' child_link='base'/><group name='all'><link "
+                                        "name='base'/><link name='tip'/></group><group_state name='up' "
+                                        "group='all'><joint name='j' value=' 0.25 '/></group_state></robot>"));
+        EXPECT_EQ(file.getState("all", "up").at("j"), 0.25);
+        EXPECT_EQ(file.getJoints("all"), (std::vector<std::string>{"place", "j"}));
+        ArmFile::ArmSettings settings;
+        settings.bounds = ompl::base::RealVectorBounds(3);
+        settings.bounds->setLow(-1.0);
+        settings.bounds->setHigh(1.0);
+        const auto arm = file.makeArm("arm", "all", settings);
+        EXPECT_LT(arm->getBodies()[0].getBoundingRadius() + 0.1, arm->getBodies()[1].getBoundingRadius());
+    }
+
     TEST(ArmFile, LongChainsAreRead)
     {
         const test::Folder folder;

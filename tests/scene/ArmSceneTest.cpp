@@ -5,6 +5,7 @@
 #include "support/ArmTexts.h"
 #include "support/FclVerdicts.h"
 #include "support/Folder.h"
+#include "support/Message.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 
 namespace ompl_certificates
 {
+    using namespace test;
+
     namespace
     {
 
@@ -189,6 +192,35 @@ namespace ompl_certificates
                   std::string::npos);
         EXPECT_NE(failure("file: arm6.urdf, start: [], goal: []", "min: [0, 0], max: [1, 1]").find("2 dimensions"),
                   std::string::npos);
+    }
+
+    TEST(ArmScene, StatesOfOtherGroupsKeepTheLimits)
+    {
+        const Folder folder;
+        folder.write("a.urdf", chain());
+        folder.write("a.srdf",
+                     "<robot name='test'><group name='arm'><joint name='second'/></group><group name='lift'><joint "
+                     "name='first'/></group><group_state name='high' group='lift'><joint name='first' "
+                     "value='2.5'/></group_state></robot>");
+        const std::string scene =
+            "environment: {min: [-1, -1, -1], max: [1, 1, 1]}\nrobots:\n  - {type: urdf, file: a.urdf, "
+            "srdf: a.srdf, group: arm, states: {lift: high}, start: [0], goal: [1]}\n";
+        const std::string message = test::messageOf([&] { sceneFromYaml(scene, folder / "scene.yaml"); });
+        EXPECT_NE(message.find("robots[0].states.lift"), std::string::npos) << message;
+        EXPECT_NE(message.find("'first'"), std::string::npos) << message;
+    }
+
+    TEST(ArmScene, FilesMayHaveLongPaths)
+    {
+        const Folder folder;
+        const std::string deep(120, 'd');
+        std::filesystem::create_directory(folder / deep);
+        folder.write(deep + "/a.urdf", chain());
+        const Scene scene =
+            sceneFromYaml("environment: {min: [-1, -1, -1], max: [1, 1, 1]}\nrobots:\n  - {type: urdf, file: " + deep +
+                              "/a.urdf, start: [0, 0], goal: [1, 1]}\n",
+                          folder / "scene.yaml");
+        EXPECT_EQ(armOf(scene)->getBodies().size(), 3u);
     }
 
     TEST(ArmScene, StatesInCollisionWithItselfAreRefused)

@@ -92,7 +92,20 @@ namespace ompl_certificates
                  "scene.yaml:4: allowed_collision_matrix.entry_values[0][0]: must be true or false, not 1"},
                 {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, true], [true, "
                         "false]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that link 'tip' may touch"},
+                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that 'tip' may touch"},
+                {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, false], [true, "
+                        "false]]}\n",
+                 "scene.yaml:4: allowed_collision_matrix.entry_values[1][0]: obstacle 'ball' that 'tip' may touch"},
+                {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: cup, header: "
+                        "{frame_id: tip}, primitives: [{type: sphere, dimensions: [0.01]}], primitive_poses: [{}]}}]}\n"
+                        "allowed_collision_matrix: {entry_names: [ball, cup], entry_values: [[false, true], [true, "
+                        "false]]}\n",
+                 "scene.yaml:5: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that 'cup' may touch"},
+                {BALL +
+                     "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: camera_stand, transform: {}}, "
+                     "{header: {frame_id: camera_stand}, child_frame_id: marker, transform: {}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[1].header: must name the frame of the other transforms, 'world', "
+                 "not 'camera_stand'"},
             };
             for (const BrokenProblem &broken : all)
             {

@@ -153,6 +153,42 @@ namespace ompl_certificates
                       1e-12);
         }
 
+        TEST_F(MoveItScene, LinksAreWhereTheRobotsStateSays)
+        {
+            const SceneFile file = read(
+                "fixed_frame_transforms: [{child_frame_id: base, transform: {translation: [5, 0, 0], "
+                "rotation: [0, 0, 0, 1]}}]\n" +
+                OBJECTS +
+                "    - {id: ball, header: {frame_id: base}, primitives: [{type: sphere, dimensions: "
+                "[0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n");
+            EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
+        }
+
+        TEST_F(MoveItScene, TheStartsBodiesReplaceTheScenes)
+        {
+            const auto attached = [](const std::string &radius)
+            {
+                return "attached_collision_objects: [{link_name: tip, object: {id: cup, header: {frame_id: tip}, "
+                       "primitives: [{type: sphere, dimensions: [" +
+                       radius + "]}], primitive_poses: [{}]}}]";
+            };
+            const SceneFile file =
+                read(BALL + "robot_state: {" + attached("0.01") + "}\n",
+                     "group_name: arm\nstart_state: {joint_state: {name: [turn, bend, slide], position: "
+                     "[1, 0.5, 0.1]}, " +
+                         attached("0.02") + "}\n" + GOAL);
+            EXPECT_EQ(armOf(file).getBodies().size(), 5u);
+            EXPECT_EQ(armOf(file).getBodies().back(), Body::sphere(0.02));
+        }
+
+        TEST_F(MoveItScene, AnEmptyMatrixOfADifferenceChangesNothing)
+        {
+            const std::string empty = "allowed_collision_matrix: {entry_names: [], entry_values: []}\n";
+            const auto before = pairsOf(armOf(read(BALL)));
+            EXPECT_EQ(pairsOf(armOf(read(BALL + "is_diff: true\n" + empty))), before);
+            EXPECT_NE(pairsOf(armOf(read(BALL + empty))), before);
+        }
+
         TEST_F(MoveItScene, TheMatrixReplacesTheSrdfFilesPairs)
         {
             using Pairs = std::vector<std::string>;

@@ -192,3 +192,38 @@ TEST(ContinuousMotion, IsNotForTheStandardMethod)
     EXPECT_THROW(TeamSetup(teamOfDiscs(), none, Method::STANDARD, CertificateMotionValidator::CONTINUOUS),
                  ompl::Exception);
 }
+
+TEST(ContinuousMotion, EndsAtTheFinestResolutions)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    const auto team = teamOfDiscs();
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
+    for (const double resolution : {1e-8, 3e-9, 1e-10})
+    {
+        const auto setup = continuousSetup(team, none, Method::SHARED_PROJECTION, resolution);
+        ob::ScopedState<> from(team), to(team);
+        from = std::vector<double>{-3.0, -3.0, 0.0, 0.0, 3.0, 3.0};
+        to = std::vector<double>{-3.0, 3.0, 0.0, 0.0, 3.0, 3.0};
+        const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
+        std::pair<ob::State *, double> last{nullptr, 1.0};
+        EXPECT_TRUE(validator.checkMotion(from.get(), to.get()));
+        EXPECT_TRUE(validator.checkMotion(from.get(), to.get(), last));
+    }
+}
+
+TEST(ContinuousMotion, IsNotHinderedByDiscsThatStandNearlyTouching)
+{
+    const auto bounds = cubeBounds(2, 5.0);
+    auto team = std::make_shared<TeamStateSpace>();
+    for (const char *name : {"first", "second", "mover"})
+        team->addRobot(RigidRobot::disc(name, 0.15, bounds));
+    const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
+    const auto setup = continuousSetup(team, none, Method::SHARED_PROJECTION, 0.01);
+    ob::ScopedState<> from(team), to(team);
+    for (const double distance : {0.3 + 1e-7, 0.3 - 1e-7})
+    {
+        from = std::vector<double>{0.0, 0.0, distance, 0.0, -4.0, 2.0};
+        to = std::vector<double>{0.0, 0.0, distance, 0.0, 4.0, 2.0};
+        EXPECT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get()), distance > 0.3);
+    }
+}

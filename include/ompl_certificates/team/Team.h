@@ -95,10 +95,18 @@ namespace ompl_certificates
 
         /** \brief Whether the space moves each robot as its own space does, so that motion bounds hold. Not so for
             constrained spaces, and for components of classes derived from the robots' spaces, such as
-            DubinsStateSpace. */
+            DubinsStateSpace. A component of any class but those of R^n, SO(2), SO(3), SE(2), SE(3) and compounds of
+            them must be the robot's own space: two may have different parameters. */
         bool interpolatesRobots() const
         {
             return interpolatesRobots_;
+        }
+
+        /** \brief Whether the way from one state to another is the way back, too. So it is in teams of spaces of R^n, SO(2),
+            SO(3), SE(2) and SE(3), but not for curves such as those of ReedsSheppStateSpace. */
+        bool isSymmetric() const
+        {
+            return isSymmetric_;
         }
 
         /** \brief The state in which references to certificates are kept, or null if the space's states keep none */
@@ -130,7 +138,7 @@ namespace ompl_certificates
         unsigned int wrappers_{0};
         /** \brief Whether a state is that of the one robot, and not made up of components */
         bool isWhole_{false};
-        bool keepsReferences_{false}, interpolatesRobots_{true};
+        bool keepsReferences_{false}, interpolatesRobots_{true}, isSymmetric_{false};
     };
 }
 
