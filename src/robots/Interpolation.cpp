@@ -13,6 +13,12 @@ namespace ompl_certificates
         {
             return Eigen::Quaterniond(state.w, state.x, state.y, state.z).normalized();
         }
+
+        /** Whether OMPL takes a quaternion for one of length 1, with a tolerance of 1e-9 */
+        bool isUnit(const ob::SO3StateSpace::StateType &state)
+        {
+            return std::abs(state.x * state.x + state.y * state.y + state.z * state.z + state.w * state.w - 1.0) < 4e-9;
+        }
     }
 
     double turnOf(const ob::SO2StateSpace::StateType &from, const ob::SO2StateSpace::StateType &to)
@@ -37,9 +43,8 @@ namespace ompl_certificates
         // SO3StateSpace takes quaternions with 1 - |q1.q2| < 1e-9 for equal: angles up to 0.9e-4, or 1.6e-4 with its
         // tolerance on their norms. Between two such it keeps the first orientation until the end of the motion, then
         // jumps. No bound on the speed holds for that jump.
-        constexpr double jump = 2e-4, noTurn = 1e-12, tolerance = 8e-9;
-        const bool areUnit = std::abs(a.squaredNorm() * b.squaredNorm() - 1.0) < tolerance;
-        if (angle > noTurn && (angle < jump || !areUnit))
+        constexpr double jump = 2e-4, noTurn = 1e-12;
+        if (angle > noTurn && (angle < jump || !isUnit(from) || !isUnit(to)))
             return 1e100;
         // Unnormalised quaternions do not turn evenly. OMPL's tolerance on their norms bounds how unevenly.
         return angle * (1.0 + 1e-6);
