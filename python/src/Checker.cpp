@@ -65,7 +65,7 @@ namespace ompl_certificates_python
                 if (!(values[i] >= -pi && values[i] < pi))
                 {
                     const double angle = std::remainder(values[i], 2.0 * pi);
-                    *addresses_[i] = angle < pi ? angle : -pi;
+                    *addresses_[i] = angle == pi ? -pi : angle;
                 }
             // OMPL takes no rounded quaternions, and Debian's aborts.
             for (const std::size_t i : checker_.quaternions_)
