@@ -9,7 +9,7 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
-  # Several files are compiled as one: most of the time goes into headers, so a whole build takes half as long. A change
+  # Several files are compiled as one: most of the time goes into headers, so a whole build is faster. A change
   # of one file then compiles its neighbors, too; with this OFF, it does not.
   option(CMAKE_UNITY_BUILD "Compile several files as one" ON)
 
