@@ -205,6 +205,7 @@ TEST(ConvexHull, IsRightOrRefusedForThinPointsAndFarFromTheOrigin)
             EXPECT_FALSE(isFar);
             continue;
         }
+        EXPECT_GT(thickness, 1e-7) << "thinner ones could lack a face";
         for (int i = 0; i < 20; ++i)
         {
             const Eigen::Vector3d query = random.point(3, 4.0);

@@ -165,16 +165,16 @@ TEST(FclObstacles, TakeRoundedRotationsForTrueOnes)
     pose.linear() = random.rotation().toRotationMatrix();
     for (double &number : pose.linear().reshaped())
         number = std::round(1e3 * number) / 1e3;
-    const FclObstacles cube({{Body::box(2.0, 2.0, 2.0), pose}}, 3);
-    const Body ball = Body::sphere(0.5);
+    Pose nearest = pose;
+    nearest.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+    ASSERT_GT((nearest.linear() - pose.linear()).norm(), 1e-5);
+    const Body box = Body::box(2.0, 2.0, 2.0), ball = Body::sphere(0.5);
+    const FclObstacles rounded({{box, pose}}, 3), exact({{box, nearest}}, 3);
     for (int i = 0; i < 2000; ++i)
     {
         const Pose place = poseAt(random.direction(3) * random.uniform(1.4, 2.4));
-        const double clearance = cube.clearance(place.translation());
-        if (std::abs(clearance - 0.5) > 1e-6)
-        {
-            ASSERT_EQ(cube.collides(ball, place), clearance < 0.5) << i;
-        }
+        ASSERT_NEAR(rounded.clearance(place.translation()), exact.clearance(place.translation()), 1e-12);
+        ASSERT_EQ(rounded.collides(ball, place), exact.collides(ball, place)) << i;
     }
     pose.linear() *= 1.01;
     EXPECT_THROW(FclObstacles({{Body::sphere(1.0), pose}}, 3), ompl::Exception);
