@@ -171,8 +171,8 @@ namespace ompl_certificates
                     missing("in '" + known->second + "'");
                 return (fs::path(known->second) / path).lexically_normal();
             }
-            // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often have
-            // files of the same names, so a folder of another name counts last, and not if it says what it is.
+            // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often
+            // have files of the same names, so a folder of another name counts last, and not if it says what it is.
             std::vector<fs::path> candidates, others;
             for (fs::path above = folder; !above.empty(); above = above.parent_path())
             {

@@ -84,10 +84,10 @@ namespace ompl_certificates
             Cost: see Shape::mesh(). */
         static Body planarMesh(TriangleMeshPtr mesh);
 
-        /** \brief One body of several shapes, at poses in the body's frame. A rotation may be rounded to three decimals:
-            the nearest true one is taken.
-            \throws ompl::Exception if there is none, if planar and spatial shapes are mixed, if a planar mesh is tilted,
-            or if a pose is not finite, scales or mirrors */
+        /** \brief One body of several shapes, at poses in the body's frame. A rotation may be rounded to three
+            decimals: the nearest true one is taken.
+            \throws ompl::Exception if there is none, if planar and spatial shapes are mixed, if a planar mesh is
+            tilted, or if a pose is not finite, scales or mirrors */
         explicit Body(std::vector<Part> parts);
 
         /** \brief The dimension of the workspace that this body is for: 2 or 3 */

@@ -40,8 +40,8 @@ namespace ompl_certificates
         joints with origin, axis, limits and mimic. Inertias, materials, transmissions and the like are left out,
         whatever they say. A mesh is looked for
         - package://name/path: in the folder of the package, if the options tell it. Else it is looked for as name/path
-          in the folder of the URDF file and in each folder above it; then as path, but not in a folder whose package.xml
-          has another name.
+          in the folder of the URDF file and in each folder above it; then as path, but not in a folder whose
+          package.xml has another name.
         - file:///path: there.
         - path: in the folder of the URDF file.
 

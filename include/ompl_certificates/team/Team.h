@@ -102,8 +102,8 @@ namespace ompl_certificates
             return interpolatesRobots_;
         }
 
-        /** \brief Whether the way from one state to another is the way back, too. So it is in teams of spaces of R^n, SO(2),
-            SO(3), SE(2) and SE(3), but not for curves such as those of ReedsSheppStateSpace. */
+        /** \brief Whether the way from one state to another is the way back, too. So it is in teams of spaces of R^n,
+            SO(2), SO(3), SE(2) and SE(3), but not for curves such as those of ReedsSheppStateSpace. */
         bool isSymmetric() const
         {
             return isSymmetric_;
