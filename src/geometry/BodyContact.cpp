@@ -1,5 +1,6 @@
 #include "BodyContact.h"
 
+#include "MeshInside.h"
 #include "PrimitiveContact.h"
 #include "TriangleTree.h"
 
@@ -12,11 +13,23 @@ namespace ompl_certificates
         {
             const TriangleMesh *meshA = a.getMesh(), *meshB = b.getMesh();
             if (meshA && meshB)
-                return meshA->getTree().touches(meshB->getTree(), pose, margin);
+                return meshA->getInside().touches(meshB->getInside(), pose, margin)
+                           ? Touching::YES
+                           : meshA->getTree().touches(meshB->getTree(), pose, margin);
             if (meshA)
                 return meshA->getTree().touches(b, pose.inverse(), margin);
             return meshB ? meshB->getTree().touches(a, pose, margin) : touching(b, a, pose, margin);
         }
+    }
+
+    bool touchDeeply(const Body &first, const Body &second, const Pose &pose, double margin)
+    {
+        for (const auto &a : first.getParts())
+            for (const auto &b : second.getParts())
+                if (const TriangleMesh *meshA = a.shape.getMesh(), *meshB = b.shape.getMesh(); meshA && meshB)
+                    if (meshA->getInside().touches(meshB->getInside(), a.pose.inverse() * pose * b.pose, margin))
+                        return true;
+        return false;
     }
 
     Touching touching(const Body &first, const Body &second, const Pose &pose, double margin)

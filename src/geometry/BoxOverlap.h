@@ -76,10 +76,13 @@ namespace ompl_certificates
         }
     };
 
-    /** \brief Which of the four boxes of \e node touch \e box, to within \e slack: no axis of either separates them. \e
-        turn takes \e box to the node's frame. */
+    /** \brief Finds which of the four boxes of \e node touch \e box, to within \e slack: no axis of either separates
+        them. Writes their numbers, that of the box with the farthest middle first: a walk takes the last one next, so that it
+        comes early to where two things are deep in each other.
+        \param turn takes \e box to the node's frame
+        \return how many there are */
     template <typename Node>
-    inline void overlaps(const Node &node, const FloatBox &box, const BoxTurn &turn, float slack, bool *overlap)
+    inline int overlaps(const Node &node, const FloatBox &box, const BoxTurn &turn, float slack, int *numbers)
     {
         using FourFlags = int __attribute__((vector_size(16)));
         const auto sumOf = [](const FourFloats *three, const auto &factors)
@@ -101,8 +104,18 @@ namespace ompl_certificates
             const FourFloats both = sumOf(turn.absoluteElements[axis], halves) + (box.half[axis] + slack);
             outside |= (gap > both) | (gap < -both);
         }
+        const FourFloats squared = middles[0] * middles[0] + middles[1] * middles[1] + middles[2] * middles[2];
+        int count = 0;
         for (int k = 0; k < 4; ++k)
-            overlap[k] = outside[k] == 0;
+        {
+            if (outside[k] != 0)
+                continue;
+            int slot = count++;
+            for (; slot > 0 && squared[numbers[slot - 1]] < squared[k]; --slot)
+                numbers[slot] = numbers[slot - 1];
+            numbers[slot] = k;
+        }
+        return count;
     }
 
     /** \brief How far the four boxes of \e node are at least from \e box: along the axis of either that separates them

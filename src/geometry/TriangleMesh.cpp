@@ -1,10 +1,11 @@
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
+#include "MeshInside.h"
 #include "TriangleTree.h"
+#include "Weld.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -13,26 +14,6 @@ namespace ompl_certificates
     {
         /** Squares of larger ones would not fit into the single precision of a TriangleTree. */
         constexpr double LARGEST_COORDINATE = 1e15;
-
-        /** For each vertex the first one, in some order, with the same coordinates */
-        std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3d> &vertices)
-        {
-            std::vector<std::uint32_t> order(vertices.size());
-            std::iota(order.begin(), order.end(), 0U);
-            const auto before = [&vertices](std::uint32_t i, std::uint32_t j)
-            {
-                const Eigen::Vector3d &a = vertices[i], &b = vertices[j];
-                return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-            };
-            std::sort(order.begin(), order.end(), before);
-            std::vector<std::uint32_t> welded(vertices.size());
-            for (std::size_t i = 0; i < order.size(); ++i)
-            {
-                const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-                welded[order[i]] = same ? welded[order[i - 1]] : order[i];
-            }
-            return welded;
-        }
     }
 
     TriangleMesh::TriangleMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles)
@@ -85,6 +66,12 @@ namespace ompl_certificates
                            tree_->build();
                        });
         return *tree_;
+    }
+
+    const MeshInside &TriangleMesh::getInside() const
+    {
+        std::call_once(insideOnce_, [this] { inside_ = std::make_unique<MeshInside>(getTree()); });
+        return *inside_;
     }
 
     bool TriangleMesh::isClosed() const

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 #define OMPL_CERTIFICATES_GEOMETRY_TRIANGLE_TREE_
 
+#include "FacetRows.h"
+
 #include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/Touching.h"
 
@@ -17,7 +19,7 @@ namespace ompl_certificates
         others or touch primitives.
 
         Each node holds the boxes of four children, in single precision and rounded outwards. Triangles are tested in
-        double precision. Uses about 140 bytes per triangle. Only add() and build() change the tree. */
+        double precision. Uses about 190 bytes per triangle. Only add() and build() change the tree. */
     class TriangleTree
     {
     public:
@@ -142,6 +144,7 @@ namespace ompl_certificates
         Eigen::Vector3f half_{Eigen::Vector3f::Zero()};
         std::vector<Node> nodes_;
         std::vector<Facet> triangles_;
+        FacetRows rows_;
         std::vector<std::uint32_t> names_;
     };
 }

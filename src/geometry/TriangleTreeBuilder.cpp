@@ -85,6 +85,10 @@ namespace ompl_certificates
                 names.push_back(tree_.names_[item.triangle]);
             }
             tree_.triangles_ = std::move(triangles);
+            for (const auto &[corners, normal] : tree_.triangles_)
+                tree_.rows_.add({corners[0] - tree_.origin_, corners[1] - tree_.origin_, corners[2] - tree_.origin_},
+                                normal);
+            tree_.rows_.finish();
             tree_.names_ = std::move(names);
         }
 

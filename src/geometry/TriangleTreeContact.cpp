@@ -14,12 +14,21 @@ namespace ompl_certificates
         /** Pays for the rounding of boxes in single precision, relative to the largest coordinate */
         constexpr double BOX_ROUNDING = 1e-6;
 
+        /** The same for FacetRows: triangles in single precision, turned there */
+        constexpr double ROW_ROUNDING = 8e-6;
+
         /** Farther away, or not a number, single precision says nothing. */
         constexpr double FARTHEST_BOX = 1e30;
 
         /** After so many triangles that may just touch, the exact check decides. Where meshes lie upon each other,
             nearly all triangles do, and the first one ends the exact check. */
         constexpr unsigned int MOST_UNKNOWN = 32;
+
+        /** The lowest \e count bits */
+        constexpr unsigned int firstBits(std::uint32_t count)
+        {
+            return (1U << count) - 1;
+        }
 
         /** The answers about one pair of triangles after the other, until they settle the matter */
         class Answers
@@ -108,6 +117,7 @@ namespace ompl_certificates
         const BoxTurn toHere(pose.linear(), shift),
             toThere(pose.linear().transpose(), -(pose.linear().transpose() * shift));
         const auto slack = static_cast<float>(margin + BOX_ROUNDING * (extent_ + other.extent_ + shift.norm()));
+        const float rowSlack = slack + static_cast<float>(ROW_ROUNDING * (extent_ + other.extent_ + shift.norm()));
         struct Open
         {
             std::uint32_t here, there;
@@ -125,38 +135,39 @@ namespace ompl_certificates
             const Open pair = stack[--open];
             if (isLeaf(pair.here) && isLeaf(pair.there))
             {
+                const FourFacets four = rows_.at(firstOf(pair.here));
+                const FourFacets others = turned(other.rows_.at(firstOf(pair.there)), toHere);
                 // Half of the other leaf's triangles, or more, lie beside this leaf's box.
-                const FourFloats low = pair.boxHere.center - pair.boxHere.half - slack,
-                                 high = pair.boxHere.center + pair.boxHere.half + slack;
-                const Eigen::AlignedBox3d box(origin_ + Eigen::Vector3d(low[0], low[1], low[2]),
-                                              origin_ + Eigen::Vector3d(high[0], high[1], high[2]));
-                for (std::uint32_t j = firstOf(pair.there), lastJ = j + countOf(pair.there); j < lastJ; ++j)
+                const unsigned int near = nearBox(others, pair.boxHere, rowSlack) & firstBits(countOf(pair.there));
+                for (std::uint32_t j = 0; near >> j != 0; ++j)
                 {
-                    const Facet triangle(other.triangles_[j], pose);
-                    if (!box.intersects(boxOf(triangle)))
+                    if ((near >> j & 1U) == 0)
                         continue;
-                    for (std::uint32_t i = firstOf(pair.here), lastI = i + countOf(pair.here); i < lastI; ++i)
-                        if (answers.note(crossing(triangles_[i], triangle, margin), i, hit))
+                    const unsigned int left = mayCross(four, others, static_cast<int>(j), rowSlack) & firstBits(countOf(pair.here));
+                    if (left == 0)
+                        continue;
+                    const Facet triangle(other.triangles_[firstOf(pair.there) + j], pose);
+                    for (std::uint32_t i = 0; left >> i != 0; ++i)
+                        if ((left >> i & 1U) != 0 &&
+                            answers.note(crossing(triangles_[firstOf(pair.here) + i], triangle, margin), firstOf(pair.here) + i, hit))
                             return answers.get();
                 }
                 continue;
             }
-            bool overlap[4];
+            int numbers[4];
             if (isLeaf(pair.there) || (!isLeaf(pair.here) && pair.boxHere.size() >= pair.boxThere.size()))
             {
                 const Node &node = nodes_[pair.here];
-                overlaps(node, pair.boxThere, toHere, slack, overlap);
-                for (int k = 0; k < 4; ++k)
-                    if (overlap[k])
-                        stack[open++] = {node.child[k], pair.there, boxOf(node, k), pair.boxThere};
+                const int count = overlaps(node, pair.boxThere, toHere, slack, numbers);
+                for (int i = 0; i < count; ++i)
+                    stack[open++] = {node.child[numbers[i]], pair.there, boxOf(node, numbers[i]), pair.boxThere};
             }
             else
             {
                 const Node &node = other.nodes_[pair.there];
-                overlaps(node, pair.boxHere, toThere, slack, overlap);
-                for (int k = 0; k < 4; ++k)
-                    if (overlap[k])
-                        stack[open++] = {pair.here, node.child[k], pair.boxHere, boxOf(node, k)};
+                const int count = overlaps(node, pair.boxHere, toThere, slack, numbers);
+                for (int i = 0; i < count; ++i)
+                    stack[open++] = {pair.here, node.child[numbers[i]], pair.boxHere, boxOf(node, numbers[i])};
             }
         }
         return answers.get();
@@ -193,11 +204,10 @@ namespace ompl_certificates
                 continue;
             }
             const Node &node = nodes_[current];
-            bool overlap[4];
-            overlaps(node, box, turn, slack, overlap);
-            for (int k = 0; k < 4; ++k)
-                if (overlap[k])
-                    stack[open++] = node.child[k];
+            int numbers[4];
+            const int count = overlaps(node, box, turn, slack, numbers);
+            for (int i = 0; i < count; ++i)
+                stack[open++] = node.child[numbers[i]];
         }
         return answers.get();
     }

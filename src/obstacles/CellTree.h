@@ -328,16 +328,18 @@ namespace ompl_certificates
         while (open > 0)
         {
             const Node &node = nodes_[stack[--open]];
-            bool overlap[4];
-            overlaps(FloatNode(node), turned.box, turned.turn, slack, overlap);
-            for (std::uint32_t k = 0; k < 4; ++k)
-                if (overlap[k] && node.child[k] != NONE)
-                {
-                    if (!isLeaf(node.child[k]))
-                        stack[open++] = node.child[k];
-                    else if (visit(node.child[k] & ~LEAF, node.getBox(k)))
-                        return;
-                }
+            int numbers[4];
+            const int count = overlaps(FloatNode(node), turned.box, turned.turn, slack, numbers);
+            for (int i = 0; i < count; ++i)
+            {
+                const auto k = static_cast<std::uint32_t>(numbers[i]);
+                if (node.child[k] == NONE)
+                    continue;
+                if (!isLeaf(node.child[k]))
+                    stack[open++] = node.child[k];
+                else if (visit(node.child[k] & ~LEAF, node.getBox(k)))
+                    return;
+            }
         }
     }
 }

@@ -169,11 +169,10 @@ namespace ompl_certificates
                 continue;
             }
             const Node &node = nodes_[current];
-            bool overlap[4];
-            overlaps(node, floatBox, turn, slack, overlap);
-            for (int k = 0; k < 4; ++k)
-                if (overlap[k])
-                    stack[open++] = node.child[k];
+            int numbers[4];
+            const int count = overlaps(node, floatBox, turn, slack, numbers);
+            for (int i = 0; i < count; ++i)
+                stack[open++] = node.child[numbers[i]];
         }
         return NONE;
     }

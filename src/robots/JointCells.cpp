@@ -1,5 +1,7 @@
 #include "ompl_certificates/robots/JointCells.h"
 
+#include "CellTable.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +16,8 @@ namespace ompl_certificates
         /** A cell has two to this power parts along each coordinate on the next level. */
         constexpr unsigned int BITS = 2;
 
-        /** How many of the smallest cells there are, for 0, 1, 2 and 3 coordinates. With more of them, more checks find
-            an answer in the end, but later. */
+        /** How many cells there are on the third level, for 0, 1, 2 and 3 coordinates. With more of them, more checks
+            find an answer in the end, but later. */
         constexpr std::size_t CELL_COUNTS[] = {1, 1U << 10, 1U << 15, 1U << 15};
 
         /** A motion is followed through so many cells. */
@@ -39,12 +41,13 @@ namespace ompl_certificates
         }
     }
 
-    JointCells::JointCells(std::vector<Coordinate> coordinates) : coordinates_(std::move(coordinates))
+    JointCells::JointCells(std::vector<Coordinate> coordinates)
+      : coordinates_(std::move(coordinates)), smallest_(std::make_unique<CellTable>())
     {
         if (coordinates_.size() > MOST_COORDINATES)
             throw ompl::Exception("Joint cells can have " + std::to_string(MOST_COORDINATES) + " coordinates, not " +
                                   std::to_string(coordinates_.size()));
-        constexpr std::uint32_t parts = 1U << shiftOf(0, LEVELS);
+        constexpr std::uint32_t parts = 1U << shiftOf(0, ROW_LEVELS);
         std::size_t all = 1;
         Values widths{};  // how far each coordinate moves points within a cell
         for (std::size_t i = 0; i < coordinates_.size(); ++i)
@@ -63,7 +66,10 @@ namespace ompl_certificates
             counts_[static_cast<std::size_t>(widest - widths.begin())] *= 2;
         }
         for (std::size_t i = 0; i < coordinates_.size(); ++i)
+        {
+            counts_[i] <<= BITS;
             scales_[i] = counts_[i] / (coordinates_[i].upper - coordinates_[i].lower);
+        }
         std::size_t total = 0;
         for (unsigned int level = 0; level < LEVELS; ++level)
         {
@@ -73,7 +79,17 @@ namespace ompl_certificates
                 cells *= counts_[i] >> shiftOf(level, LEVELS);
             total += cells;
         }
-        answers_ = std::make_unique<std::atomic<Answer>[]>(total);
+        answers_ = std::make_unique<std::atomic<Answer>[]>(firsts_[ROW_LEVELS]);
+    }
+
+    JointCells::~JointCells() = default;
+
+    void JointCells::note(const Cell &cell, Answer answer)
+    {
+        if (isSmallest(cell))
+            smallest_->note(cell.number, answer);
+        else
+            answers_[cell.number].store(answer, std::memory_order_relaxed);
     }
 
     JointCells::Values JointCells::scaled(const Values &values) const
@@ -111,7 +127,8 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < coordinates_.size(); ++i)
                 number = number * (counts_[i] >> shift) + (index[i] >> shift);
             number += firsts_[level];
-            cell = {level, number, answers_[number].load(std::memory_order_relaxed)};
+            cell = {level, number,
+                    level < ROW_LEVELS ? answers_[number].load(std::memory_order_relaxed) : smallest_->find(number)};
             if (cell.answer != Answer::OPEN)
                 break;
         }

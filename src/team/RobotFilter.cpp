@@ -1,5 +1,7 @@
 #include "ompl_certificates/team/RobotFilter.h"
 
+#include "geometry/Winding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -18,13 +20,6 @@ namespace ompl_certificates
             bool isClosed;
         };
 
-        /** Half the signed solid angle of a triangle, seen from the origin: the formula of Van Oosterom and Strackee */
-        double halfAngle(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c)
-        {
-            const double x = a.norm(), y = b.norm(), z = c.norm();
-            return std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
-        }
-
         /** Whether a closed mesh winds around a point */
         bool isInside(const TriangleMesh &mesh, const Eigen::Vector3d &point)
         {
@@ -32,7 +27,7 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
             {
                 const auto [a, b, c] = mesh.getCorners(i);
-                sum += halfAngle(a - point, b - point, c - point);
+                sum += halfSolidAngle(a - point, b - point, c - point);
             }
             return std::abs(sum) > M_PI;
         }

@@ -52,19 +52,27 @@ namespace ompl_certificates
         while (true)
         {
             const JointCells::Cell cell = cells_->find(values);
-            if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::NEAR)
+            if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::ASKED)
                 return cell.answer;
             const Answer answer = prove(cell, context);
             if (answer == Answer::UNKNOWN)
                 return Answer::OPEN;
             cells_->note(cell, answer);
-            if (answer == Answer::NEAR)
+            if (answer == Answer::ASKED)
                 return answer;
         }
     }
 
+    bool JointCellCheck::mayContactSettle(const JointCells::Cell &cell) const
+    {
+        return JointCells::isSmallest(cell) || (JointCells::isSmall(cell) && locations_.size() <= MOST_FOR_CONTACT);
+    }
+
     Answer JointCellCheck::prove(const JointCells::Cell &cell, CheckContext &context) const
     {
+        // A motion passes most of them once.
+        if (cell.answer == Answer::UNKNOWN && JointCells::isSmall(cell))
+            return Answer::ASKED;
         const auto &space = description_.getStateSpace();
         ompl::base::State *middle = context.spare[robot_];
         space->copyState(middle, context.placed[robot_]);
@@ -81,16 +89,14 @@ namespace ompl_certificates
         // Where the other coordinates have taken the bodies, far from the origin, their relative pose is less precise.
         const double within = inCell + RELATIVE_POSE_ROUNDING * (one.translation().norm() + other.translation().norm());
         const Body &first = description_.getBodies()[pair_.first], &second = description_.getBodies()[pair_.second];
-        if (cell.answer == Answer::UNKNOWN)
-        {
-            const double needed = margin_ + within;
-            Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-            if (convexGap(first, second, relative, needed, needed, direction) > needed)
-                return Answer::APART;
-            const bool mayContactSettle =
-                JointCells::isSmallest(cell) && locations_.size() <= MOST_FOR_CONTACT && first.getDimension() == 3;
-            return mayContactSettle ? Answer::NEAR : Answer::OPEN;
-        }
+        const double needed = margin_ + within;
+        Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+        if (convexGap(first, second, relative, needed, needed, direction) > needed)
+            return Answer::APART;
+        if (first.getDimension() != 3)
+            return Answer::OPEN;
+        if (!mayContactSettle(cell))
+            return touchDeeply(first, second, relative, contactMargin_ + within) ? Answer::TOUCHING : Answer::OPEN;
         ++context.counts.contactTests;
         switch (touching(first, second, relative, contactMargin_ + within))
         {

@@ -23,8 +23,9 @@ namespace ompl_certificates
             return cells_->find(valuesOf(context.placed[robot_])).answer;
         }
 
-        /** \brief The same, but settles the cell if it is new: by the gap between convex covers, which costs less than
-            a microsecond. By the contact test, where that is what it takes, only when a cell is asked for again. */
+        /** \brief The same, but settles the cell if it is new; a small one when it is asked for again. By the gap between
+            convex covers and by balls inside meshes, which costs a few microseconds; by the contact test where the cell
+            is small enough for that. */
         JointCells::Answer settle(CheckContext &context) const;
 
         /** \brief How long the bodies are known to be apart before and after the time of their poses, along the motion
@@ -32,10 +33,14 @@ namespace ompl_certificates
         std::array<double, 2> apartFor(const CheckContext &context) const;
 
     private:
-        /** \brief Only with up to so many coordinates are cells so small that the contact test settles them. */
+        /** \brief Only with up to so many coordinates are cells of the third level so small that the contact test settles
+            them. */
         static constexpr std::size_t MOST_FOR_CONTACT = 2;
 
         JointCells::Values valuesOf(const ompl::base::State *state) const;
+
+        /** \brief Whether a cell is so small that the contact test may settle it */
+        bool mayContactSettle(const JointCells::Cell &cell) const;
 
         /** \brief What holds in all of \e cell. UNKNOWN if the robot's state proves nothing: it is beyond its bounds, or
             not finite. */

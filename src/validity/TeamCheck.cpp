@@ -81,8 +81,9 @@ namespace ompl_certificates
         }
 
         /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a
-            tenth of a second. */
-        void prepareBodies(const Team &team)
+            tenth of a second.
+            \param checksPairs whether bodies are checked against each other */
+        void prepareBodies(const Team &team, bool checksPairs)
         {
             for (const auto &robot : team.getRobots())
                 for (const Body &body : robot->getBodies())
@@ -90,7 +91,11 @@ namespace ompl_certificates
                     body.getConvexCovers();
                     for (const auto &part : body.getParts())
                         if (const TriangleMesh *mesh = part.shape.getMesh())
+                        {
                             mesh->getTree();
+                            if (checksPairs && part.shape.getDimension() == 3)
+                                mesh->getInside();
+                        }
                 }
         }
 
@@ -146,7 +151,7 @@ namespace ompl_certificates
         if (method == Method::FCL)
             prepareFcl(team_, *obstacles_);
         else
-            prepareBodies(team_);
+            prepareBodies(team_, pairs_.getPairCount() > 0);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const

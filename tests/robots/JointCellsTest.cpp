@@ -51,15 +51,18 @@ TEST(JointCells, NamesTheLargestCellThatIsKnown)
 {
     JointCells cells({{0, -1.0, 1.0, 1.0}, {4, 0.0, 2.0, 0.5}});
     const JointCells::Values values{0.3, 0.4}, far{-0.9, 1.9};
-    for (unsigned int level = 0; level < 3; ++level)
+    for (unsigned int level = 0; level < 4; ++level)
     {
         const JointCells::Cell cell = cells.find(values);
         EXPECT_EQ(cell.level, level);
         EXPECT_EQ(cell.answer, Answer::UNKNOWN);
-        EXPECT_EQ(JointCells::isSmallest(cell), level == 2);
+        EXPECT_EQ(JointCells::isSmall(cell), level >= 2);
+        EXPECT_EQ(JointCells::isSmallest(cell), level == 3);
         cells.note(cell, Answer::OPEN);
     }
     EXPECT_EQ(cells.find(values).answer, Answer::OPEN);
+    cells.note(cells.find(values), Answer::TOUCHING);
+    EXPECT_EQ(cells.find(values).answer, Answer::TOUCHING);
     EXPECT_EQ(cells.find(far).answer, Answer::UNKNOWN);
     cells.note(cells.find(far), Answer::APART);
     EXPECT_EQ(cells.find(far).answer, Answer::APART);
@@ -111,7 +114,7 @@ TEST(JointCells, ReachAsFarFromTheirMiddleAsTheySay)
         Random random(seed);
         JointCells cells = randomCells(random, 1 + seed % 3);
         const JointCells::Values values = randomValues(random, cells);
-        note(cells, values, random.below(3), Answer::APART);
+        note(cells, values, random.below(4), Answer::APART);
         const JointCells::Cell cell = cells.find(values);
         JointCells::Values middle = values;
         const double reach = cells.moveToMiddle(cell, middle);
@@ -159,7 +162,7 @@ TEST(JointCells, AreFollowedAlongAMotionForAsLongAsTheyAreApart)
         };
         constexpr int steps = 2000;
         for (int i = -steps; i <= steps; ++i)
-            note(cells, at(static_cast<double>(i) / steps), random.below(3),
+            note(cells, at(static_cast<double>(i) / steps), random.below(4),
                  random.chance(apart) ? Answer::APART : Answer::TOUCHING);
         const auto [before, after] = cells.apartFor(values, change);
         EXPECT_EQ(before > 0.0 || after > 0.0, cells.find(values).answer == Answer::APART);

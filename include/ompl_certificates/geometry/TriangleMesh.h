@@ -11,6 +11,7 @@
 
 namespace ompl_certificates
 {
+    class MeshInside;
     class TriangleTree;
 
     /** \brief A triangle soup in its own frame, in the scene's length unit. It never changes and is shared by pointer.
@@ -67,6 +68,9 @@ namespace ompl_certificates
             made when first asked for */
         const TriangleTree &getTree() const;
 
+        /** \brief Balls inside the mesh's closed pieces, for the library's own checks; made when first asked for */
+        const MeshInside &getInside() const;
+
     private:
         std::vector<Eigen::Vector3d> vertices_;
         std::vector<Triangle> triangles_;
@@ -74,6 +78,8 @@ namespace ompl_certificates
         double leastHeight_{0.0};
         mutable std::once_flag once_;
         mutable std::unique_ptr<TriangleTree> tree_;
+        mutable std::once_flag insideOnce_;
+        mutable std::unique_ptr<MeshInside> inside_;
     };
 
     /** \brief A shared pointer to a mesh */

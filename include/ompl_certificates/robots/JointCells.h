@@ -10,16 +10,19 @@
 
 namespace ompl_certificates
 {
+    class CellTable;
+
     /** \brief Where two bodies of a robot are known to be apart, or to touch. They are bodies whose relative pose
         depends on few coordinates, such as two links with up to three joints between them.
 
-        The values of these coordinates are divided into cells. There are three levels of them: a cell has four parts
-        along each coordinate on the next level. Checkers settle a cell for good when they first need it. What is known
-        of it is true of the robot alone, whatever the obstacles are. So all checkers of a robot can share it, and so
-        can robots whose two bodies move alike.
+        The values of these coordinates are divided into cells. There are four levels of them: a cell has four parts
+        along each coordinate on the next level. Checkers settle a cell for good when they first need it; a small one,
+        of the third or fourth level, when they need it again. What is known of it is true of the robot alone, whatever the
+        obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move alike.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
-        them at once. Uses a byte for each cell: at most 35 kB. */
+        them at once. Uses a byte for each cell of the first three levels, at most 35 kB, and up to a megabyte for the
+        smallest ones. */
     class JointCells
     {
     public:
@@ -56,8 +59,8 @@ namespace ompl_certificates
         {
             /// Nothing: it was not looked at.
             UNKNOWN,
-            /// The gap between the bodies does not prove them apart. Their contact test may.
-            NEAR,
+            /// Nothing, but it was asked for.
+            ASKED,
             /// Nothing proves one answer for the whole cell.
             OPEN,
             /// The bodies are apart.
@@ -85,6 +88,7 @@ namespace ompl_certificates
             \throws ompl::Exception if there are more than MOST_COORDINATES, or if a bound or a reach is not finite, or
             a lower bound not below the upper one, or a reach negative */
         explicit JointCells(std::vector<Coordinate> coordinates);
+        ~JointCells();
 
         /** \brief The coordinates on which the relative pose depends */
         const std::vector<Coordinate> &getCoordinates() const
@@ -93,14 +97,20 @@ namespace ompl_certificates
         }
 
         /** \brief The largest cell around \e values of which APART or TOUCHING holds; if there is none, the largest one
-            that is UNKNOWN or NEAR, and else the smallest one. OPEN, and no cell, if a value is beyond its bounds or
-            not a number. Cost: some 10 ns. */
+            that is UNKNOWN or ASKED, and else the smallest one. OPEN, and no cell, if a value is beyond its bounds or
+            not a number. Cost: some 10 to 30 ns. */
         Cell find(const Values &values) const;
 
-        /** \brief Whether a cell is one of the smallest */
+        /** \brief Whether a cell is of the third or fourth level */
+        static bool isSmall(const Cell &cell)
+        {
+            return cell.level + 1 >= ROW_LEVELS;
+        }
+
+        /** \brief Whether a cell is one of the smallest, of the fourth level */
         static bool isSmallest(const Cell &cell)
         {
-            return cell.level + 1 == LEVELS;
+            return cell.level >= ROW_LEVELS;
         }
 
         /** \brief Moves \e values to the middle of the cell that contains them
@@ -108,11 +118,8 @@ namespace ompl_certificates
             anywhere in the cell */
         double moveToMiddle(const Cell &cell, Values &values) const;
 
-        /** \brief Notes what is true of the whole cell */
-        void note(const Cell &cell, Answer answer)
-        {
-            answers_[cell.number].store(answer, std::memory_order_relaxed);
-        }
+        /** \brief Notes what is true of the whole cell. Of the smallest cells the first 2^16 are kept. */
+        void note(const Cell &cell, Answer answer);
 
         /** \brief How long the bodies are known to be apart before and after the time at which they are at \e values
             \param change how the values change in one unit of time
@@ -121,7 +128,8 @@ namespace ompl_certificates
         std::array<double, 2> apartFor(const Values &values, const Values &change) const;
 
     private:
-        static constexpr unsigned int LEVELS = 3;
+        /** \brief The number of levels, and of those of which there is a byte for each cell */
+        static constexpr unsigned int LEVELS = 4, ROW_LEVELS = 3;
 
         /** \brief Which of the smallest cells along each coordinate */
         using Index = std::array<std::uint32_t, MOST_COORDINATES>;
@@ -147,6 +155,7 @@ namespace ompl_certificates
         /** \brief The number of the first cell of each level */
         std::array<std::size_t, LEVELS> firsts_{};
         std::unique_ptr<std::atomic<Answer>[]> answers_;
+        const std::unique_ptr<CellTable> smallest_;
     };
 }
 
