@@ -25,14 +25,15 @@ namespace
         return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
     }
 
-    /** The mesh without its last triangle, or with that one turned round */
+    /** The mesh without a triangle, or with one turned round */
     TriangleMeshPtr broken(const TriangleMesh &mesh, bool turned)
     {
         std::vector<TriangleMesh::Triangle> triangles = mesh.getTriangles();
+        const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
         if (turned)
-            std::swap(triangles.back()[0], triangles.back()[1]);
+            std::swap((*middle)[0], (*middle)[1]);
         else
-            triangles.pop_back();
+            triangles.erase(middle);
         return std::make_shared<TriangleMesh>(mesh.getVertices(), std::move(triangles));
     }
 
