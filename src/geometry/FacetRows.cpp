@@ -81,8 +81,8 @@ namespace ompl_certificates
         const auto rotate = [&turn](const FourFloats *from, FourFloats *to)
         {
             for (int row = 0; row < 3; ++row)
-                to[row] = turn.elements[0][row] * from[0] + turn.elements[1][row] * from[1] +
-                          turn.elements[2][row] * from[2];
+                to[row] =
+                    turn.elements[0][row] * from[0] + turn.elements[1][row] * from[1] + turn.elements[2][row] * from[2];
         };
         FourFacets all;
         for (int corner = 0; corner < 3; ++corner)

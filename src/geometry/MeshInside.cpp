@@ -182,8 +182,10 @@ namespace ompl_certificates
                 closed.push_back({std::move(piece), box});
         }
         const auto sizeOf = [](const Closed &piece) { return piece.box.diagonal().norm(); };
-        std::sort(closed.begin(), closed.end(), [&](const Closed &a, const Closed &b) { return sizeOf(a) > sizeOf(b); });
-        while (closed.size() > MOST_PIECES || (!closed.empty() && sizeOf(closed.back()) < LEAST_PIECE * sizeOf(closed[0])))
+        std::sort(closed.begin(), closed.end(),
+                  [&](const Closed &a, const Closed &b) { return sizeOf(a) > sizeOf(b); });
+        while (closed.size() > MOST_PIECES ||
+               (!closed.empty() && sizeOf(closed.back()) < LEAST_PIECE * sizeOf(closed[0])))
             closed.pop_back();
 
         std::vector<std::pair<Ball, std::size_t>> candidates;

@@ -143,13 +143,15 @@ namespace ompl_certificates
                 {
                     if ((near >> j & 1U) == 0)
                         continue;
-                    const unsigned int left = mayCross(four, others, static_cast<int>(j), rowSlack) & firstBits(countOf(pair.here));
+                    const unsigned int left =
+                        mayCross(four, others, static_cast<int>(j), rowSlack) & firstBits(countOf(pair.here));
                     if (left == 0)
                         continue;
                     const Facet triangle(other.triangles_[firstOf(pair.there) + j], pose);
                     for (std::uint32_t i = 0; left >> i != 0; ++i)
                         if ((left >> i & 1U) != 0 &&
-                            answers.note(crossing(triangles_[firstOf(pair.here) + i], triangle, margin), firstOf(pair.here) + i, hit))
+                            answers.note(crossing(triangles_[firstOf(pair.here) + i], triangle, margin),
+                                         firstOf(pair.here) + i, hit))
                             return answers.get();
                 }
                 continue;
