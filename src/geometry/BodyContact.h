@@ -12,8 +12,8 @@ namespace ompl_certificates
         \param pose from the frame of \e second to the frame of \e first */
     Touching touching(const Body &first, const Body &second, const Pose &pose, double margin);
 
-    /** \brief Whether balls inside two bodies of space prove that these touch, even if one of them moves so that no point
-        of it goes farther than \e margin: see MeshInside. Asks meshes alone; much quicker than touching().
+    /** \brief Whether balls inside two bodies of space prove that these touch, even if one of them moves so that no
+        point of it goes farther than \e margin: see MeshInside. Asks meshes alone; much quicker than touching().
         \param pose from the frame of \e second to the frame of \e first */
     bool touchDeeply(const Body &first, const Body &second, const Pose &pose, double margin);
 }

@@ -77,8 +77,8 @@ namespace ompl_certificates
     };
 
     /** \brief Finds which of the four boxes of \e node touch \e box, to within \e slack: no axis of either separates
-        them. Writes their numbers, that of the box with the farthest middle first: a walk takes the last one next, so that it
-        comes early to where two things are deep in each other.
+        them. Writes their numbers, that of the box with the farthest middle first: a walk takes the last one next, so
+        that it comes early to where two things are deep in each other.
         \param turn takes \e box to the node's frame
         \return how many there are */
     template <typename Node>

@@ -4,7 +4,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        unsigned int bitsOf(const FourInts &flags)
+        unsigned int maskOf(const FourInts &flags)
         {
             unsigned int bits = 0;
             for (int k = 0; k < 4; ++k)
@@ -28,7 +28,7 @@ namespace ompl_certificates
         }
 
         /** Number \e k of the four, four times */
-        FourFloats spread(const FourFloats &four, int k)
+        FourFloats fourTimes(const FourFloats &four, int k)
         {
             return FourFloats{} + four[k];
         }
@@ -106,7 +106,7 @@ namespace ompl_certificates
             outside |= (lesser(lesser(a, b), c) > box.center[axis] + reach) |
                        (larger(larger(a, b), c) < box.center[axis] - reach);
         }
-        return bitsOf(outside == 0);
+        return maskOf(outside == 0);
     }
 
     unsigned int mayCross(const FourFacets &here, const FourFacets &there, int k, float slack)
@@ -115,10 +115,10 @@ namespace ompl_certificates
         for (int axis = 0; axis < 3; ++axis)
         {
             for (int corner = 0; corner < 3; ++corner)
-                one.corners[corner][axis] = spread(there.corners[corner][axis], k);
-            one.normal[axis] = spread(there.normal[axis], k);
+                one.corners[corner][axis] = fourTimes(there.corners[corner][axis], k);
+            one.normal[axis] = fourTimes(there.normal[axis], k);
         }
-        one.offset = spread(there.offset, k);
+        one.offset = fourTimes(there.offset, k);
         FourFloats ofThere[3], ofHere[3];
         for (int corner = 0; corner < 3; ++corner)
         {
@@ -131,7 +131,7 @@ namespace ompl_certificates
         apart |= areApartAcrossAnEdge(one, here, slack);
         if ((apart[0] & apart[1] & apart[2] & apart[3]) == 0)
             apart |= areApartAcrossAnEdge(here, one, slack);
-        return bitsOf(apart == 0);
+        return maskOf(apart == 0);
     }
 
     void FacetRows::add(const std::array<Eigen::Vector3d, 3> &corners, const Eigen::Vector3d &normal)

@@ -30,7 +30,8 @@ namespace ompl_certificates
     unsigned int nearBox(const FourFacets &four, const FloatBox &box, float slack);
 
     /** \brief Which of the four triangles \e here may be within \e slack of triangle \e k of \e there, in the same
-        frame. Of the others, all corners are on one side of the other triangle's plane, farther from it than \e slack. */
+        frame. The others are farther apart along the normal of one of them, or along an axis in its plane across an
+        edge. */
     unsigned int mayCross(const FourFacets &here, const FourFacets &there, int k, float slack);
 
     /** \brief The triangles of a tree, in rows of single precision and in the order of the tree: any four that follow

@@ -1,20 +1,17 @@
 #include "MeshInside.h"
 
+#include "ClosedPieces.h"
 #include "TriangleDistance.h"
-#include "Weld.h"
-#include "Winding.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace ompl_certificates
 {
     namespace
     {
-        using Corners = TriangleTree::Corners;
+        /** Larger meshes have no balls: they would take seconds. */
+        constexpr std::size_t LARGEST_MESH = 100000;
 
         /** About so many points of a piece's box are tried as centers of balls. */
         constexpr double CANDIDATES = 300.0;
@@ -31,81 +28,12 @@ namespace ompl_certificates
         /** Pays for the rounding of centers in single precision, relative to their coordinates */
         constexpr double CENTER_ROUNDING = 2e-6;
 
-        /** A surface, as indices of its triangles' corners */
-        using Surface = std::vector<std::array<std::uint32_t, 3>>;
-
-        /** The triangles that hang together by their corners */
-        std::vector<Surface> piecesOf(const Surface &triangles, std::size_t vertexCount)
+        /** A ball and the number of its piece */
+        struct Candidate
         {
-            std::vector<std::uint32_t> parents(vertexCount);
-            std::iota(parents.begin(), parents.end(), 0U);
-            const auto rootOf = [&parents](std::uint32_t vertex)
-            {
-                while (parents[vertex] != vertex)
-                    vertex = parents[vertex] = parents[parents[vertex]];
-                return vertex;
-            };
-            for (const auto &[a, b, c] : triangles)
-            {
-                parents[rootOf(b)] = rootOf(a);
-                parents[rootOf(c)] = rootOf(a);
-            }
-            constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-            std::vector<std::size_t> numbers(vertexCount, none);
-            std::vector<Surface> pieces;
-            for (const auto &triangle : triangles)
-            {
-                std::size_t &number = numbers[rootOf(triangle[0])];
-                if (number == none)
-                {
-                    number = pieces.size();
-                    pieces.emplace_back();
-                }
-                pieces[number].push_back(triangle);
-            }
-            return pieces;
-        }
-
-        /** Whether each edge is passed as often in one direction as in the other */
-        bool isClosed(const Surface &piece)
-        {
-            struct Edge
-            {
-                std::pair<std::uint32_t, std::uint32_t> ends;
-                int direction;
-            };
-            std::vector<Edge> edges;
-            edges.reserve(3 * piece.size());
-            for (const auto &triangle : piece)
-                for (std::size_t i = 0; i < 3; ++i)
-                {
-                    const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
-                    edges.push_back({std::minmax(from, to), from < to ? 1 : -1});
-                }
-            std::sort(edges.begin(), edges.end(), [](const Edge &a, const Edge &b) { return a.ends < b.ends; });
-            int sum = 0;
-            for (std::size_t i = 0; i < edges.size(); ++i)
-            {
-                sum += edges[i].direction;
-                const bool isLast = i + 1 == edges.size() || edges[i].ends != edges[i + 1].ends;
-                if (isLast && sum != 0)
-                    return false;
-            }
-            return true;
-        }
-
-        /** Whether a closed surface winds around a point. Not at points so near to it that rounding matters. */
-        bool isInside(const TriangleTree &surface, const Eigen::Vector3d &point)
-        {
-            double sum = 0.0;
-            for (std::uint32_t i = 0; i < surface.size(); ++i)
-            {
-                const auto &[a, b, c] = surface.getTriangle(i).corners;
-                sum += halfSolidAngle(a - point, b - point, c - point);
-            }
-            const double winding = sum / boost::math::constants::two_pi<double>(), whole = std::round(winding);
-            return whole != 0.0 && std::abs(winding - whole) < 0.01;
-        }
+            Ball ball;
+            std::size_t piece;
+        };
 
         /** The ball about \e center, or about a point deeper inside, that just reaches the surface */
         Ball ballFrom(const TriangleTree &surface, Eigen::Vector3d center)
@@ -156,82 +84,48 @@ namespace ompl_certificates
 
     MeshInside::MeshInside(const TriangleTree &tree)
     {
-        std::vector<Eigen::Vector3d> vertices;
-        vertices.reserve(3 * tree.size());
-        for (std::uint32_t i = 0; i < tree.size(); ++i)
-            for (const Eigen::Vector3d &corner : tree.getTriangle(i).corners)
-                vertices.push_back(corner);
-        const std::vector<std::uint32_t> welded = weld(vertices);
-        Surface triangles;
-        for (std::size_t i = 0; i < vertices.size(); i += 3)
-            triangles.push_back({welded[i], welded[i + 1], welded[i + 2]});
-
-        struct Closed
-        {
-            Surface triangles;
-            Eigen::AlignedBox3d box;
-        };
-        std::vector<Closed> closed;
-        for (Surface &piece : piecesOf(triangles, vertices.size()))
-        {
-            Eigen::AlignedBox3d box;
-            for (const auto &triangle : piece)
-                for (const std::uint32_t corner : triangle)
-                    box.extend(vertices[corner]);
-            if (box.volume() > 0.0 && isClosed(piece))
-                closed.push_back({std::move(piece), box});
-        }
-        const auto sizeOf = [](const Closed &piece) { return piece.box.diagonal().norm(); };
-        std::sort(closed.begin(), closed.end(),
-                  [&](const Closed &a, const Closed &b) { return sizeOf(a) > sizeOf(b); });
-        while (closed.size() > MOST_PIECES ||
-               (!closed.empty() && sizeOf(closed.back()) < LEAST_PIECE * sizeOf(closed[0])))
+        if (tree.size() > LARGEST_MESH)
+            return;
+        std::vector<ClosedPiece> closed = closedPiecesOf(tree);
+        const auto isSmall = [&](const ClosedPiece &piece)
+        { return piece.box.diagonal().norm() < LEAST_PIECE * closed.front().box.diagonal().norm(); };
+        while (closed.size() > MOST_PIECES || (!closed.empty() && isSmall(closed.back())))
             closed.pop_back();
-
-        std::vector<std::pair<Ball, std::size_t>> candidates;
-        std::vector<TriangleTree> surfaces(closed.size());
-        for (std::size_t i = 0; i < closed.size(); ++i)
+        std::vector<Candidate> candidates;
+        for (ClosedPiece &piece : closed)
         {
-            Piece piece{closed[i].box, {}};
-            for (const auto &[a, b, c] : closed[i].triangles)
-            {
-                surfaces[i].add({vertices[a], vertices[b], vertices[c]}, 0);
-                for (const std::uint32_t corner : {a, b, c})
-                    for (std::size_t axis = 0; axis < 3; ++axis)
-                    {
-                        const auto k = static_cast<Eigen::Index>(axis);
-                        if (vertices[corner][k] == piece.box.min()[k])
-                            piece.corners[2 * axis] = vertices[corner];
-                        if (vertices[corner][k] == piece.box.max()[k])
-                            piece.corners[2 * axis + 1] = vertices[corner];
-                    }
-            }
-            surfaces[i].build();
-            pieces_.push_back(piece);
-            for (const Ball &ball : candidatesIn(surfaces[i], piece.box))
-                candidates.emplace_back(ball, i);
+            piece.surface.build();
+            for (const Ball &ball : candidatesIn(piece.surface, piece.box))
+                candidates.push_back({ball, pieces_.size()});
+            pieces_.push_back({piece.box, piece.corners});
         }
         std::stable_sort(candidates.begin(), candidates.end(),
-                         [](const auto &a, const auto &b) { return a.first.radius > b.first.radius; });
+                         [](const Candidate &a, const Candidate &b) { return a.ball.radius > b.ball.radius; });
         for (const auto &[ball, piece] : candidates)
         {
             const auto isNear = [&center = ball.center](const Ball &other)
             { return (other.center - center).norm() < LEAST_SPACING * other.radius; };
-            if (balls_.size() == MOST_BALLS || std::any_of(balls_.begin(), balls_.end(), isNear) ||
-                !isInside(surfaces[piece], ball.center))
-                continue;
-            balls_.push_back({ball.center, ball.radius * (1.0 - SHRINKING)});
-            pieceOf_.push_back(piece);
-            extent_ = std::max(extent_, ball.center.cwiseAbs().maxCoeff());
+            if (balls_.size() < MOST_BALLS && std::none_of(balls_.begin(), balls_.end(), isNear) &&
+                isInside(closed[piece].surface, ball.center))
+            {
+                balls_.push_back({ball.center, ball.radius * (1.0 - SHRINKING)});
+                pieceOf_.push_back(piece);
+            }
         }
+        arrangeBalls();
+    }
 
+    void MeshInside::arrangeBalls()
+    {
         Eigen::AlignedBox3d middle;
         for (const Ball &ball : balls_)
+        {
             middle.extend(ball.center);
+            extent_ = std::max(extent_, ball.center.cwiseAbs().maxCoeff());
+        }
         around_.center = middle.center();
         for (const Ball &ball : balls_)
             around_.radius = std::max(around_.radius, (ball.center - around_.center).norm() + ball.radius);
-
         fours_.resize((balls_.size() + 3) / 4);
         for (std::size_t i = 0; i < 4 * fours_.size(); ++i)
         {

@@ -13,15 +13,13 @@ namespace ompl_certificates
     /** \brief Balls inside the closed pieces of a mesh. They prove, much sooner than triangles do, that two meshes
         touch.
 
-        A piece is what hangs together by the corners of triangles. It is closed if each edge has as many triangles on
-        one side as on the other; then every path from its inside to far away meets one of its triangles. Where a ball
-        inside one piece overlaps a ball inside a piece of the other mesh, the triangles of the two pieces touch, or
-        one piece contains the other. The latter cannot be if each has a corner outside the other's box. A body that
-        passes through a thin plate is not found so: no large ball fits into a plate. */
+        Where a ball overlaps one inside a piece of the other mesh, the triangles of the two pieces touch, or one
+        piece contains the other. The latter cannot be if each has a corner outside the other's box. A body that passes through a thin plate is not found so: no large ball fits into a plate. */
     class MeshInside
     {
     public:
-        /** \brief The balls of a mesh. Cost: some 10 ms for a thousand triangles, 0.1 s for 40 000. */
+        /** \brief The balls of a mesh; none if it has more than 10^5 triangles. Cost: a few milliseconds for a thousand
+            triangles, some 50 for 40 000. */
         explicit MeshInside(const TriangleTree &tree);
 
         /** \brief Whether the triangles of the two meshes certainly touch, even if one of them moves so that no point
@@ -39,7 +37,7 @@ namespace ompl_certificates
         /** \brief The most pieces that are looked at, and the most balls */
         static constexpr std::size_t MOST_PIECES = 3, MOST_BALLS = 16;
 
-        /** \brief A closed piece: its box, and its farthest corners along the axes */
+        /** \brief A closed piece: its box, and corners on its sides */
         struct Piece
         {
             Eigen::AlignedBox3d box;
@@ -51,6 +49,9 @@ namespace ompl_certificates
         {
             FourFloats center[3], radius;
         };
+
+        /** \brief Lays the balls out for touches() */
+        void arrangeBalls();
 
         /** \brief Whether \e piece has a corner outside of \e box by more than \e margin */
         static bool reachesOutOf(const Piece &piece, const Pose &pose, const Eigen::AlignedBox3d &box, double margin);

@@ -142,7 +142,8 @@ namespace ompl_certificates
             return (child & LEAF) != 0;
         }
 
-        /** \brief A child that is still to be visited: a bound, which says how soon, in the upper half, and its number */
+        /** \brief A child that is still to be visited: a bound, which says how soon, in the upper half; and its
+            number */
         using Open = std::uint64_t;
 
         static std::uint32_t boundOf(Open open)

@@ -4,7 +4,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        constexpr std::size_t FIRST_SIZE = 256, MOST_CELLS = 1U << 16;
+        constexpr std::size_t FIRST_SIZE = 256, MOST_SMALL_CELLS = 1U << 16;
         constexpr unsigned int ANSWER_BITS = 3;
 
         std::uint32_t entryFor(std::size_t number, JointCells::Answer answer)
@@ -49,7 +49,7 @@ namespace ompl_certificates
         const Table *table = tables_.back().get();
         if (table->entryOf(number).load(std::memory_order_relaxed) == 0)
         {
-            if (count_ == MOST_CELLS)
+            if (count_ == MOST_SMALL_CELLS)
                 return;
             if (2 * ++count_ > table->mask)
             {

@@ -10,9 +10,9 @@
 
 namespace ompl_certificates
 {
-    /** \brief What is known of some joint cells out of many, by their numbers. Any number of threads may use it at once;
-        one that only asks never waits. It grows up to 2^16 cells, which take half a megabyte, or a whole one with the
-        smaller tables before. Nothing is noted of others then. */
+    /** \brief What is known of some joint cells out of many, by their numbers. Any number of threads may use it at
+        once; one that only asks never waits. It grows up to 2^16 cells, which take half a megabyte, or a whole one with
+        the smaller tables before. Nothing is noted of others then. */
     class CellTable
     {
     public:

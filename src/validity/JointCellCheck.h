@@ -23,9 +23,9 @@ namespace ompl_certificates
             return cells_->find(valuesOf(context.placed[robot_])).answer;
         }
 
-        /** \brief The same, but settles the cell if it is new; a small one when it is asked for again. By the gap between
-            convex covers and by balls inside meshes, which costs a few microseconds; by the contact test where the cell
-            is small enough for that. */
+        /** \brief The same, but settles the cell if it is new; a small one when it is asked for again. By the gap
+            between convex covers and by balls inside meshes, which costs a few microseconds; by the contact test where
+            the cell is small enough for that. */
         JointCells::Answer settle(CheckContext &context) const;
 
         /** \brief How long the bodies are known to be apart before and after the time of their poses, along the motion
@@ -33,8 +33,8 @@ namespace ompl_certificates
         std::array<double, 2> apartFor(const CheckContext &context) const;
 
     private:
-        /** \brief Only with up to so many coordinates are cells of the third level so small that the contact test settles
-            them. */
+        /** \brief Only with up to so many coordinates are cells of the third level so small that the contact test
+            settles them. */
         static constexpr std::size_t MOST_FOR_CONTACT = 2;
 
         JointCells::Values valuesOf(const ompl::base::State *state) const;
@@ -42,8 +42,8 @@ namespace ompl_certificates
         /** \brief Whether a cell is so small that the contact test may settle it */
         bool mayContactSettle(const JointCells::Cell &cell) const;
 
-        /** \brief What holds in all of \e cell. UNKNOWN if the robot's state proves nothing: it is beyond its bounds, or
-            not finite. */
+        /** \brief What holds in all of \e cell. ASKED if it is small and was not asked for before. UNKNOWN if the
+            robot's state proves nothing: it is beyond its bounds, or not finite. */
         JointCells::Answer prove(const JointCells::Cell &cell, CheckContext &context) const;
 
         const unsigned int robot_;

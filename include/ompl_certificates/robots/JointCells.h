@@ -17,8 +17,8 @@ namespace ompl_certificates
 
         The values of these coordinates are divided into cells. There are four levels of them: a cell has four parts
         along each coordinate on the next level. Checkers settle a cell for good when they first need it; a small one,
-        of the third or fourth level, when they need it again. What is known of it is true of the robot alone, whatever the
-        obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move alike.
+        of the third or fourth level, when they need it again. What is known of it is true of the robot alone, whatever
+        the obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move alike.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
         them at once. Uses a byte for each cell of the first three levels, at most 35 kB, and up to a megabyte for the
