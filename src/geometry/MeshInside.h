@@ -14,7 +14,8 @@ namespace ompl_certificates
         touch.
 
         Where a ball overlaps one inside a piece of the other mesh, the triangles of the two pieces touch, or one
-        piece contains the other. The latter cannot be if each has a corner outside the other's box. A body that passes through a thin plate is not found so: no large ball fits into a plate. */
+        piece contains the other. The latter cannot be if each has a corner outside the other's box. A body that passes
+        through a thin plate is not found so: no large ball fits into a plate. */
     class MeshInside
     {
     public:
