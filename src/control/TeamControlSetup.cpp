@@ -2,6 +2,8 @@
 
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 
+#include <ompl/util/Exception.h>
+
 namespace ompl_certificates
 {
     TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
@@ -17,5 +19,15 @@ namespace ompl_certificates
         constexpr double step = 0.1;
         getSpaceInformation()->setPropagationStepSize(step);
         getSpaceInformation()->setMinMaxControlDuration(1, 10);
+    }
+
+    void TeamControlSetup::setup()
+    {
+        // OMPL would look into the goal to choose a planner, whether there is one or not.
+        if (!planner_ && !pa_ && !pdef_->getGoal())
+            throw ompl::Exception(
+                "Set a goal or a planner before setup(). To check states, getSpaceInformation()->setup() "
+                "is enough");
+        SimpleSetup::setup();
     }
 }

@@ -161,6 +161,11 @@ namespace ompl_certificates
 
     void TeamSetup::setup()
     {
+        // OMPL would look into the goal to choose a planner, whether there is one or not.
+        if (!planner_ && !pa_ && !pdef_->getGoal())
+            throw ompl::Exception(
+                "Set a goal or a planner before setup(). To check states, getSpaceInformation()->setup() "
+                "is enough");
         choosePlanner();
         if (!planner_ || !planner_->isSetup())
             chooseObjective();

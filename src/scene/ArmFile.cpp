@@ -73,7 +73,7 @@ namespace ompl_certificates
       , name_(model.name)
       , tree_(model.tree)
       , semantics_(srdf.empty() ? std::make_shared<const SrdfModel>(tree_)
-                                : std::make_shared<const SrdfModel>(srdf, tree_))
+                                : std::make_shared<const SrdfModel>(srdf, name_, tree_))
     {
     }
 

@@ -3,6 +3,7 @@
 #include "LineReader.h"
 #include "XmlFile.h"
 
+#include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 
@@ -18,12 +19,14 @@ namespace ompl_certificates
             return first < second ? std::make_pair(first, second) : std::make_pair(second, first);
         }
 
-        /** Finds the joints of groups, which may hold each other. */
+        /** Finds the joints of groups, which may hold each other. What the robot does not have is left out and noted, as
+            MoveIt does: one SRDF file often serves several variants of a robot. */
         class Groups
         {
         public:
-            Groups(const XmlFile &file, const KinematicTree &tree, std::string virtualJoint)
-              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint))
+            Groups(const XmlFile &file, const KinematicTree &tree, std::string virtualJoint,
+                   std::vector<std::string> &notes)
+              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint)), notes_(notes)
             {
                 for (const Node group : file.getRoot().children("group"))
                     if (!nodes_.emplace(file.attribute(group, "name"), group).second)
@@ -36,7 +39,7 @@ namespace ompl_certificates
             }
 
             /** All joints of a group, those of the groups in it too */
-            Names jointsOf(const std::string &group) const
+            Names jointsOf(const std::string &group)
             {
                 Names joints, seen{group};
                 std::vector<std::string> open{group};
@@ -47,57 +50,73 @@ namespace ompl_certificates
                     for (const Node child : node.children("chain"))
                         addChain(child, joints);
                     for (const Node child : node.children("joint"))
-                        joints.insert(joint(child, "name"));
+                        if (const auto name = joint(child))
+                            joints.insert(*name);
                     for (const Node child : node.children("link"))
-                    {
-                        const std::size_t index = link(child, "name");
-                        joints.insert(index == 0 ? virtualJoint_ : tree_.getLinks()[index].joint.name);
-                    }
+                        if (const auto index = link(child, "name"))
+                            joints.insert(*index == 0 ? virtualJoint_ : tree_.getLinks()[*index].joint.name);
                     for (const Node child : node.children("group"))
                     {
                         const std::string name = file_.attribute(child, "name");
                         if (nodes_.count(name) == 0)
-                            file_.fail(child, "there is no group '" + name + "'");
-                        if (seen.insert(name).second)
+                            note(child, "there is no group '" + name + "'");
+                        else if (seen.insert(name).second)
                             open.push_back(name);
                     }
                 }
                 return joints;
             }
 
-            std::string joint(const Node &node, const char *key) const
+            /** The joint that an element names, if the robot has it */
+            std::optional<std::string> joint(const Node &node)
             {
-                std::string name = file_.attribute(node, key);
-                if (name != virtualJoint_ && !tree_.hasJoint(name))
-                    file_.fail(node, std::string(key) + ": there is no joint '" + name + "'");
-                return name;
+                std::string name = file_.attribute(node, "name");
+                if (name == virtualJoint_ || tree_.hasJoint(name))
+                    return name;
+                note(node, "there is no joint '" + name + "'");
+                return std::nullopt;
             }
 
-            std::size_t link(const Node &node, const char *key) const
+            /** The link that an attribute names, if the robot has it */
+            std::optional<std::size_t> link(const Node &node, const char *key)
             {
                 const std::string name = file_.attribute(node, key);
-                if (!tree_.hasLink(name))
-                    file_.fail(node, std::string(key) + ": there is no link '" + name + "'");
-                return tree_.getLinkIndex(name);
+                if (tree_.hasLink(name))
+                    return tree_.getLinkIndex(name);
+                note(node, std::string(key) + ": there is no link '" + name + "'");
+                return std::nullopt;
+            }
+
+            void note(const Node &node, const std::string &remark)
+            {
+                // A group in several others is read several times.
+                if (std::string text = file_.remark(node, remark + "; ignored");
+                    std::find(notes_.begin(), notes_.end(), text) == notes_.end())
+                    notes_.push_back(std::move(text));
             }
 
         private:
-            void addChain(const Node &node, Names &joints) const
+            /** The joints between two links. If neither is above the other, they are those to the nearest link above
+                both. */
+            void addChain(const Node &node, Names &joints)
             {
-                const std::size_t base = link(node, "base_link");
-                for (std::size_t i = link(node, "tip_link"); i != base; i = tree_.getLinks()[i].parent)
+                const auto base = link(node, "base_link"), tip = link(node, "tip_link");
+                if (!base || !tip)
+                    return;
+                const auto &links = tree_.getLinks();
+                // Links stand after their parents.
+                for (std::size_t one = *base, other = *tip; one != other;)
                 {
-                    if (i == 0)
-                        file_.fail(node, "tip_link '" + file_.attribute(node, "tip_link") +
-                                             "' is no descendant of base_link '" + file_.attribute(node, "base_link") +
-                                             "'");
-                    joints.insert(tree_.getLinks()[i].joint.name);
+                    std::size_t &lower = one > other ? one : other;
+                    joints.insert(links[lower].joint.name);
+                    lower = links[lower].parent;
                 }
             }
 
             const XmlFile &file_;
             const KinematicTree &tree_;
             const std::string virtualJoint_;
+            std::vector<std::string> &notes_;
             std::map<std::string, Node> nodes_;
         };
 
@@ -117,10 +136,12 @@ namespace ompl_certificates
                 joints.push_back(link.joint.name);
     }
 
-    SrdfModel::SrdfModel(const std::string &file, const KinematicTree &tree)
+    SrdfModel::SrdfModel(const std::string &file, const std::string &robot, const KinematicTree &tree)
     {
         const XmlFile xml(file, "robot");
         const Node root = xml.getRoot();
+        if (const std::string name = root.attribute("name").value(); name != robot)
+            notes.push_back(file + ": describes robot '" + name + "', not '" + robot + "'");
         const std::string &rootLink = tree.getLinks().front().name;
         std::string virtualName;
         for (const Node node : root.children("virtual_joint"))
@@ -145,10 +166,11 @@ namespace ompl_certificates
             }
         }
 
-        const Groups all(xml, tree, virtualName);
+        Groups all(xml, tree, virtualName, notes);
         Names passive;
         for (const Node node : root.children("passive_joint"))
-            passive.insert(all.joint(node, "name"));
+            if (const auto joint = all.joint(node))
+                passive.insert(*joint);
         for (const auto &[name, node] : all.getNodes())
         {
             const Names names = all.jointsOf(name);
@@ -161,23 +183,28 @@ namespace ompl_certificates
         }
         for (const Node node : root.children("group_state"))
         {
-            const std::string group = xml.attribute(node, "group");
+            const std::string group = node.attribute("group").value(), name = xml.attribute(node, "name");
             if (groups.count(group) == 0)
-                xml.fail(node, "group: there is no group '" + group + "'");
-            auto &values = states[group][xml.attribute(node, "name")];
+            {
+                all.note(node, "there is no group '" + group + "'");
+                continue;
+            }
+            auto &values = states[group][name];
             for (const Node child : node.children("joint"))
             {
-                const std::string joint = all.joint(child, "name"),
-                                  text = boost::algorithm::trim_copy(xml.attribute(child, "value"));
+                const auto joint = all.joint(child);
+                if (!joint)
+                    continue;
+                const std::string text = boost::algorithm::trim_copy(xml.attribute(child, "value"));
                 double value = 0.0;
                 // Joints with several coordinates are not described by one number.
-                if (joint == virtualName || text.find_first_of(" \t") != std::string::npos)
-                    notes.push_back("state '" + xml.attribute(node, "name") + "' of group '" + group +
-                                    "': the value of joint '" + joint + "' is ignored");
+                if (*joint == virtualName || text.find_first_of(" \t") != std::string::npos)
+                    notes.push_back("state '" + name + "' of group '" + group + "': the value of joint '" + *joint +
+                                    "' is ignored");
                 else if (!parseNumber(text, value) || !std::isfinite(value))
-                    xml.fail(child, "joint '" + joint + "', value: must be a finite number, not '" + text + "'");
+                    xml.fail(child, "joint '" + *joint + "', value: must be a finite number, not '" + text + "'");
                 else
-                    values[joint] = value;
+                    values[*joint] = value;
             }
         }
         const auto readPairs = [&](const char *element, std::set<Pair> &pairs)

@@ -22,10 +22,10 @@ namespace ompl_certificates
             KinematicTree::JointType type;
         };
 
-        /** \brief Read \e file about the links and joints of \e tree. Names that the tree does not have are errors in
-            groups and states; in pairs of links they are noted.
+        /** \brief Read \e file about the links and joints of \e tree, the robot of that name. Names that the tree does not
+            have are ignored and noted.
             \throws ompl::Exception see ArmFile */
-        SrdfModel(const std::string &file, const KinematicTree &tree);
+        SrdfModel(const std::string &file, const std::string &robot, const KinematicTree &tree);
 
         /** \brief Without a file: one group without a name, of all joints that can move */
         explicit SrdfModel(const KinematicTree &tree);

@@ -80,6 +80,11 @@ namespace ompl_certificates
         throw ompl::Exception(at(node.offset_debug()), std::string("<") + node.name() + ">: " + complaint);
     }
 
+    std::string XmlFile::remark(const pugi::xml_node &node, const std::string &text) const
+    {
+        return at(node.offset_debug()) + ": <" + node.name() + ">: " + text;
+    }
+
     std::string XmlFile::attribute(const pugi::xml_node &node, const char *name) const
     {
         std::string value = node.attribute(name).value();

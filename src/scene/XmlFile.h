@@ -37,6 +37,9 @@ namespace ompl_certificates
             \throws ompl::Exception always */
         [[noreturn]] void fail(const pugi::xml_node &node, const std::string &complaint) const;
 
+        /** \brief A remark about \e node, naming file and line */
+        std::string remark(const pugi::xml_node &node, const std::string &text) const;
+
         /** \brief An attribute that must be there and not be empty */
         std::string attribute(const pugi::xml_node &node, const char *name) const;
 

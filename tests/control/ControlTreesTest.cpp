@@ -238,3 +238,12 @@ TEST(TeamPropagatorTest, RefusesBadParts)
             [&] { TeamControlSetup(controlled, obstacles, Method::STANDARD, CertificateMotionValidator::CONTINUOUS); }),
         "Steps are proved free by certificates, which the method standard does not have");
 }
+
+TEST(TeamControlSetup, SaysThatItNeedsAGoalOrAPlanner)
+{
+    TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({{0.0, 1.6, 0.2, 2.0}}));
+    EXPECT_THROW(setup.setup(), ompl::Exception);
+    EXPECT_THROW(setup.solve(0.1), ompl::Exception);
+    setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
+    EXPECT_NO_THROW(setup.setup());
+}

@@ -96,6 +96,20 @@ TEST(TeamSetup, PutsCheckerAndMotionValidatorOfTheMethodInPlace)
     EXPECT_EQ(TeamSetup(team, noObstacles(2)).getTeamChecker()->getMethod(), Method::SHARED_PROJECTION);
 }
 
+TEST(TeamSetup, SaysThatItNeedsAGoalOrAPlanner)
+{
+    const auto team = teamOfDiscs();
+    TeamSetup setup(team, noObstacles(2));
+    EXPECT_THROW(setup.setup(), ompl::Exception);
+    EXPECT_THROW(setup.solve(0.1), ompl::Exception);
+    setup.getSpaceInformation()->setup();
+    ob::ScopedState<> state(team);
+    state = std::vector<double>{0.0, 0.0, 3.0, 0.0, -3.0, 0.0};
+    EXPECT_TRUE(setup.getSpaceInformation()->isValid(state.get()));
+    setup.setPlanner(std::make_shared<OpenRrt>(setup.getSpaceInformation()));
+    EXPECT_NO_THROW(setup.setup());
+}
+
 TEST(TeamSetup, KnowsTheNamesOfTheMethods)
 {
     EXPECT_EQ(allMethods().size(), 5U);

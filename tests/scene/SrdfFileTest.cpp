@@ -54,12 +54,6 @@ namespace ompl_certificates
         const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
             {"<group/>", {"name"}},
             {"<group name='a'/><group name='a'/>", {"'a'"}},
-            {"<group name='a'><joint name='x'/></group>", {"<joint>", "'x'"}},
-            {"<group name='a'><link name='x'/></group>", {"<link>", "'x'"}},
-            {"<group name='a'><group name='x'/></group>", {"<group>", "'x'"}},
-            {"<group name='a'><chain base_link='x' tip_link='hand'/></group>", {"base_link", "'x'"}},
-            {"<group name='a'><chain base_link='hand' tip_link='base'/></group>", {"'base'", "'hand'"}},
-            {"<group_state name='s' group='x'/>", {"'x'"}},
             {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='x'/></group_state>",
              {"'first'", "'x'"}},
             {"<group name='a'/><group_state name='s' group='a'><joint name='first' value='nan'/></group_state>",
@@ -67,7 +61,8 @@ namespace ompl_certificates
             {"<virtual_joint name='v' type='x' parent_frame='w' child_link='base'/>", {"'x'"}},
             {"<virtual_joint name='first' type='fixed' parent_frame='w' child_link='base'/>", {"'first'"}},
             {"<disable_collisions link1='base'/>", {"link2"}},
-            {"<passive_joint name='x'/>", {"'x'"}},
+            {"<passive_joint/>", {"name"}},
+            {"<group name='a'><chain base_link='base'/></group>", {"tip_link"}},
             {"<", {"not valid XML"}},
         };
         const test::Folder folder;
@@ -80,6 +75,78 @@ namespace ompl_certificates
             for (const std::string &part : parts)
                 EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in " << message;
         }
+    }
+
+    // One file often serves several variants of a robot.
+    TEST(SrdfFile, NotesAndIgnoresWhatTheRobotDoesNotHave)
+    {
+        const std::vector<std::pair<std::string, std::string>> cases{
+            {"<group name='a'><joint name='x'/><joint name='first'/></group>", "<joint>: there is no joint 'x'"},
+            {"<group name='a'><joint name='first'/><link name='x'/></group>", "<link>: name: there is no link 'x'"},
+            {"<group name='a'><group name='x'/><joint name='first'/></group>", "<group>: there is no group 'x'"},
+            {"<group name='a'><chain base_link='x' tip_link='hand'/><joint name='first'/></group>",
+             "<chain>: base_link: there is no link 'x'"},
+            {"<group name='a'><chain base_link='base' tip_link='x'/><joint name='first'/></group>",
+             "<chain>: tip_link: there is no link 'x'"},
+            {"<group name='a'><joint name='first'/></group><group name='b'><joint name='x'/></group>",
+             "there is no joint 'x'"},
+            {"<group name='a'><joint name='first'/></group><passive_joint name='x'/>",
+             "<passive_joint>: there is no joint 'x'"},
+            {"<group name='a'><joint name='first'/></group><group_state name='s' group='x'/>",
+             "<group_state>: there is no group 'x'"},
+            {"<group name='a'><joint name='first'/></group><group_state name='s'/>",
+             "<group_state>: there is no group ''"},
+            {"<group name='a'><joint name='first'/></group>"
+             "<group_state name='s' group='a'><joint name='x' value='1'/></group_state>",
+             "there is no joint 'x'"}};
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain());
+        for (const auto &[text, expected] : cases)
+        {
+            const std::string srdf = folder.write("a.srdf", robot(text));
+            const ArmFile file(urdf, srdf);
+            EXPECT_EQ(file.getJoints("a"), std::vector<std::string>{"first"}) << text;
+            std::vector<std::string> notes;
+            file.makeArm("arm", "a", {}, &notes);
+            ASSERT_EQ(notes.size(), 1u) << text;
+            EXPECT_EQ(notes[0].find(srdf + ":"), 0u) << notes[0];
+            EXPECT_NE(notes[0].find(expected), std::string::npos) << notes[0];
+        }
+        const ArmFile file(urdf, folder.write("a.srdf", robot("<group name='a'><joint name='x'/></group>")));
+        EXPECT_NE(messageOf([&] { file.makeArm("arm", "a", {}); }).find("group 'a'"), std::string::npos);
+    }
+
+    TEST(SrdfFile, SaysThatItDescribesAnotherRobot)
+    {
+        const test::Folder folder;
+        const std::string group = "<group name='a'><joint name='first'/></group>";
+        const ArmFile file(folder.write("a.urdf", chain()),
+                           folder.write("a.srdf", "<robot name='other'>" + group + "</robot>"));
+        std::vector<std::string> notes;
+        file.makeArm("arm", "a", {}, &notes);
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find("describes robot 'other'"), std::string::npos) << notes[0];
+    }
+
+    TEST(SrdfFile, ChainsGoUpAndDown)
+    {
+        const test::Folder folder;
+        const std::string other = link("other") + joint("third", "revolute", "base", "other", LIMIT) + link("end") +
+                                  joint("fourth", "revolute", "other", "end", LIMIT);
+        const std::string urdf = folder.write("a.urdf", chain(other));
+        const auto jointsOf = [&](const std::string &base, const std::string &tip)
+        {
+            const std::string group =
+                "<group name='a'><chain base_link='" + base + "' tip_link='" + tip + "'/></group>";
+            return ArmFile(urdf, folder.write("a.srdf", robot(group))).getJoints("a");
+        };
+        using Names = std::vector<std::string>;
+        EXPECT_EQ(jointsOf("base", "hand"), (Names{"first", "second"}));
+        EXPECT_EQ(jointsOf("hand", "base"), (Names{"first", "second"}));
+        EXPECT_EQ(jointsOf("arm", "end"), (Names{"first", "third", "fourth"}));
+        EXPECT_EQ(jointsOf("end", "hand"), (Names{"first", "second", "third", "fourth"}));
+        EXPECT_EQ(jointsOf("end", "other"), Names{"fourth"});
+        EXPECT_EQ(jointsOf("hand", "hand"), Names{});
     }
 
     TEST(SrdfFile, JointsThatArePassiveOrLockedAreInNoGroup)

@@ -22,6 +22,10 @@ namespace ompl_certificates
                          Method method = Method::SHARED_PROJECTION,
                          CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
+        /** \brief Set up the space information and the planner; see SimpleSetup
+            \throws ompl::Exception if there is neither a goal nor a planner */
+        void setup() override;
+
         /** \brief The validity checker of the team, which ignores limits */
         const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
         {

@@ -34,7 +34,8 @@ namespace ompl_certificates
             \throws ompl::Exception if the planner is set up already, and so has its structure */
         void setNearestStructure(NearestStructure structure);
 
-        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup */
+        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup
+            \throws ompl::Exception if there is neither a goal nor a planner */
         void setup() override;
 
         /** \brief Plan for at most \e time seconds; see SimpleSetup. Returns when the planner has ended: OMPL's own

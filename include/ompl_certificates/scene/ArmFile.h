@@ -49,7 +49,8 @@ namespace ompl_certificates
 
         Read from SRDF: groups of chains, joints, links and groups; group_state; disable_collisions,
         disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors
-        are groups like others. Joints that are not of an arm's group have fixed values. */
+        are groups like others. Joints that are not of an arm's group have fixed values. Links, joints and groups that
+        there are not are ignored, as MoveIt does; makeArm() notes them. */
     class ArmFile
     {
     public:
@@ -98,7 +99,7 @@ namespace ompl_certificates
             \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. It is
             thrown for a file or a mesh that cannot be read, for links and joints that make no tree or are more than
             1000, and for a size that is not positive. It is also thrown for a joint that lacks what it needs, for
-            limits, an axis or a mimic that make no sense, and for an SRDF file that names what there is not. */
+            limits, an axis or a mimic that make no sense. */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
 
         /** \brief The same, read as \e options say */
