@@ -5,6 +5,7 @@
 #include "UrdfReader.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -155,24 +156,28 @@ namespace ompl_certificates
                                    [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
                     pairs.end());
         const Arm all(names, tree, joints, options);
+        std::vector<std::string> together;
         for (const auto &[pair, collides] : pairsThatStay(all))
             if (!collides)
                 remove(pairs, pair);
-            else if (!sampled)
-                notes.push_back(names + ": links " + nameOf(pair) + " collide in all states, and " +
-                                (settings.mayTouch ? "may not" : "the SRDF file does not allow it"));
+            else
+                together.push_back(nameOf(pair));
+        if (!sampled && !together.empty())
+            notes.push_back(names + ": these links collide in all states, and " +
+                            (settings.mayTouch ? "may not: " : "the SRDF file does not allow it: ") +
+                            boost::algorithm::join(together, ", "));
         if (sampled)
         {
-            std::string colliding;
+            std::vector<std::string> colliding;
             for (const LinkPair &pair : pairsThatAlwaysCollide(all))
             {
                 remove(pairs, pair);
-                colliding += (colliding.empty() ? "" : ", ") + nameOf(pair);
+                colliding.push_back(nameOf(pair));
             }
             notes.push_back(names + ": without an SRDF file, " + std::to_string(pairs.size()) +
                             " pairs of links are checked against each other" +
                             (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
-                            colliding);
+                            boost::algorithm::join(colliding, ", "));
         }
         return options;
     }

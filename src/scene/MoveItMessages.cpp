@@ -31,6 +31,9 @@ namespace ompl_certificates
         {
             const auto values = readNumbers(node, {"x", "y", "z", "w"});
             const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
+            // What nobody filled in is no rotation for MoveIt.
+            if (rotation.coeffs().isZero(0.0))
+                return Eigen::Matrix3d::Identity();
             if (!(rotation.norm() >= YamlNode::MIN_SIZE))
                 node.fail("must not be zero");
             return rotation.normalized().toRotationMatrix();

@@ -4,6 +4,7 @@
 #include "XmlFile.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 
@@ -207,18 +208,22 @@ namespace ompl_certificates
                     values[*joint] = value;
             }
         }
+        Names missing;
         const auto readPairs = [&](const char *element, std::set<Pair> &pairs)
         {
             for (const Node node : root.children(element))
             {
                 for (const char *key : {"link1", "link2"})
-                    if (!tree.hasLink(xml.attribute(node, key)))
-                        notes.push_back(std::string(element) + ": there is no link '" + xml.attribute(node, key) + "'");
+                    if (const std::string name = xml.attribute(node, key); !tree.hasLink(name))
+                        missing.insert(name);
                 pairs.insert(ordered(xml.attribute(node, "link1"), xml.attribute(node, "link2")));
             }
         };
         readPairs("disable_collisions", disabled_);
         readPairs("enable_collisions", enabled_);
+        if (!missing.empty())
+            notes.push_back(file +
+                            ": pairs of links name some that there are not: " + boost::algorithm::join(missing, ", "));
         for (const Node node : root.children("disable_default_collisions"))
             disabledLinks_.insert(xml.attribute(node, "link"));
     }

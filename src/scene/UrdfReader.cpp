@@ -134,6 +134,9 @@ namespace ompl_certificates
                 if (words.count(found.attribute().name()) == 0)
                     file.fail(found.parent(), std::string(found.attribute().name()) + ": must be numbers, not '" +
                                                   found.attribute().value() + "'");
+            // Debian 12's urdfdom does not know it.
+            if (const pugi::xpath_node found = robot.select_node(".//origin[@quat_xyzw]"))
+                file.fail(found.node(), "quat_xyzw: is not supported; give rpy");
             std::size_t links = 0;
             for ([[maybe_unused]] const pugi::xml_node link : robot.children("link"))
                 ++links;

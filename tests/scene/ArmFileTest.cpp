@@ -212,6 +212,8 @@ namespace ompl_certificates
             {"<robot name='r'/>", {"no link"}},
             {"<robot>" + link("a") + "</robot>", {"name"}},
             {robot("<xacro:include filename='x'/>" + link("a")), {"xacro"}},
+            {robot(link("a") + link("b") + joint("j", "fixed", "a", "b", "<origin xyz='0 0 1' quat_xyzw='0 0 1 0'/>")),
+             {"<origin>", "quat_xyzw"}},
             {deep, {"not valid XML"}},
             {robot(many), {"10001 links", "1000"}},
             {robot(link("a") + link("a")), {"'a'"}},

@@ -56,7 +56,7 @@ namespace ompl_certificates
                 {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{}, {}]"),
                  place + ".primitive_poses: must have as many items as primitives, 1, not 2"},
                 {object(
-                     "primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{orientation: [0, 0, 0, 0]}]"),
+                     "primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{orientation: [0, 0, 0, 1e-12]}]"),
                  place + ".primitive_poses[0].orientation: must not be zero"},
                 {object("primitives: [{type: sphere, dimensions: [1]}], primitive_poses: [{position: [0, x, 0]}]"),
                  place + ".primitive_poses[0].position[1]: must be a number, not x"},
