@@ -63,6 +63,12 @@ namespace ompl_certificates
         /** \brief How many certificates were added since find() */
         std::size_t countNew() const;
 
+        /** \brief How many certificates the change concerns, of those that find() has looked at */
+        std::size_t countFound() const
+        {
+            return found_.size();
+        }
+
         /** \brief Withdraws at most \e most certificates. Not while others check.
             \return whether some are left */
         bool withdraw(std::size_t most);

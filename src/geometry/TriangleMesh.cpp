@@ -22,7 +22,7 @@ namespace ompl_certificates
         if (triangles_.empty())
             throw ompl::Exception("A mesh needs at least one triangle");
         for (std::size_t i = 0; i < vertices_.size(); ++i)
-            if (!(vertices_[i].cwiseAbs().maxCoeff() <= LARGEST_COORDINATE))
+            if (!(vertices_[i].cwiseAbs().array() <= LARGEST_COORDINATE).all())
                 throw ompl::Exception("Vertex " + std::to_string(i) + " of a mesh is not finite or too large");
         double farthest = 0.0;
         for (std::size_t i = 0; i < triangles_.size(); ++i)

@@ -60,7 +60,7 @@ namespace ompl_certificates
         if (nodes_.empty() || !(limit > 0.0))
             return limit;
         double lowest = limit * limit;
-        if (!((point - origin_).cwiseAbs().maxCoeff() < FARTHEST))
+        if (!((point - origin_).cwiseAbs().array() < FARTHEST).all())
         {
             for (std::uint32_t i = 0; i < triangles_.size(); ++i)
                 if (lowerToDistance(triangles_[i], point, lowest) && nearest)

@@ -67,11 +67,19 @@ namespace ompl_certificates
             std::set<Place> met;
             const auto meet = [&met, first = first, last = last](const auto &blocks)
             {
-                for (auto block = blocks.lower_bound(first); block != blocks.end() && block->first[0] <= last[0];
-                     ++block)
-                    if (const Place &at = block->first;
-                        first[1] <= at[1] && at[1] <= last[1] && first[2] <= at[2] && at[2] <= last[2])
-                        met.insert(at);
+                auto block = blocks.lower_bound(first);
+                while (block != blocks.end() && block->first[0] <= last[0])
+                {
+                    const auto [x, y, z] = block->first;
+                    if (y < first[1] || (y <= last[1] && z < first[2]))
+                        block = blocks.lower_bound({x, std::max(y, first[1]), first[2]});
+                    else if (y > last[1])
+                        block = blocks.lower_bound({x + 1, first[1], first[2]});
+                    else if (z > last[2])
+                        block = blocks.lower_bound({x, y + 1, first[2]});
+                    else
+                        met.insert((block++)->first);
+                }
             };
             meet(blocks_);
             meet(edited_);

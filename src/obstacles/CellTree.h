@@ -280,7 +280,7 @@ namespace ompl_certificates
     template <typename Visit>
     void CellTree::visitByDistance(const Eigen::Vector3d &point, const double &lowest, const Visit &visit) const
     {
-        if (!(point.cwiseAbs().maxCoeff() < FARTHEST))
+        if (!(point.cwiseAbs().array() < FARTHEST).all())
         {
             for (std::uint32_t i = 0; i < boxes_.size(); ++i)
                 if (const double squared = squaredDistance(boxes_[i], point); squared < lowest)

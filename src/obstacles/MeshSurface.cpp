@@ -1,6 +1,7 @@
 #include "MeshSurface.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
@@ -26,6 +27,14 @@ namespace ompl_certificates
                 outline = std::move(kept);
             }
             return outline;
+        }
+
+        Eigen::AlignedBox3d boxOf(const TriangleTree::Corners &triangle)
+        {
+            Eigen::AlignedBox3d box;
+            for (const Eigen::Vector3d &corner : triangle)
+                box.extend(corner);
+            return box;
         }
 
         void addTriangles(const TriangleMesh &mesh, const Pose &pose, TriangleTree &triangles)
@@ -55,14 +64,19 @@ namespace ompl_certificates
     {
         const Eigen::AlignedBox3d bounds = triangles_.getBounds();
         const double size = bounds.sizes().maxCoeff();
-        // Slightly more than the robots' z-interval, so that rounding leaves nothing out; prisms are slightly higher
-        // still.
-        const double slack = EXACT_CHECK_TOLERANCE * size;
-        zInterval_ = ZInterval{robotZInterval.low - 2.0 * slack, robotZInterval.high + 2.0 * slack}.intersectedWith(
+        // Prisms are slightly higher than what is cut off below.
+        const double higher = 2.0 * EXACT_CHECK_TOLERANCE * size;
+        zInterval_ = ZInterval{robotZInterval.low - higher, robotZInterval.high + higher}.intersectedWith(
             {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
+        const double height = robotZInterval.high - robotZInterval.low;
         for (std::uint32_t i = 0; i < triangles_.size(); ++i)
         {
             const auto &corners = triangles_.getTriangle(i).corners;
+            // Slightly more than the robots' z-interval, so that rounding leaves nothing out. How much must not depend
+            // on other triangles: certificates of this one would not be true when others come or go.
+            const Eigen::AlignedBox3d box = boxOf(corners);
+            const double slack =
+                EXACT_CHECK_TOLERANCE * std::max(box.sizes().maxCoeff(), std::isfinite(height) ? height : 0.0);
             std::vector<Eigen::Vector3d> outline =
                 between(corners, robotZInterval.low - slack, robotZInterval.high + slack);
             for (auto &corner : outline)

@@ -54,7 +54,7 @@ namespace ompl_certificates
                                       std::to_string(i) + " is " + std::to_string(radii[i]));
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            if (!(points[i].cwiseAbs().maxCoeff() <= LARGEST) || !points[i].allFinite())
+            if (!(points[i].cwiseAbs().array() <= LARGEST).all())
                 throw ompl::Exception("The coordinates of point " + std::to_string(i) +
                                       " of a cloud must be finite and at most 10^15");
             if (dimension == 2 && points[i].z() != 0.0)

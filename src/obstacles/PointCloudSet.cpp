@@ -45,6 +45,23 @@ namespace ompl_certificates
             count += present ? 1 : std::size_t(-1);
         }
 
+        /** Of the points equal to one that searches find and that is there, the one to go first: the last spare one
+            that is there, for searches do not find it without the others */
+        std::uint32_t lastEqualTo(std::uint32_t position) const
+        {
+            auto [low, high] = tree->findSpare(position);
+            const std::uint32_t first = low;
+            while (low < high)
+            {
+                const std::uint32_t middle = low + (high - low) / 2;
+                if (has(middle))
+                    low = middle + 1;
+                else
+                    high = middle;
+            }
+            return low > first ? low - 1 : position;
+        }
+
         void appendTo(std::vector<Eigen::Vector3d> &points) const
         {
             for (std::uint32_t i = 0; i < tree->getPoints().size(); ++i)
@@ -119,8 +136,8 @@ namespace ompl_certificates
                 const std::uint32_t i = layer.tree->findNear({point, point}, Pose::Identity(), isIt);
                 if (i == PointTree::NONE)
                     continue;
-                layer.setPresent(i, false);
-                found.emplace_back(&layer, i);
+                found.emplace_back(&layer, layer.lastEqualTo(i));
+                layer.setPresent(found.back().second, false);
                 return true;
             }
             return false;
@@ -149,14 +166,19 @@ namespace ompl_certificates
         const std::size_t before = removed_.size();
         for (Layer &layer : layers_)
         {
+            const auto take = [&](std::uint32_t i)
+            {
+                layer.setPresent(i, false);
+                removed_.push_back(layer.tree->getPoints()[i]);
+            };
             const auto visit = [&](std::uint32_t i)
             {
-                const Eigen::Vector3d &point = layer.tree->getPoints()[i];
-                if (layer.has(i) && box.contains(point))
-                {
-                    layer.setPresent(i, false);
-                    removed_.push_back(point);
-                }
+                if (!layer.has(i) || !box.contains(layer.tree->getPoints()[i]))
+                    return false;
+                const auto [first, last] = layer.tree->findSpare(i);
+                for (std::uint32_t spare = first; spare < last && layer.has(spare); ++spare)
+                    take(spare);
+                take(i);
                 return false;
             };
             layer.tree->findNear(box, Pose::Identity(), visit);

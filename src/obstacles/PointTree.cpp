@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 namespace ompl_certificates
 {
@@ -23,7 +24,18 @@ namespace ompl_certificates
             return ball.center;
         }
 
-        /** Orders points so that those of a leaf, and those of each half of the leaves, are close together */
+        /** Whether a point comes before another one along an axis. Only equal points are equally far. */
+        bool isBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b, Eigen::Index axis)
+        {
+            if (a[axis] != b[axis])
+                return a[axis] < b[axis];
+            const Eigen::Index second = (axis + 1) % 3, third = (axis + 2) % 3;
+            return a[second] != b[second] ? a[second] < b[second] : a[third] < b[third];
+        }
+
+        /** Orders points so that those of a leaf, and those of each half of the leaves, are close together. Leaves of
+            which a part are equal points are few: where such points are first or last along all axes, a half that has
+            some of them has no others, or the other half has none. */
         template <typename Item>
         void order(Item *begin, Item *end, std::ptrdiff_t leafSize)
         {
@@ -37,7 +49,7 @@ namespace ompl_certificates
             box.sizes().maxCoeff(&axis);
             Item *const middle = begin + leaves / 2 * leafSize;
             std::nth_element(begin, middle, end,
-                             [axis](const Item &a, const Item &b) { return pointOf(a)[axis] < pointOf(b)[axis]; });
+                             [axis](const Item &a, const Item &b) { return isBefore(pointOf(a), pointOf(b), axis); });
             order(begin, middle, leafSize);
             order(middle, end, leafSize);
         }
@@ -114,6 +126,15 @@ namespace ompl_certificates
         return origin_.norm() + std::sqrt(3.0) * extent_;
     }
 
+    std::pair<std::uint32_t, std::uint32_t> PointTree::findSpare(std::uint32_t position) const
+    {
+        const std::uint32_t leaf = leafOf(position);
+        const auto spare = std::lower_bound(spare_.begin(), spare_.end(), std::pair(leaf + 1, 0U));
+        if (spare == spare_.end() || spare->first != leaf + 1)
+            return {0, 0};
+        return {spare->first * LEAF_SIZE, endOf(spare->second - 1)};
+    }
+
     PointTree::Bounds PointTree::leafBounds(std::uint32_t leaf) const
     {
         Bounds bounds;
@@ -132,9 +153,18 @@ namespace ompl_certificates
 
     PointTree::Bounds PointTree::addChild(std::uint32_t first, std::uint32_t last, std::uint32_t &child)
     {
-        if (last - first > 1)
+        const auto begin = points_.begin() + first * std::ptrdiff_t(LEAF_SIZE), end = points_.begin() + endOf(last - 1);
+        const auto isOther = [&](const Eigen::Vector3d &point) { return point != *begin; };
+        if (last - first > 1 && std::any_of(begin, end, isOther))
             return addNode(first, last, child);
         child = LEAF | first;
+        if (last - first > 1)
+        {
+            spare_.emplace_back(first + 1, last);
+            if (radii_.size() > 1)
+                std::sort(radii_.begin() + (begin - points_.begin()), radii_.begin() + (end - points_.begin()),
+                          std::greater<>());
+        }
         return leafBounds(first);
     }
 

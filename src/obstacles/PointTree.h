@@ -5,8 +5,10 @@
 
 #include "geometry/BoxOverlap.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -14,7 +16,10 @@ namespace ompl_certificates
     /** \brief A tree of boxes over points with radii. It finds the ball nearest to a point, and the balls near a body.
 
         Each node holds the boxes of four children, in single precision and rounded outwards. A leaf is up to 16
-        points that stand in a row, in double precision. Uses about 30 bytes per point, and 8 more if radii differ. */
+        points that stand in a row, in double precision. Uses about 30 bytes per point, and 8 more if radii differ.
+
+        Where points that are all equal would fill a node, one leaf of them stands for it. The others are spare: their
+        radii are not larger, and no search finds them. */
     class PointTree
     {
     public:
@@ -26,7 +31,7 @@ namespace ompl_certificates
         PointTree(std::vector<Eigen::Vector3d> points, std::vector<double> radii);
 
         /** \brief Tells for each leaf which of its points count: the i-th does if the i-th bit is set. Null if all
-            count. */
+            count. Spare points may count only while all points of the leaf that stands for them do. */
         using Mask = const std::uint16_t *;
 
         /** \brief The least distance of \e point to a ball, negative inside; \e most if none is nearer
@@ -62,6 +67,10 @@ namespace ompl_certificates
             \return the position where it did, or NONE */
         template <typename Visit>
         std::uint32_t findNear(const Eigen::AlignedBox3d &box, const Pose &pose, const Visit &visit) const;
+
+        /** \brief The positions of the spare points for which the leaf of a position stands: the first one, and that
+            behind the last. Cost: logarithmic. */
+        std::pair<std::uint32_t, std::uint32_t> findSpare(std::uint32_t position) const;
 
         /** \brief The points, in the order of their positions */
         const std::vector<Eigen::Vector3d> &getPoints() const
@@ -142,6 +151,10 @@ namespace ompl_certificates
         std::vector<Eigen::Vector3d> points_;
         std::vector<double> radii_;
         std::vector<Node> nodes_;
+
+        /** \brief The leaves of spare points: the first ones of a row, and those behind the last. Before each row is the
+            leaf that searches find. */
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> spare_;
     };
 
     template <typename Visit>

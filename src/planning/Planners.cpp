@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -83,6 +85,30 @@ namespace ompl_certificates
             SolveHooks hooks_;
         };
 
+        /** AIT* samples on until it finds a state that could better the solution. Where that is the straight way, there
+            is none, and it never looks at its termination condition again. So such a solution satisfies it. */
+        class EndingAITstar : public og::AITstar
+        {
+        public:
+            using AITstar::AITstar;
+
+            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
+            {
+                const ob::OptimizationObjectivePtr objective = pdef_->getOptimizationObjective();
+                const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
+                if (!objective || !goal || pdef_->getStartStateCount() != 1)
+                    return AITstar::solve(ptc);
+                const ob::Cost before = objective->getCostThreshold();
+                const double best = objective->motionCostHeuristic(pdef_->getStartState(0), goal->getState()).value();
+                const ob::Cost least(best * (1.0 + 1e-9) + std::numeric_limits<double>::min());
+                if (objective->isCostBetterThan(before, least))
+                    objective->setCostThreshold(least);
+                const ob::PlannerStatus status = AITstar::solve(ptc);
+                objective->setCostThreshold(before);
+                return status;
+            }
+        };
+
         template <typename PlannerType>
         ob::PlannerPtr make(const ob::SpaceInformationPtr &si, const SolveHooks &hooks)
         {
@@ -104,7 +130,7 @@ namespace ompl_certificates
                 {"ABITstar",
                  {make<og::ABITstar>,
                   "BIT* with an inflated heuristic and truncated searches: first solutions sooner"}},
-                {"AITstar", {make<og::AITstar>, "BIT* whose heuristic is a search backwards from the goal"}},
+                {"AITstar", {make<EndingAITstar>, "BIT* whose heuristic is a search backwards from the goal"}},
                 {"AnytimePathShortening",
                  {make<og::AnytimePathShortening>,
                   "several planners in threads; their paths are shortened and joined"}},

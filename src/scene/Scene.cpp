@@ -95,9 +95,13 @@ namespace ompl_certificates
 
     void Scene::setResolution(double fraction)
     {
-        if (!(fraction > 0.0 && fraction <= 1.0))
-            throw ompl::Exception(source_,
-                                  "resolution: must be above 0 and at most 1, not " + std::to_string(fraction));
+        if (fraction != 0.0 && !(fraction >= FINEST_RESOLUTION && fraction < 1.0))
+        {
+            std::ostringstream value;
+            value << fraction;
+            throw ompl::Exception(source_, "resolution: must be at least 1e-6 and below 1, or 0 for OMPL's own, not " +
+                                               value.str());
+        }
         resolution_ = fraction;
     }
 

@@ -59,7 +59,7 @@ namespace ompl_certificates
         const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
         const Eigen::Vector3d position(p.x, p.y, p.z);
         // Larger numbers would leave nothing of the others.
-        if (!(std::abs(rotation.norm() - 1.0) < 1e-6) || !(position.cwiseAbs().maxCoeff() <= YamlNode::MAX_NUMBER))
+        if (!(std::abs(rotation.norm() - 1.0) < 1e-6) || !(position.cwiseAbs().array() <= YamlNode::MAX_NUMBER).all())
             throw ompl::Exception("the origin's numbers must be finite and at most " + textOf(YamlNode::MAX_NUMBER));
         Pose result = poseAt(position);
         result.linear() = rotation.normalized().toRotationMatrix();

@@ -37,8 +37,9 @@ namespace ompl_certificates
         if (root.has("resolution"))
         {
             const double resolution = root.at("resolution").positive();
-            if (resolution > 1.0)
-                root.at("resolution").fail("must be at most 1, not " + root.at("resolution").describe());
+            if (resolution < Scene::FINEST_RESOLUTION || resolution >= 1.0)
+                root.at("resolution")
+                    .fail("must be at least 1e-6 and below 1, not " + root.at("resolution").describe());
             scene.setResolution(resolution);
         }
         YamlMeshes meshes(source);

@@ -135,8 +135,8 @@ namespace ompl_certificates
                                       " robots: a team's space has one component for each robot, in their order");
         for (unsigned int i = 0; i < robots_.size(); ++i)
             addSpace(compound->getSubspace(i), *robots_[i]);
-        const auto *team = dynamic_cast<const TeamStateSpace *>(compound);
-        keepsReferences_ = team && team->getRobots() == robots_;
+        teamSpace_ = dynamic_cast<const TeamStateSpace *>(compound);
+        keepsReferences_ = teamSpace_ && teamSpace_->getRobots() == robots_;
     }
 
     void Team::addSpace(const ob::StateSpacePtr &component, const Robot &robot)

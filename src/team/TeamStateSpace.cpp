@@ -1,5 +1,6 @@
 #include "ompl_certificates/team/TeamStateSpace.h"
 
+#include "SegmentCount.h"
 #include "TeamProjection.h"
 
 #include <algorithm>
@@ -61,6 +62,8 @@ namespace ompl_certificates
         setName("Team" + getName());
     }
 
+    TeamStateSpace::~TeamStateSpace() = default;
+
     void TeamStateSpace::addRobot(const RobotPtr &robot, double weight)
     {
         if (!robot)
@@ -100,6 +103,28 @@ namespace ompl_certificates
     ZInterval TeamStateSpace::getZInterval() const
     {
         return zIntervalOf(robots_);
+    }
+
+    void TeamStateSpace::setLongestValidSegmentFraction(double segmentFraction)
+    {
+        StateSpace::setLongestValidSegmentFraction(segmentFraction);
+        hasResolution_ = true;
+    }
+
+    unsigned int TeamStateSpace::validSegmentCount(unsigned int robot, const ob::State *state1,
+                                                   const ob::State *state2) const
+    {
+        return segmentCounts_.empty() ? components_[robot]->validSegmentCount(state1, state2)
+                                      : segmentCounts_[robot](state1, state2);
+    }
+
+    unsigned int TeamStateSpace::validSegmentCount(const ob::State *state1, const ob::State *state2) const
+    {
+        const auto *a = state1->as<StateType>(), *b = state2->as<StateType>();
+        unsigned int most = 0;
+        for (unsigned int i = 0; i < componentCount_; ++i)
+            most = std::max(most, validSegmentCount(i, a->components[i], b->components[i]));
+        return most;
     }
 
     TeamStateSpace::Composition TeamStateSpace::getComposition() const
@@ -246,6 +271,10 @@ namespace ompl_certificates
             if (vectorDimension(*components_[i]) != vectors_[i])
                 throw ompl::Exception(getName(), "the space of robot '" + robots_[i]->getName() +
                                                      "' has changed its dimension since the robot was added");
+        segmentCounts_.clear();
+        if (hasResolution_)
+            for (const ob::StateSpacePtr &component : components_)
+                segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
         CompoundStateSpace::setup();
     }
 }

@@ -177,7 +177,7 @@ namespace ompl_certificates
         if (s1_)
             return team.getStateSpace()->validSegmentCount(s1_, s2_);
         const auto ofRobot = [&](unsigned int robot)
-        { return team.getRobotSpace(robot).validSegmentCount(context_.from[robot], context_.to[robot]); };
+        { return team.countSegments(robot, context_.from[robot], context_.to[robot]); };
         return std::max(ofRobot(subjects_->first), ofRobot(subjects_->last));
     }
 }

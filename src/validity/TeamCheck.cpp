@@ -57,24 +57,28 @@ namespace ompl_certificates
         /** How many certificates are repaired, and how many new ones looked at, while all checks wait */
         constexpr std::size_t REPAIR_STEP = 128, LOOK_STEP = 64;
 
-        /** If checks add certificates faster than they are looked at, they wait after so many attempts. */
-        constexpr int MOST_ATTEMPTS = 20;
+        /** So many times more than it needs to, a change lets checks go on before it has withdrawn all certificates. */
+        constexpr std::size_t MORE_OPENINGS = 20;
 
-        /** Withdraws all certificates that a change concerns, also those that other checks add meanwhile */
+        /** Withdraws all certificates that a change concerns, also those that other checks add meanwhile. These may be
+            the same again, as fast as they are withdrawn. So in the end all checks wait. */
         void withdrawAll(WorldLock::Change &world, CertificateRepair &repair)
         {
-            for (int attempt = 0;;)
+            std::size_t openings = repair.countFound() / REPAIR_STEP + MORE_OPENINGS;
+            while (true)
             {
-                if (repair.countNew() > LOOK_STEP && ++attempt < MOST_ATTEMPTS)
+                if (repair.countNew() > LOOK_STEP && openings > 0)
                 {
+                    --openings;
                     world.open();
                     repair.find();
                     world.close();
                     continue;
                 }
                 repair.find();
-                if (!repair.withdraw(REPAIR_STEP))
+                if (!repair.withdraw(openings > 0 ? REPAIR_STEP : repair.countFound()))
                     return;
+                --openings;
                 world.open();
                 world.close();
             }

@@ -143,7 +143,7 @@ namespace ompl_certificates
 
     WorldLock::Check TeamValidityChecker::holdObstacles() const
     {
-        return WorldLock::Check(check_->getLock());
+        return WorldLock::Check(check_->getLock(), WorldLock::Check::HELD);
     }
 
     Statistics &TeamValidityChecker::getStatistics() const

@@ -2,11 +2,26 @@
 
 #include "ThreadNumber.h"
 
+#include <chrono>
 #include <ompl/util/Exception.h>
 #include <thread>
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        void waitForEndOf(const std::atomic<int> &checks)
+        {
+            // A check takes microseconds, but who holds the world may do so for seconds.
+            constexpr int shortWait = 1000;
+            for (int i = 0; checks.load() != 0; ++i)
+                if (i < shortWait)
+                    std::this_thread::yield();
+                else
+                    std::this_thread::sleep_for(std::chrono::microseconds(50));
+        }
+    }
+
     WorldLock::Check *&WorldLock::lastOfThisThread()
     {
         thread_local Check *last = nullptr;
@@ -20,24 +35,34 @@ namespace ompl_certificates
         return last;
     }
 
-    WorldLock::Check::Check(WorldLock &lock) : lock_(lock), last_(lastOfThisThread()), outer_(last_), checks_(nullptr)
+    void WorldLock::Check::enter(std::atomic<int> &count, const std::atomic<bool> &bars)
+    {
+        // A check enters, then looks for a change. A change announces itself, then waits for checks to leave. So one of
+        // them sees the other.
+        bool waits = false;
+        for (count.fetch_add(1); bars.load(); count.fetch_add(1))
+        {
+            count.fetch_sub(1);
+            if (!waits)
+                lock_.waiting_.fetch_add(1);
+            waits = true;
+            const std::lock_guard<std::mutex> wait(lock_.mutex_);
+        }
+        if (waits)
+            lock_.waiting_.fetch_sub(1);
+    }
+
+    WorldLock::Check::Check(WorldLock &lock, Kind kind) : lock_(lock), last_(lastOfThisThread()), outer_(last_)
     {
         if (find(outer_, lock_) == nullptr)
         {
-            // A check enters, then looks for a change. A change announces itself, then waits for checks to leave. So
-            // one of them sees the other.
-            checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
-            bool waits = false;
-            for (checks_->fetch_add(1); lock_.changing_.load(); checks_->fetch_add(1))
+            if (kind == HELD)
             {
-                checks_->fetch_sub(1);
-                if (!waits)
-                    lock_.waiting_.fetch_add(1);
-                waits = true;
-                const std::lock_guard<std::mutex> wait(lock_.mutex_);
+                enter(lock_.holds_, lock_.barsHolds_);
+                holds_ = &lock_.holds_;
             }
-            if (waits)
-                lock_.waiting_.fetch_sub(1);
+            checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
+            enter(*checks_, lock_.barsChecks_);
         }
         last_ = this;
     }
@@ -51,9 +76,14 @@ namespace ompl_certificates
         if (checks_ == nullptr)
             return;
         if (Check *const other = find(last_, lock_))
+        {
             other->checks_ = checks_;
-        else
-            checks_->fetch_sub(1, std::memory_order_release);
+            other->holds_ = holds_;
+            return;
+        }
+        checks_->fetch_sub(1, std::memory_order_release);
+        if (holds_ != nullptr)
+            holds_->fetch_sub(1, std::memory_order_release);
     }
 
     WorldLock::Change::Change(WorldLock &lock) : lock_(lock)
@@ -66,12 +96,14 @@ namespace ompl_certificates
 
     WorldLock::Change::~Change()
     {
-        lock_.changing_.store(false);
+        lock_.barsChecks_.store(false);
+        lock_.barsHolds_.store(false);
     }
 
     void WorldLock::Change::open()
     {
-        lock_.changing_.store(false);
+        lock_.barsChecks_.store(false);
+        lock_.barsHolds_.store(false);
         checks_.unlock();
         // Otherwise those that wait would find the change going on again when they wake.
         while (lock_.waiting_.load() != 0)
@@ -81,9 +113,10 @@ namespace ompl_certificates
     void WorldLock::Change::close()
     {
         checks_ = std::unique_lock<std::mutex>(lock_.mutex_);
-        lock_.changing_.store(true);
+        lock_.barsHolds_.store(true);
+        waitForEndOf(lock_.holds_);
+        lock_.barsChecks_.store(true);
         for (const Slot &slot : lock_.slots_)
-            while (slot.checks.load() != 0)
-                std::this_thread::yield();
+            waitForEndOf(slot.checks);
     }
 }

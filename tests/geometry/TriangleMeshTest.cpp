@@ -29,9 +29,12 @@ TEST(TriangleMesh, RefusesWhatIsNoMesh)
     EXPECT_THROW(TriangleMesh(CORNERS, {{0, 1, 2}, {0, 1, 4000000000U}}), ompl::Exception);
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200})
     {
-        auto vertices = CORNERS;
-        vertices[2].y() = bad;
-        EXPECT_THROW(TriangleMesh(vertices, {{0, 1, 2}}), ompl::Exception);
+        for (const Eigen::Index coordinate : {0, 1, 2})
+        {
+            auto vertices = CORNERS;
+            vertices[2][coordinate] = bad;
+            EXPECT_THROW(TriangleMesh(vertices, {{0, 1, 2}, {0, 1, 3}}), ompl::Exception) << bad << " " << coordinate;
+        }
     }
     EXPECT_THROW(TriangleMesh(CORNERS, {{0, 1, 1}, {2, 2, 2}}), ompl::Exception);
     EXPECT_THROW(TriangleMesh({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}), ompl::Exception);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -146,6 +147,60 @@ TEST_P(CellSets, MakeTheObstaclesOfTheirCells)
         for (const Version &version : versions)
             ASSERT_NO_FATAL_FAILURE(version.expectEquality(random));
     }
+}
+
+TEST_P(CellSets, RemoveBoxesFromPlanes)
+{
+    constexpr unsigned int WIDTH = 300;
+    unsigned int removed = 0;
+    for (unsigned int seed = 1; seed <= scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const std::size_t across = seed % GetParam();
+        const auto anywhere = [&] { return static_cast<std::int32_t>(random.below(WIDTH)) - std::int32_t(WIDTH / 2); };
+        const std::int32_t plane = anywhere();
+        CellSet set(SIZE, GetParam());
+        Cells mirror;
+        for (int round = 0; round < 30; ++round)
+        {
+            // Single cells of a plane, and some beside it
+            for (unsigned int i = random.below(20); i > 0; --i)
+            {
+                std::array<std::int32_t, 3> low{anywhere(), anywhere(), GetParam() == 2 ? 0 : anywhere()};
+                if (random.chance(0.9))
+                    low[across] = plane;
+                set.insert({{low, {low[0] + 1, low[1] + 1, low[2] + 1}}});
+                mirror.insert(low);
+            }
+            // A box that is short along some axes and long along others
+            CellBox box;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                box.low[axis] = axis == across && random.chance(0.7) ? plane : anywhere();
+                box.high[axis] =
+                    box.low[axis] + 1 + static_cast<std::int32_t>(random.below(random.chance(0.5) ? 20 : WIDTH));
+            }
+            set.remove({box});
+            for (auto cell = mirror.begin(); cell != mirror.end();)
+            {
+                bool isWithin = true;
+                for (std::size_t axis = 0; axis < GetParam(); ++axis)
+                    isWithin = isWithin && box.low[axis] <= (*cell)[axis] && (*cell)[axis] < box.high[axis];
+                removed += isWithin;
+                cell = isWithin ? mirror.erase(cell) : std::next(cell);
+            }
+            ASSERT_EQ(set.size(), mirror.size());
+            if (random.chance(0.5))
+                continue;
+            const ObstaclesPtr after = set.takeChange().after;
+            Cells found;
+            for (const CellBox &joined : dynamic_cast<const CellObstacles &>(*after).getBoxes())
+                visitCells(joined, GetParam(), [&](const auto &cell) { ASSERT_TRUE(found.insert(cell).second); });
+            ASSERT_EQ(found, mirror);
+        }
+    }
+    EXPECT_GT(removed, 60 * scaled(60));
 }
 
 TEST_P(CellSets, TellWhichClearancesMayChange)

@@ -6,6 +6,8 @@
 #include "ompl_certificates/obstacles/CheckObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -66,6 +68,42 @@ namespace
         for (ObstaclePart part = 0; part < cloud.size() && !expected; ++part)
             ASSERT_FALSE(cloud.certainlyHits(body, pose, part));
         ASSERT_FALSE(cloud.certainlyHits(body, pose, NO_PART));
+    }
+
+    /** Gives some balls many copies, some of them with another radius; then sets all in another order */
+    void repeatSome(Random &random, Balls &balls)
+    {
+        const bool haveRadii = balls.radii.size() == balls.points.size();
+        for (unsigned int i = random.below(5); i > 0; --i)
+        {
+            const std::size_t which = random.below(balls.points.size());
+            for (unsigned int copies = random.below(random.chance(0.5) ? 4 : 200); copies > 0; --copies)
+            {
+                Eigen::Vector3d copy = balls.points[which];
+                if (random.chance(0.5))
+                    copy = (copy.array() == 0.0).select(-copy, copy);
+                balls.points.push_back(copy);
+                if (haveRadii)
+                    balls.radii.push_back(random.chance(0.5) ? balls.radii[which] : random.uniform(0.0, 0.3));
+            }
+        }
+        for (std::size_t i = balls.points.size() - 1; i > 0; --i)
+        {
+            const std::size_t other = random.below(i + 1);
+            std::swap(balls.points[i], balls.points[other]);
+            if (haveRadii)
+                std::swap(balls.radii[i], balls.radii[other]);
+        }
+    }
+
+    /** Centers and radii in an order that does not depend on that of the balls */
+    std::vector<std::array<double, 4>> sortedBalls(const std::vector<Ball> &balls)
+    {
+        std::vector<std::array<double, 4>> sorted;
+        for (const auto &[center, radius] : balls)
+            sorted.push_back({center.x(), center.y(), center.z(), radius});
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
     }
 
     std::size_t anyCount(Random &random)
@@ -167,6 +205,57 @@ TEST(PointCloudObstacles, GiveTheVerdictOfAllPoints)
     EXPECT_GT(grazing, asked / 8);
     EXPECT_GT(colliding, asked / 8);
     EXPECT_LT(colliding, asked / 8 * 7);
+}
+
+TEST(PointCloudObstacles, MayHaveManyEqualPoints)
+{
+    unsigned int colliding = 0;
+    for (unsigned int seed = 1; seed <= scaled(150); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        const std::size_t count = random.chance(0.3) ? 1 : 1 + anyCount(random) / 8;
+        Balls balls{randomPoints(random, dimension, count, 3.0), randomRadii(random, count, 0.3)};
+        if (random.chance(0.5))
+            balls.points.front().setZero();
+        ASSERT_NO_FATAL_FAILURE(repeatSome(random, balls));
+        const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
+        std::vector<Ball> given;
+        for (std::size_t i = 0; i < balls.points.size(); ++i)
+            given.push_back({balls.points[i], balls.radius(i)});
+        ASSERT_EQ(cloud.size(), given.size());
+        ASSERT_EQ(sortedBalls(cloud.getBalls()), sortedBalls(given));
+        for (int i = 0; i < 30; ++i)
+        {
+            Eigen::Vector3d point = random.point(dimension, random.logUniform(0.1, 100.0));
+            if (random.chance(0.5))
+                point = balls.points[random.below(given.size())] + random.point(dimension, random.logUniform(1e-9, 1));
+            if (random.chance(0.05))
+                point *= 1e20;
+            const double clearance = balls.clearance(point);
+            ASSERT_EQ(cloud.clearance(point), clearance) << point.transpose();
+            ObstaclePart part;
+            ASSERT_EQ(cloud.findNearest(point, part), clearance);
+            ASSERT_EQ((cloud.getBall(part).center - point).norm() - cloud.getBall(part).radius, clearance);
+        }
+        for (int i = 0; i < 10; ++i)
+        {
+            const Body body = anyBody(random, dimension, random.logUniform(0.1, 3.0));
+            Pose pose = random.pose(dimension, 4.0);
+            if (random.chance(0.7))
+                pose.translation() =
+                    balls.points[random.below(given.size())] + random.point(dimension, body.getBoundingRadius());
+            const double distance = balls.distance(body, pose);
+            if (std::abs(distance) > 1e-12)
+            {
+                ASSERT_NO_FATAL_FAILURE(expectAgreement(cloud, body, pose, distance <= 0.0)) << distance;
+            }
+            colliding += distance <= 0.0;
+        }
+    }
+    EXPECT_GT(colliding, scaled(150));
+    EXPECT_LT(colliding, 9 * scaled(150));
 }
 
 TEST(PointCloudObstacles, MeetAMeshAtItsSurface)

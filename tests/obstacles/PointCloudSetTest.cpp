@@ -150,6 +150,69 @@ TEST(PointCloudSet, MakesTheObstaclesOfItsPoints)
     }
 }
 
+TEST(PointCloudSet, CountsEqualPoints)
+{
+    for (unsigned int seed = 1; seed <= scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const unsigned int dimension = 2 + seed % 2;
+        PointCloudSet set(RADIUS, dimension);
+        // Copies come and go of a few points, of which one is zero, and perhaps among others.
+        const Points others = randomPoints(random, dimension, random.chance(0.5) ? 0 : random.below(300), 2.0);
+        Points few{Eigen::Vector3d::Zero()};
+        for (unsigned int i = random.below(4); i > 0; --i)
+            few.push_back(random.point(dimension, 2.0));
+        set.insert(others);
+        std::vector<std::size_t> times(few.size(), 0);
+        const auto remaining = [&]
+        {
+            Points points = others;
+            for (std::size_t i = 0; i < few.size(); ++i)
+                points.insert(points.end(), times[i], few[i]);
+            return points;
+        };
+        std::deque<CloudVersion> versions;
+        versions.emplace_back(set.takeChange().after, remaining(), dimension);
+        for (int round = 0; round < 20; ++round)
+        {
+            for (unsigned int i = random.below(4); i > 0; --i)
+            {
+                const std::size_t which = random.below(few.size()), copies = random.below(random.chance(0.5) ? 5 : 200);
+                const Eigen::Vector3d &point = few[which];
+                if (random.chance(0.4))
+                {
+                    set.insert(Points(copies, random.chance(0.5) && point.isZero(0.0) ? -point : point));
+                    times[which] += copies;
+                }
+                else if (random.chance(0.8))
+                {
+                    const std::size_t removed = std::min(copies, times[which]);
+                    set.remove(Points(removed, point));
+                    times[which] -= removed;
+                    const std::size_t more = times[which] + 1;
+                    ASSERT_THROW(set.remove(Points(more, point)), ompl::Exception);
+                }
+                else
+                {
+                    ASSERT_EQ(set.removeWithin({point, point}), times[which]);
+                    times[which] = 0;
+                }
+                ASSERT_EQ(set.size(), remaining().size());
+            }
+            const ObstacleChange change = set.takeChange();
+            const Points before = versions.back().points;
+            versions.emplace_back(change.after, remaining(), dimension);
+            ASSERT_NO_FATAL_FAILURE(versions.back().expectEquality(random));
+            ASSERT_EQ(pointsOf(change.added), without(versions.back().points, before));
+            ASSERT_EQ(pointsOf(change.removed), without(before, versions.back().points));
+        }
+        // What was made before has not changed.
+        for (const CloudVersion &version : versions)
+            ASSERT_NO_FATAL_FAILURE(version.expectEquality(random));
+    }
+}
+
 TEST(PointCloudSet, TellsWhichClearancesMayChange)
 {
     unsigned int unconcerned = 0, changed = 0;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 
@@ -83,4 +84,26 @@ TEST(Planners, CallTheHooksAroundSolve)
     planner->solve(ob::plannerNonTerminatingCondition());
     EXPECT_TRUE(stopped);
     EXPECT_TRUE(after);
+}
+
+// OMPL's own goes on sampling for ever.
+TEST(Planners, AITstarEndsWithTheStraightWay)
+{
+    const auto si = squareWithoutObstacles();
+    for (const double x : {0.9, 0.1})
+    {
+        const auto planner = makePlanner("AITstar", si);
+        auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
+        problem->setOptimizationObjective(objective);
+        ob::ScopedState<> start(si), goal(si);
+        start = std::vector<double>{0.1, 0.1};
+        goal = std::vector<double>{x, 0.1};
+        problem->setStartAndGoalStates(start, goal);
+        planner->setProblemDefinition(problem);
+        planner->setup();
+        EXPECT_EQ(planner->solve(0.2), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_NEAR(problem->getSolutionPath()->length(), x - 0.1, 1e-9);
+        EXPECT_EQ(objective->getCostThreshold().value(), 0.0);
+    }
 }

@@ -74,7 +74,7 @@ namespace ompl_certificates
             {"Resolution", "resolution: 0\nenvironment: {min: [0, 0], max: [9, 9]}",
              "f.yaml:1: resolution: must be positive, not 0"},
             {"ResolutionAboveOne", "resolution: 2\nenvironment: {min: [0, 0], max: [9, 9]}",
-             "f.yaml:1: resolution: must be at most 1, not 2"},
+             "f.yaml:1: resolution: must be at least 1e-6 and below 1, not 2"},
             {"Name", "name: [x]\nenvironment: {min: [0, 0], max: [9, 9]}",
              "f.yaml:1: name: must be a text, not a list"},
             {"EmptyName", "name: ''\nenvironment: {min: [0, 0], max: [9, 9]}",

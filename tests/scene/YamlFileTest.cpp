@@ -228,7 +228,7 @@ namespace ompl_certificates
             "environment: {min: [0, 0], max: [5, 5]}\n"
             "robots: [{type: single_integrator_0, start: [1, 2], goal: [3, 3], weight: 3}]";
         const auto fine = sceneFromYaml("resolution: 0.002\n" + rest, "fine").makeTeam();
-        EXPECT_EQ(fine->getSubspace(0)->getLongestValidSegmentFraction(), 0.002);
+        EXPECT_EQ(fine->getLongestValidSegmentFraction(), 0.002);
         EXPECT_EQ(fine->getSubspaceWeight(0), 3.0);
     }
 
@@ -271,7 +271,8 @@ namespace ompl_certificates
         EXPECT_THROW(scene.validate(), ompl::Exception);
         EXPECT_THROW(scene.addObstacle({Body::sphere(0.1)}), ompl::Exception);
         EXPECT_THROW(scene.addMember({}), ompl::Exception);
-        EXPECT_THROW(scene.setResolution(0.0), ompl::Exception);
+        for (const double bad : {1.0, 1e-7, -0.1, std::nan("")})
+            EXPECT_THROW(scene.setResolution(bad), ompl::Exception);
         EXPECT_THROW(Scene("room", "room.yaml", ompl::base::RealVectorBounds(4)), ompl::Exception);
     }
 }

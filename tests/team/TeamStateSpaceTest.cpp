@@ -51,6 +51,49 @@ TEST_P(AnyTeam, MeasuresEuclideanDistancesOverItsWeightedRobots)
     }
 }
 
+TEST_P(AnyTeam, CountsSegmentsByAResolutionOfItsOwn)
+{
+    Random random(GetParam());
+    const double fraction = std::pow(10.0, random.uniform(-4.0, -1.0));
+    // Another team of the same robots, whose spaces it shares
+    auto other = std::make_shared<TeamStateSpace>();
+    ob::CompoundStateSpace plain;
+    for (unsigned int i = 0; i < team_->getRobotCount(); ++i)
+    {
+        other->addRobot(team_->getRobots()[i]);
+        plain.addSubspace(team_->getSubspace(i), 1.0);
+    }
+    team_->setLongestValidSegmentFraction(fraction);
+    other->setLongestValidSegmentFraction(0.5 * fraction);
+    team_->setup();
+    other->setup();
+    EXPECT_EQ(team_->getLongestValidSegmentFraction(), fraction);
+    for (unsigned int i = 0; i < team_->getRobotCount(); ++i)
+        EXPECT_EQ(team_->getSubspace(i)->getLongestValidSegmentFraction(), 0.01);
+    std::vector<std::pair<ob::ScopedState<>, ob::ScopedState<>>> motions;
+    std::vector<unsigned int> counts, halves;
+    for (unsigned int i = 0; i < scaled(100); ++i)
+    {
+        motions.emplace_back(randomState(random, team_), randomState(random, team_));
+        counts.push_back(team_->validSegmentCount(motions[i].first.get(), motions[i].second.get()));
+        halves.push_back(other->validSegmentCount(motions[i].first.get(), motions[i].second.get()));
+    }
+    // OMPL's own count changes the components.
+    const auto expectCounts = [&](double of, const std::vector<unsigned int> &expected)
+    {
+        plain.setLongestValidSegmentFraction(of);
+        plain.setup();
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            EXPECT_EQ(plain.validSegmentCount(motions[i].first.get(), motions[i].second.get()), expected[i]);
+    };
+    expectCounts(fraction, counts);
+    expectCounts(0.5 * fraction, halves);
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        EXPECT_EQ(team_->validSegmentCount(motions[i].first.get(), motions[i].second.get()), counts[i]);
+    EXPECT_THROW(team_->setLongestValidSegmentFraction(0.0), ompl::Exception);
+    EXPECT_THROW(team_->setLongestValidSegmentFraction(1.0), ompl::Exception);
+}
+
 TEST_P(AnyTeam, HasALockableListOfRobots)
 {
     EXPECT_EQ(team_->getRobotCount(), 3U);

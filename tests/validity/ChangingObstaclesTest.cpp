@@ -4,6 +4,7 @@
 #include "ompl_certificates/obstacles/ObstacleSet.h"
 
 #include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Console.h>
@@ -173,6 +174,81 @@ TEST_F(ChangingObstacles, WaitForChecksOfOtherThreads)
     first.join();
     second.join();
     EXPECT_EQ(wrong, 0U);
+}
+
+TEST_F(ChangingObstacles, EndWhateverOtherThreadsCheckMeanwhile)
+{
+    // Checks that make certificates again as fast as the change withdraws them
+    const TeamStateSpacePtr team = teamOfDiscs();
+    Random random(5);
+    ObstacleSet set(2);
+    for (int i = 0; i < 1000; ++i)
+        set.add({Body::box(0.02, 0.02), random.pose(2, HALF)});
+    TeamSetup setup(team, set.takeChange().after);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getTeamChecker();
+    checker->setAdaptive(false);
+    std::vector<ob::ScopedState<>> states;
+    for (int i = 0; i < 5000; ++i)
+        states.push_back(randomState(random, team));
+    for (const auto &state : states)
+        checker->isValid(state.get());
+    const std::size_t before = checker->getCertificateCount();
+    ASSERT_GT(before, 1000U);
+    std::atomic<bool> done{false};
+    const auto check = [&](unsigned int seed)
+    {
+        Random own(seed);
+        while (!done)
+        {
+            const auto world = checker->holdObstacles();
+            for (int i = 0; i < 300; ++i)
+                checker->isValid(states[own.below(states.size())].get());
+        }
+    };
+    std::thread first(check, 1), second(check, 2);
+    for (int i = 0; i < 1000; ++i)
+        set.add({Body::disc(0.01), random.pose(2, HALF)});
+    std::atomic<bool> ended{false};
+    std::thread change(
+        [&]
+        {
+            checker->changeObstacles(set.takeChange());
+            ended = true;
+        });
+    // Some ten milliseconds; a test that fails ends, too: once no others check
+    for (int i = 0; i < 3000 && !ended; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(ended);
+    done = true;
+    for (std::thread *thread : {&first, &second, &change})
+        thread->join();
+    EXPECT_LT(checker->getCertificateCount(), 6 * before);
+}
+
+TEST_F(ChangingObstacles, FarAwayLeaveThoseOfPlanarMeshesAsTheyAre)
+{
+    // A nearly level roof, whose lower end is little above the robots
+    const auto mesh = [](double z, double rise)
+    {
+        return Body::planarMesh(std::make_shared<TriangleMesh>(
+            std::vector<Eigen::Vector3d>{{-1, -1, z}, {1, -1, z}, {1, 1, z + rise}, {-1, 1, z + rise}},
+            std::vector<TriangleMesh::Triangle>{{0, 1, 2}, {0, 2, 3}}));
+    };
+    for (const double far : {5.0, 100.0, 1e4})
+    {
+        ObstacleSet set(2, {0.0, 0.4});
+        set.add({mesh(0.4001, 0.0001)});
+        const ObstaclesPtr before = set.takeChange().after;
+        set.add({mesh(0.0, 1.0), planarPose(far, 0.0)});
+        const ObstacleChange change = set.takeChange();
+        for (const double y : {-3.0, 0.0, 2.0})
+        {
+            const Eigen::Vector3d point(0.0, y, 0.0);
+            EXPECT_NEAR(change.after->clearance(point), change.clearance(point, before->clearance(point)), 1e-9)
+                << far << " " << y;
+        }
+    }
 }
 
 TEST_F(ChangingObstacles, WaitWhileTheyAreHeld)

@@ -67,6 +67,56 @@ TEST(WorldLock, IsEnteredAgainWhileAChangeWaits)
     EXPECT_TRUE(isDone(changed, VERY_LONG));
 }
 
+TEST(WorldLock, LetsOthersCheckForWhoHoldsItWhileAChangeWaits)
+{
+    const auto lock = std::make_shared<WorldLock>();
+    auto held = std::make_unique<WorldLock::Check>(*lock, WorldLock::Check::HELD);
+    const auto changed = change(lock);
+    EXPECT_FALSE(isDone(changed, A_MOMENT));
+    // A worker, whose check the holder waits for
+    std::promise<void> checked, alsoHeld;
+    std::future<void> isChecked = checked.get_future(), isAlsoHeld = alsoHeld.get_future();
+    std::thread(
+        [lock](std::promise<void> promise)
+        {
+            {
+                const WorldLock::Check check(*lock);
+            }
+            promise.set_value();
+        },
+        std::move(checked))
+        .detach();
+    ASSERT_TRUE(isDone(isChecked, VERY_LONG)) << "the check waits for a change that waits for who waits for the check";
+    // Another hold waits for the change; otherwise holds could keep it waiting for ever.
+    std::thread(
+        [lock](std::promise<void> promise)
+        {
+            {
+                const WorldLock::Check check(*lock, WorldLock::Check::HELD);
+            }
+            promise.set_value();
+        },
+        std::move(alsoHeld))
+        .detach();
+    EXPECT_FALSE(isDone(isAlsoHeld, A_MOMENT));
+    held.reset();
+    EXPECT_TRUE(isDone(changed, VERY_LONG));
+    EXPECT_TRUE(isDone(isAlsoHeld, VERY_LONG));
+}
+
+TEST(WorldLock, HoldsEndInAnyOrder)
+{
+    const auto lock = std::make_shared<WorldLock>();
+    auto outer = std::make_unique<WorldLock::Check>(*lock, WorldLock::Check::HELD);
+    auto inner = std::make_unique<WorldLock::Check>(*lock, WorldLock::Check::HELD);
+    outer.reset();
+    const auto changed = change(lock);
+    EXPECT_FALSE(isDone(changed, A_MOMENT));
+    inner.reset();
+    EXPECT_TRUE(isDone(changed, VERY_LONG));
+    EXPECT_NO_THROW(WorldLock::Change{*lock});
+}
+
 TEST(WorldLock, RefusesChangesWithinAnyCheckOfTheThread)
 {
     WorldLock first, second;

@@ -117,7 +117,10 @@ namespace ompl_certificates
             notes_.push_back(note);
         }
 
-        /** \brief Set the longest valid segment fraction, above 0 and at most 1
+        /** \brief The finest resolution: a motion has at most a million samples, after which plans can be interrupted. */
+        static constexpr double FINEST_RESOLUTION = 1e-6;
+
+        /** \brief Set the longest valid segment fraction, from FINEST_RESOLUTION to below 1; or 0 for OMPL's own
             \throws ompl::Exception if it is not */
         void setResolution(double fraction);
 

@@ -62,6 +62,14 @@ namespace ompl_certificates
             return *spaces_[robot];
         }
 
+        /** \brief The number of segments of a robot's motion, by the resolution of the team's space */
+        unsigned int countSegments(unsigned int robot, const ompl::base::State *state1,
+                                   const ompl::base::State *state2) const
+        {
+            return teamSpace_ ? teamSpace_->validSegmentCount(robot, state1, state2)
+                              : spaces_[robot]->validSegmentCount(state1, state2);
+        }
+
         /** \brief The state of a robot within a state of the team's space. Costs a nanosecond. */
         const ompl::base::State *getRobotState(const ompl::base::State *state, unsigned int robot) const
         {
@@ -138,6 +146,8 @@ namespace ompl_certificates
         unsigned int wrappers_{0};
         /** \brief Whether a state is that of the one robot, and not made up of components */
         bool isWhole_{false};
+        /** \brief The space with the components if it is a TeamStateSpace, which may have a resolution of its own */
+        const TeamStateSpace *teamSpace_{nullptr};
         bool keepsReferences_{false}, interpolatesRobots_{true}, isSymmetric_{false};
     };
 }

@@ -12,6 +12,8 @@
 
 namespace ompl_certificates
 {
+    class SegmentCount;
+
     /** \brief The state space of a team: a CompoundStateSpace with one component per robot.
 
         The distance between two states is Euclidean over the robots by default, as in the paper's RD-dimensional space.
@@ -71,6 +73,8 @@ namespace ompl_certificates
         /** \brief A team without robots */
         explicit TeamStateSpace(Metric metric = EUCLIDEAN);
 
+        ~TeamStateSpace() override;
+
         /** \brief How the robots' distances compose the team's */
         Metric getMetric() const
         {
@@ -114,6 +118,20 @@ namespace ompl_certificates
 
         /** \brief Forget the certificate references of \e state */
         void clearReferences(const ompl::base::State *state) const;
+
+        /** \brief Set the resolution of motions, as a fraction of each component's extent; see
+            ompl::base::StateSpace. Other than in a CompoundStateSpace it is the team's own: the robots' spaces, which
+            other teams may share, keep theirs. Only spaces of classes that OMPL does not have are changed. Takes effect
+            with setup().
+            \throws ompl::Exception if the fraction is not above 0 and below 1 */
+        void setLongestValidSegmentFraction(double segmentFraction) override;
+
+        /** \brief The number of segments of a motion, the most that a robot's has; see ompl::base::StateSpace */
+        unsigned int validSegmentCount(const ompl::base::State *state1, const ompl::base::State *state2) const override;
+
+        /** \brief The number of segments of a motion of one robot, from a state of its component to another */
+        unsigned int validSegmentCount(unsigned int robot, const ompl::base::State *state1,
+                                       const ompl::base::State *state2) const;
 
         Composition getComposition() const override;
 
@@ -160,6 +178,9 @@ namespace ompl_certificates
         std::vector<unsigned int> vectors_;
         std::size_t vectorSum_{0};
         std::size_t bodyCount_{0};
+        /** Whether the resolution was set for the team, and how it then counts the segments of each robot's motions */
+        bool hasResolution_{false};
+        std::vector<SegmentCount> segmentCounts_;
     };
 
     /** \brief The z-interval of all bodies of \e robots; see Body::getZInterval() */

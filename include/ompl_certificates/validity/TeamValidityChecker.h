@@ -101,9 +101,10 @@ namespace ompl_certificates
             called within a check. */
         void changeObstacles(const ObstacleChange &change);
 
-        /** \brief Returns a lock that blocks changeObstacles(), so that several calls see the same obstacles. Release
-            it in the thread that took it, before the checker is destroyed. Threads that lock several checkers must do
-            so in the same order; otherwise they may deadlock. */
+        /** \brief Returns a lock that blocks changeObstacles(), so that several calls see the same obstacles, also a plan
+            with threads of its own. Release it in the thread that took it, before the checker is destroyed. Threads that
+            lock several checkers must do so in the same order, and who locks one must not wait for another thread that
+            does; otherwise they may deadlock. */
         WorldLock::Check holdObstacles() const;
 
         /** \brief Counts and times of this checker and of its motion validator */

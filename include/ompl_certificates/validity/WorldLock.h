@@ -11,7 +11,10 @@ namespace ompl_certificates
 
         Threads enter checks at slots of their own, so they do not wait for each other and seldom share a cache line.
         Cost: some 10 ns. A change waits until all running checks are done; later checks wait for the change. A long
-        change may let them in between its steps. */
+        change may let them in between its steps.
+
+        A thread may also hold the world for several checks. While it does, checks of all threads may begin: they may be
+        what the holder waits for, as a planner with threads of its own. Only other holds wait for the change. */
     class WorldLock
     {
     public:
@@ -24,8 +27,17 @@ namespace ompl_certificates
         class Check
         {
         public:
+            /** \brief Why a check lasts */
+            enum Kind
+            {
+                /// It waits for no other check.
+                SINGLE,
+                /// It may wait for checks of other threads, which begin later.
+                HELD
+            };
+
             /** \brief Begin a check */
-            explicit Check(WorldLock &lock);
+            explicit Check(WorldLock &lock, Kind kind = SINGLE);
             ~Check();
 
             Check(const Check &) = delete;
@@ -35,6 +47,9 @@ namespace ompl_certificates
             /** \brief The check of \e lock among \e last and those entered before it, or null */
             static Check *find(Check *last, const WorldLock &lock);
 
+            /** \brief Adds one to \e count once there is no change that \e bars it */
+            void enter(std::atomic<int> &count, const std::atomic<bool> &bars);
+
             friend class WorldLock;
 
             WorldLock &lock_;
@@ -43,7 +58,9 @@ namespace ompl_certificates
             /** \brief The check that this thread entered before and still holds */
             Check *outer_;
             /** \brief The counter for all checks of this thread and lock; null if another check counts for them */
-            std::atomic<int> *checks_;
+            std::atomic<int> *checks_{nullptr};
+            /** \brief The counter of holds, if this one counts there */
+            std::atomic<int> *holds_{nullptr};
         };
 
         /** \brief A change for the lifetime of this object
@@ -82,7 +99,9 @@ namespace ompl_certificates
         static Check *&lastOfThisThread();
 
         std::array<Slot, SLOTS> slots_;
-        std::atomic<bool> changing_{false};
+        std::atomic<int> holds_{0};
+        /** \brief Whether holds, and whether checks, wait for a change */
+        std::atomic<bool> barsHolds_{false}, barsChecks_{false};
         /** \brief How many checks wait for a change */
         std::atomic<int> waiting_{0};
         /** \brief Held by a change, and while no checks may begin. A check waits for the second, never for the
