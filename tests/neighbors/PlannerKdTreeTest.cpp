@@ -189,7 +189,7 @@ TEST(PlannerKdTree, OrderedAndEqualElementsMakeNoList)
         PlannerKdTree<Element *> tree;
         tree.setDistanceFunction(elements.distance());
         ob::ScopedState<TeamStateSpace> state(team);
-        for (unsigned int i = 0; i < (ordered ? 50000U : 1000U); ++i)
+        for (unsigned int i = 0; i < (ordered ? scaled(50000) : 1000U); ++i)
         {
             Element *element = elements.make();
             auto *values = element->state->as<ob::CompoundState>()->as<ob::RealVectorStateSpace::StateType>(0)->values;

@@ -89,7 +89,7 @@ namespace
 TEST(Arm, NoPointMovesFartherThanItsBound)
 {
     ompl::RNG::setSeed(21);
-    for (unsigned int seed = 1; seed <= 40; ++seed)
+    for (unsigned int seed = 1; seed <= scaled(40); ++seed)
     {
         RandomTree random(seed, 2 + seed % 10);
         const Arm arm("arm", random.tree, random.group, allPairs(random.tree, random.options));

@@ -104,7 +104,7 @@ namespace
 TEST(Arm, PosesAreThoseOfChainedTransforms)
 {
     ompl::RNG::setSeed(11);
-    for (unsigned int seed = 1; seed <= 60; ++seed)
+    for (unsigned int seed = 1; seed <= scaled(60); ++seed)
     {
         RandomTree random(seed, 2 + seed % 14);
         const Arm arm("arm", random.tree, random.group, random.options);
@@ -149,7 +149,7 @@ TEST(Arm, ContinuousPlanarAndFloatingJointsHaveTheirSpaces)
     EXPECT_EQ(space->getSubspace(2)->getDimension(), 2u);
     EXPECT_TRUE(dynamic_cast<const ob::SE3StateSpace *>(space->getSubspace(3).get()));
     expectPoses(arm, options, 200);
-    EXPECT_NO_THROW(checkRobot(arm, 3000));
+    EXPECT_NO_THROW(checkRobot(arm, scaled(3000)));
     options.bounds.reset();
     EXPECT_THROW(Arm("mobile", tree, {"drive"}, options), ompl::Exception);
 }

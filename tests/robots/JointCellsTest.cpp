@@ -185,7 +185,7 @@ TEST(JointCells, AreFollowedAlongAMotionForAsLongAsTheyAreApart)
 TEST(JointCells, OfArmsNameAllThatMovesOneLinkRelativeToAnother)
 {
     int checked = 0;
-    for (unsigned int seed = 1; seed <= 60; ++seed)
+    for (unsigned int seed = 1; seed <= scaled(60); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         RandomTree tree(seed, 2 + seed % 10);
@@ -242,7 +242,7 @@ TEST(JointCells, OfArmsNameAllThatMovesOneLinkRelativeToAnother)
             }
         }
     }
-    EXPECT_GT(checked, 200);
+    EXPECT_GT(checked, scaled(200));
 }
 
 TEST(JointCells, OfArmsAreThereForUpToThreeJoints)

@@ -91,7 +91,7 @@ TEST(PoseBatch, OfAnArmIsAsNearToItsPosesAsItSays)
 TEST(PoseBatch, OfOddNumbersHasOddNumbers)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    for (unsigned int seed = 1; seed <= 60; ++seed)
+    for (unsigned int seed = 1; seed <= scaled(60); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         RandomTree tree(seed, 1 + seed % 9);

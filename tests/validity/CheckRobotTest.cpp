@@ -277,7 +277,8 @@ TEST(CheckRobot, FindsBoundsOfBodyPairsThatAreNone)
             [&]
             {
                 checkRobot(WithDefaultPairBounds(chain, [&](PairMotionBound *written)
-                                                 { std::copy(bounds.begin(), bounds.end(), written); }));
+                                                 { std::copy(bounds.begin(), bounds.end(), written); }),
+                           100);
             });
     };
     const std::size_t pairs = chain->getBodyPairs().size();
