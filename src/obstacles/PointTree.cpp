@@ -24,7 +24,7 @@ namespace ompl_certificates
             return ball.center;
         }
 
-        /** Whether a point comes before another one along an axis. Only equal points are equally far. */
+        /** Whether a point comes before another along an axis, where only equal points tie. Slow where many tie. */
         bool isBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b, Eigen::Index axis)
         {
             if (a[axis] != b[axis])
@@ -33,9 +33,22 @@ namespace ompl_certificates
             return a[second] != b[second] ? a[second] < b[second] : a[third] < b[third];
         }
 
-        /** Orders points so that those of a leaf, and those of each half of the leaves, are close together. Leaves of
-            which a part are equal points are few: where such points are first or last along all axes, a half that has
-            some of them has no others, or the other half has none. */
+        /** Whether two of a few points are equal, as they mostly are where half of all are */
+        template <typename Item>
+        bool areSomeEqual(const Item *begin, const Item *end)
+        {
+            constexpr std::ptrdiff_t FEW = 8;
+            const std::ptrdiff_t step = (end - begin) / FEW;
+            for (std::ptrdiff_t i = 1; i < FEW; ++i)
+                for (std::ptrdiff_t j = 0; j < i; ++j)
+                    if (pointOf(begin[i * step]) == pointOf(begin[j * step]))
+                        return true;
+            return false;
+        }
+
+        /** Orders points so that those of a leaf, and those of each half of the leaves, are close together. Many equal
+            points share few leaves with others: once they are the first or the last along each axis, one half has none
+            of them, or nothing else. */
         template <typename Item>
         void order(Item *begin, Item *end, std::ptrdiff_t leafSize)
         {
@@ -48,8 +61,13 @@ namespace ompl_certificates
             Eigen::Index axis;
             box.sizes().maxCoeff(&axis);
             Item *const middle = begin + leaves / 2 * leafSize;
-            std::nth_element(begin, middle, end,
-                             [axis](const Item &a, const Item &b) { return isBefore(pointOf(a), pointOf(b), axis); });
+            if (areSomeEqual(begin, end))
+                std::nth_element(begin, middle, end,
+                                 [axis](const Item &a, const Item &b)
+                                 { return isBefore(pointOf(a), pointOf(b), axis); });
+            else
+                std::nth_element(begin, middle, end,
+                                 [axis](const Item &a, const Item &b) { return pointOf(a)[axis] < pointOf(b)[axis]; });
             order(begin, middle, leafSize);
             order(middle, end, leafSize);
         }
