@@ -11,8 +11,9 @@ Lengths are in the scene's unit, angles in radians, times in seconds. Errors are
 
 from __future__ import annotations
 
-from typing import Callable, Mapping, Optional, Union
+from typing import Any, Callable, Mapping, Optional, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ._core import (
@@ -47,18 +48,18 @@ __all__ = [
     "scene_from_yaml",
 ]
 
-Parameter = Union[str, int, float, bool]
+Parameter = Union[str, int, float, bool, "np.integer[Any]", "np.floating[Any]", np.bool_]
 
 
 def plan(
     scene: Union[Scene, Checker],
     planner: Optional[str] = None,
-    method: str = "shared",
+    method: Optional[str] = None,
     time: float = 10.0,
     seed: int = 1,
-    callback: Optional[Callable[[float, float], Optional[bool]]] = None,
+    callback: Optional[Callable[[float, float], object]] = None,
     *,
-    motion: str = "discrete",
+    motion: Optional[str] = None,
     objective: str = "length",
     iterations: Optional[int] = None,
     simplify: bool = False,
@@ -69,23 +70,36 @@ def plan(
     """Plan for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
 
     planner: one of planner_names(); by default DRRTstar for two or more robots, RRTConnect for one
-    method: shared, partial, basic, standard or fcl; motion: discrete or continuous. A Checker has its own.
+    method: shared, partial, basic, standard or fcl; by default shared. A Checker has its own.
+    motion: discrete or continuous; by default discrete. A Checker has its own.
     time: how long to plan at most, in seconds
     seed: of OMPL's random numbers; the same seed grows the same tree. They are one for the whole process.
     callback: called some 20 times in a second with the seconds so far and the best cost, which is infinite if
-        the planner does not tell it. The plan ends when it returns True; what it raises is raised by plan().
+        the planner does not tell it. The plan ends when it returns what Python takes for true; what it raises is
+        raised by plan().
     objective: length, sum, makespan or arrival
     iterations: end after that many evaluations of the termination condition, too
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
 
-    Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt.
+    Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
+    condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.
     """
     for name, number, least, most in (("iterations", iterations or 0, 0, 2**64 - 1), ("seed", seed, 1, 2**32 - 1)):
         if not least <= number <= most:
             raise Error(f"{name}: must be from {least} to {most}, not {number}")
-    checker = scene if isinstance(scene, Checker) else Checker(scene, method, motion)
+    if isinstance(scene, Checker):
+        for name, value in (("method", method), ("motion", motion)):
+            if value is not None:
+                raise Error(f"{name}: a Checker has its own")
+        checker = scene
+    else:
+        checker = Checker(
+            scene,
+            "shared" if method is None else method,
+            "discrete" if motion is None else motion,
+        )
     return _plan(
         checker,
         planner or "",

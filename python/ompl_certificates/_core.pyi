@@ -62,12 +62,12 @@ class Body:
 class Robot:
     """One member of a team: a rigid body, a car with a trailer, or an arm"""
     @staticmethod
-    def rigid(name: str, body: Body, low: Sequence[float], high: Sequence[float], turns: bool = True) -> Robot:
+    def rigid(name: str, body: Body, low: ArrayLike, high: ArrayLike, turns: bool = True) -> Robot:
         """A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y and, if it turns,
         the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw."""
     @staticmethod
     def car_with_trailer(
-        name: str, car: Body, trailer: Body, hitch_length: float, low: Sequence[float], high: Sequence[float]
+        name: str, car: Body, trailer: Body, hitch_length: float, low: ArrayLike, high: ArrayLike
     ) -> Robot:
         """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle"""
     @staticmethod
@@ -93,13 +93,13 @@ class Robot:
     @property
     def dimension(self) -> int:
         """The dimension of the workspace: 2 or 3"""
-    def poses(self, state: Sequence[float]) -> NDArray[np.float64]:
+    def poses(self, state: ArrayLike) -> NDArray[np.float64]:
         """Where each body is in a state: matrices, of shape (bodies, 4, 4)"""
 
 class Scene:
     """A workspace with obstacles, and robots with their starts and goals. Lengths are in the scene's unit, angles in
     radians."""
-    def __init__(self, low: Sequence[float], high: Sequence[float], name: str = "scene") -> None:
+    def __init__(self, low: ArrayLike, high: ArrayLike, name: str = "scene") -> None:
         """A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, (x, y, z) or
@@ -107,12 +107,13 @@ class Scene:
     def add_cloud(self, points: ArrayLike, radius: float, cell: float = 0.0) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud,
         from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one
-        in each cell of a grid. In a planar scene add the robots first: points that none reaches do not count."""
+        in each cell of a grid; the radius grows, so that all that was occupied still is, and what Checker.change_cloud
+        inserts has that larger radius, too. In a planar scene points of shape (n, 2) are in the robots' way at any
+        height. Of those of shape (n, 3) only the ones count that a robot reaches with its meshes; so add the robots
+        first."""
     def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
         """The same, from a PCD, PLY, .xyz or .txt file"""
-    def add_robot(
-        self, robot: Robot, start: Sequence[float], goal: Sequence[float], weight: float = 1.0
-    ) -> None:
+    def add_robot(self, robot: Robot, start: ArrayLike, goal: ArrayLike, weight: float = 1.0) -> None:
         """Add a robot, with its start and goal; its distances count weight times."""
     @property
     def name(self) -> str:
@@ -145,7 +146,8 @@ class Scene:
     def goal(self) -> NDArray[np.float64]:
         """The team's goal, of shape (coordinates,)"""
     resolution: float
-    """The longest step between samples of a motion, as a fraction of each robot's extent; 0 for OMPL's own"""
+    """The longest step between samples of a motion, as a fraction of each robot's extent: from 1e-6 to below 1, or 0
+    for OMPL's own"""
     def first_robots(self, count: int) -> Scene:
         """The same scene with the first robots alone"""
     def validate(self) -> None:
@@ -160,8 +162,9 @@ class Checker:
         """Which states are valid: for an array of shape (n, coordinates) bools of shape (n,), for one state a bool.
         Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt."""
     def clearance(self, states: ArrayLike) -> Any:
-        """Lower bounds of the distance to the nearest contact, in the scene's length unit; not positive if a state is
-        not valid. Shapes as of is_valid."""
+        """Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or between links of
+        one arm. In the scene's length unit. Not positive if a state is not valid. A lower bound may be negative for a
+        valid state, too, so its sign is no verdict: ask is_valid. Shapes as of is_valid."""
     def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""
@@ -175,7 +178,8 @@ class Checker:
         """Remove an obstacle."""
     def add_cloud(self, points: ArrayLike, radius: float) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud.
-        All within radius of a point is occupied."""
+        All within radius of a point is occupied. In a planar scene the same points count as of Scene.add_cloud, for the
+        checker's robots."""
     def change_cloud(
         self,
         cloud: int,
@@ -186,7 +190,9 @@ class Checker:
     ) -> None:
         """Change a cloud, all at once: remove points of exactly these coordinates and all within the box clear = (low,
         high), which may be infinite; then insert others. The scene's own clouds have the numbers that Scene.add_cloud
-        returned. Time goes with the points that come and go. Where it raises an Error, nothing has changed."""
+        returned. Time goes with the points that come and go. Where it raises an Error, nothing has changed. Points have
+        the cloud's radius, and the shapes of add_cloud: in a planar scene those of shape (n, 3) that no robot reaches
+        do not count, in insert and in remove."""
     def cloud_points(self, cloud: int) -> NDArray[np.float64]:
         """The points of a cloud now, of shape (n, dimension), in no order"""
     def certificates(self) -> NDArray[np.float64]:
@@ -247,10 +253,10 @@ def _plan(
     time: float,
     iterations: int,
     seed: int,
-    callback: Optional[Callable[[float, float], Optional[bool]]],
+    callback: Optional[Callable[[float, float], object]],
     objective: str,
     simplify: bool,
-    parameters: Mapping[str, Union[str, int, float, bool]],
+    parameters: Mapping[str, Any],
     start: Optional[ArrayLike],
     goal: Optional[ArrayLike],
 ) -> Plan: ...

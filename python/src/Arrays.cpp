@@ -10,13 +10,7 @@ namespace ompl_certificates_python
 
     namespace
     {
-        std::string shapeOf(const py::array &array)
-        {
-            std::string text = "(";
-            for (py::ssize_t i = 0; i < array.ndim(); ++i)
-                text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
-            return text + (array.ndim() == 1 ? ",)" : ")");
-        }
+        using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
         void requireColumns(const py::array &array, py::ssize_t columns, const std::string &what)
         {
@@ -41,6 +35,27 @@ namespace ompl_certificates_python
             return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
         }
 
+        /** Indices from integers, or from other numbers that are whole. A conversion alone would cut off the rest. */
+        Indices toIndices(const py::object &object, const std::string &what)
+        {
+            const auto array = py::array::ensure(object);
+            const char kind = array ? array.dtype().kind() : 'O';
+            if (kind == 'f')
+            {
+                const auto numbers = toDoubles(array, what);
+                for (py::ssize_t i = 0; i < numbers.size(); ++i)
+                {
+                    const double number = numbers.data()[i];
+                    if (!(std::abs(number) <= std::numeric_limits<std::uint32_t>::max()) ||
+                        number != std::trunc(number))
+                        throw ompl::Exception(what, "must be whole numbers, not " + std::to_string(number));
+                }
+            }
+            else if (kind != 'i' && kind != 'u')
+                throw ompl::Exception(what, "must be whole numbers");
+            return Indices::ensure(array);
+        }
+
         Pose poseOfMatrix(const Doubles &array)
         {
             const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(array.data());
@@ -50,6 +65,23 @@ namespace ompl_certificates_python
             pose.linear() = rotationOf(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()));
             return pose;
         }
+    }
+
+    std::string shapeOf(const py::array &array)
+    {
+        std::string text = "(";
+        for (py::ssize_t i = 0; i < array.ndim(); ++i)
+            text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+        return text + (array.ndim() == 1 ? ",)" : ")");
+    }
+
+    Doubles toDoubles(const py::object &object, const std::string &what)
+    {
+        // It clears Python's error.
+        auto array = Doubles::ensure(object);
+        if (!array)
+            throw ompl::Exception(what, "must be numbers");
+        return array;
     }
 
     std::vector<Eigen::Vector2d> toPoints2(const Doubles &array, const std::string &what)
@@ -75,8 +107,9 @@ namespace ompl_certificates_python
         return points;
     }
 
-    TriangleMeshPtr toMesh(const Doubles &vertices, const Indices &faces)
+    TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &object)
     {
+        const Indices faces = toIndices(object, "faces");
         requireColumns(faces, 3, "faces");
         std::vector<TriangleMesh::Triangle> triangles(static_cast<std::size_t>(faces.shape(0)));
         const std::int64_t *index = faces.data();
@@ -94,9 +127,7 @@ namespace ompl_certificates_python
     {
         if (object.is_none())
             return Pose::Identity();
-        const auto array = Doubles::ensure(object);
-        if (!array)
-            throw py::error_already_set();
+        const auto array = toDoubles(object, "pose");
         for (py::ssize_t i = 0; i < array.size(); ++i)
             if (!std::isfinite(array.data()[i]))
                 throw ompl::Exception("pose", "all numbers must be finite");

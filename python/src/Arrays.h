@@ -16,8 +16,9 @@ namespace ompl_certificates_python
     /** \brief Numbers from Python; other types and layouts are converted */
     using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-    /** \brief Indices from Python */
-    using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+    /** \brief An array of numbers, from anything that numpy makes one of
+        \throws ompl::Exception that names \e what if it is none */
+    Doubles toDoubles(const py::object &object, const std::string &what);
 
     /** \brief Points of the plane, from an array of shape (n, 2)
         \throws ompl::Exception that names \e what for another shape */
@@ -27,9 +28,10 @@ namespace ompl_certificates_python
         \throws ompl::Exception that names \e what for another shape */
     std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar = false);
 
-    /** \brief A mesh, from vertices of shape (n, 3) and faces of shape (m, 3)
-        \throws ompl::Exception for another shape or an index that is negative, and as TriangleMesh does */
-    ompl_certificates::TriangleMeshPtr toMesh(const Doubles &vertices, const Indices &faces);
+    /** \brief A mesh, from vertices of shape (n, 3) and faces of shape (m, 3), which are whole numbers
+        \throws ompl::Exception for another shape or an index that is no whole number or negative, and as TriangleMesh
+        does */
+    ompl_certificates::TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &faces);
 
     /** \brief A pose, from (x, y, angle), (x, y), (x, y, z), (x, y, z, qx, qy, qz, qw) or a 4 × 4 matrix; none is the
         identity. Three numbers are (x, y, angle) if \e dimension is 2.
@@ -39,6 +41,9 @@ namespace ompl_certificates_python
     /** \brief Bounds from their lower and upper ends
         \throws ompl::Exception if these differ in length, or if there are not 2 or 3 of them */
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
+
+    /** \brief The shape of an array as Python writes it, such as (3, 2) */
+    std::string shapeOf(const py::array &array);
 }
 
 #endif

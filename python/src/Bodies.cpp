@@ -25,7 +25,7 @@ namespace ompl_certificates_python
             return z ? Body::box(x, y, *z) : Body::box(x, y);
         }
 
-        Body makeMesh(const Doubles &vertices, const Indices &faces, unsigned int dimension)
+        Body makeMesh(const Doubles &vertices, const py::object &faces, unsigned int dimension)
         {
             requireDimension(dimension);
             const TriangleMeshPtr mesh = toMesh(vertices, faces);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 #include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/util/Exception.h>
+#include <utility>
 
 namespace ompl_certificates_python
 {
@@ -15,6 +17,9 @@ namespace ompl_certificates_python
 
     namespace
     {
+        /** How much the length of a quaternion may differ from 1 */
+        constexpr double QUATERNION_ROUNDING = 1e-6;
+
         CertificateMotionValidator::Mode modeOf(const std::string &motion)
         {
             if (motion != "discrete" && motion != "continuous")
@@ -45,7 +50,8 @@ namespace ompl_certificates_python
         }
     }
 
-    /** A state that takes the numbers of one row after the other */
+    /** A state that takes the numbers of one row after the other. Another thread may write to the array meanwhile, so
+        each number is read once, and what matters is tested afterwards. */
     class Checker::Row
     {
     public:
@@ -54,28 +60,39 @@ namespace ompl_certificates_python
             const ob::StateSpacePtr &space = state_.getSpace();
             for (const auto &location : space->getValueLocations())
                 addresses_.push_back(space->getValueAddressAtLocation(state_.get(), location));
+            numbers_.resize(addresses_.size());
         }
 
+        /** The state, or null if a quaternion has not length 1 */
         const ob::State *read(const double *values)
         {
-            for (std::size_t i = 0; i < addresses_.size(); ++i)
-                *addresses_[i] = values[i];
+            std::copy_n(values, numbers_.size(), numbers_.begin());
             constexpr double pi = boost::math::constants::pi<double>();
             for (const std::size_t i : checker_.angles_)
-                if (!(values[i] >= -pi && values[i] < pi))
+                if (!(numbers_[i] >= -pi && numbers_[i] < pi))
                 {
-                    const double angle = std::remainder(values[i], 2.0 * pi);
-                    *addresses_[i] = angle == pi ? -pi : angle;
+                    const double angle = std::remainder(numbers_[i], 2.0 * pi);
+                    numbers_[i] = angle == pi ? -pi : angle;
                 }
             // OMPL takes no rounded quaternions, and Debian's aborts.
             for (const std::size_t i : checker_.quaternions_)
             {
-                const double length = Eigen::Map<const Eigen::Vector4d>(values + i).norm();
+                Eigen::Map<Eigen::Vector4d> quaternion(&numbers_[i]);
+                const double length = quaternion.norm();
+                if (!(std::abs(length - 1.0) <= QUATERNION_ROUNDING))
+                    return nullptr;
                 if (std::abs(length - 1.0) > 1e-10)
-                    for (std::size_t k = i; k < i + 4; ++k)
-                        *addresses_[k] = values[k] / length;
+                    quaternion /= length;
             }
+            for (std::size_t i = 0; i < addresses_.size(); ++i)
+                *addresses_[i] = numbers_[i];
             return state_.get();
+        }
+
+        /** Whether all numbers of the row that was read last are finite */
+        bool isFinite() const
+        {
+            return std::all_of(numbers_.begin(), numbers_.end(), [](double value) { return std::isfinite(value); });
         }
 
         const ob::ScopedState<> &get() const
@@ -87,6 +104,7 @@ namespace ompl_certificates_python
         const Checker &checker_;
         ob::ScopedState<> state_;
         std::vector<double *> addresses_;
+        std::vector<double> numbers_;
     };
 
     Checker::Checker(const Scene &scene, const std::string &method, const std::string &motion)
@@ -114,11 +132,10 @@ namespace ompl_certificates_python
             for (const std::size_t i : quaternions_)
             {
                 const double *q = states.data() + row * count_ + i;
-                const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-                if (std::abs(square - 1.0) > 1e-6)
-                    throw ompl::Exception(what, "row " + std::to_string(row) +
-                                                    ": a quaternion must have length 1, not " +
-                                                    std::to_string(std::sqrt(square)));
+                const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+                if (std::abs(length - 1.0) > QUATERNION_ROUNDING)
+                    throw ompl::Exception(what, (dimensions == 1 ? "" : "row " + std::to_string(row) + ": ") +
+                                                    "a quaternion must have length 1, not " + std::to_string(length));
             }
         return rows;
     }
@@ -134,7 +151,10 @@ namespace ompl_certificates_python
         Row row(*this);
         Signals signals;
         for (std::size_t i = 0; i < rows; ++i, signals.handle())
-            valid[i] = checker.isValid(row.read(values + i * count_));
+        {
+            const ob::State *state = row.read(values + i * count_);
+            valid[i] = state && checker.isValid(state);
+        }
         return result;
     }
 
@@ -149,7 +169,10 @@ namespace ompl_certificates_python
         Row row(*this);
         Signals signals;
         for (std::size_t i = 0; i < rows; ++i, signals.handle())
-            clearances[i] = checker.clearance(row.read(values + i * count_));
+        {
+            const ob::State *state = row.read(values + i * count_);
+            clearances[i] = state ? checker.clearance(state) : -std::numeric_limits<double>::infinity();
+        }
         return result;
     }
 
@@ -164,28 +187,41 @@ namespace ompl_certificates_python
         const double *from = starts.data(), *to = ends.data();
         const py::gil_scoped_release release;
         const ob::SpaceInformation &si = *setup_->getSpaceInformation();
-        // OMPL's spaces abort the program where an angle is no number.
-        const auto isFinite = [this](const double *row)
-        { return std::all_of(row, row + count_, [](double value) { return std::isfinite(value); }); };
         Row start(*this), end(*this);
         Signals signals;
         for (std::size_t i = 0; i < rows; ++i, from += count_, to += count_, signals.handle())
-            valid[i] = isFinite(from) && isFinite(to) && si.checkMotion(start.read(from), end.read(to));
+        {
+            const ob::State *first = start.read(from), *last = end.read(to);
+            // OMPL's spaces abort the program where an angle is no number.
+            valid[i] = first && last && start.isFinite() && end.isFinite() && si.checkMotion(first, last);
+        }
         return result;
     }
 
-    ob::ScopedState<> Checker::toState(const Doubles &values) const
+    void Checker::requireState(const Doubles &values, const char *what) const
     {
-        if (countRows(values, "state") != 1)
-            throw ompl::Exception("state", "must be one state");
+        if (values.ndim() == 0 || static_cast<std::size_t>(values.size()) != count_ ||
+            values.shape(values.ndim() - 1) != values.size())
+            throw ompl::Exception(what, "must be an array of shape (" + std::to_string(count_) + ",), not " +
+                                            shapeOf(values));
+        countRows(values, what);
+    }
+
+    ob::ScopedState<> Checker::toState(const Doubles &values, const char *what) const
+    {
+        requireState(values, what);
         Row row(*this);
-        row.read(values.data());
+        if (!row.read(values.data()) || !row.isFinite())
+            throw ompl::Exception(what, "all numbers must be finite");
         return row.get();
     }
 
     std::string Checker::describeCollision(const Doubles &state) const
     {
-        return setup_->getTeamChecker()->describeCollision(toState(state).get());
+        requireState(state, "state");
+        if (std::any_of(state.data(), state.data() + state.size(), [](double value) { return !std::isfinite(value); }))
+            return "a number is not finite";
+        return setup_->getTeamChecker()->describeCollision(toState(state, "state").get());
     }
 
     Scene Checker::getScene(const ob::State *goal) const
@@ -231,7 +267,7 @@ namespace ompl_certificates_python
         tell(world_.takeBodies());
     }
 
-    std::size_t Checker::addCloud(std::vector<Eigen::Vector3d> points, double radius)
+    std::size_t Checker::addCloud(CloudPoints points, double radius)
     {
         const std::lock_guard<std::mutex> lock(changing_);
         const std::size_t cloud = world_.getCloudCount();
@@ -239,10 +275,10 @@ namespace ompl_certificates_python
         return cloud;
     }
 
-    void Checker::changeCloud(std::size_t cloud, const CloudChange &change)
+    void Checker::changeCloud(std::size_t cloud, CloudChange change)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        tell(world_.changeCloud(cloud, change));
+        tell(world_.changeCloud(cloud, std::move(change)));
     }
 
     std::vector<Eigen::Vector3d> Checker::getCloudPoints(std::size_t cloud) const

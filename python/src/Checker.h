@@ -31,7 +31,8 @@ namespace ompl_certificates_python
         Checker(const Scene &scene, const std::string &method, const std::string &motion);
 
         /** \brief Which states are valid: one bool for each row of \e states, of shape (n, coordinates) or
-            (coordinates,)
+            (coordinates,). Another thread may write to the array meanwhile: a row whose quaternion has not length 1
+            when it is read is not valid.
             \throws ompl::Exception for another shape, and for a quaternion whose length is not 1 */
         py::array_t<bool> isValid(const Doubles &states) const;
 
@@ -53,17 +54,17 @@ namespace ompl_certificates_python
 
         /** \brief Add a cloud of points with one radius, and return its number.
             \throws ompl::Exception as World does, here and below */
-        std::size_t addCloud(std::vector<Eigen::Vector3d> points, double radius);
+        std::size_t addCloud(CloudPoints points, double radius);
 
         /** \brief Change the points of a cloud. Checks of other threads see all of the change or nothing. */
-        void changeCloud(std::size_t cloud, const CloudChange &change);
+        void changeCloud(std::size_t cloud, CloudChange change);
 
         /** \brief The points of a cloud, in no order */
         std::vector<Eigen::Vector3d> getCloudPoints(std::size_t cloud) const;
 
         /** \brief A state of the team, from its numbers
-            \throws ompl::Exception as isValid() does */
-        ompl::base::ScopedState<> toState(const Doubles &values) const;
+            \throws ompl::Exception that names \e what as isValid() does, and if a number is not finite */
+        ompl::base::ScopedState<> toState(const Doubles &values, const char *what) const;
 
         /** \brief The scene with the obstacles there are now, and a goal
             \param goal a state of the team */
@@ -108,6 +109,9 @@ namespace ompl_certificates_python
 
         /** \brief The number of rows, after a check of the shape and of all quaternions */
         std::size_t countRows(const Doubles &states, const char *what) const;
+
+        /** \brief Refuse what is not one state, by its shape and its quaternions. */
+        void requireState(const Doubles &values, const char *what) const;
 
         void tell(const ompl_certificates::ObstacleChange &change);
 

@@ -55,8 +55,10 @@ namespace ompl_certificates_python
                      "state a bool. Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises "
                      "KeyboardInterrupt.")
                 .def("clearance", &clearanceOf, py::arg("states"),
-                     "Lower bounds of the distance to the nearest contact, in the scene's length unit; not positive "
-                     "if a state is not valid. Shapes as of is_valid.")
+                     "Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or "
+                     "between links of one arm. In the scene's length unit. Not positive if a state is not valid. A "
+                     "lower bound may be negative for a valid state, too, so its sign is no verdict: ask is_valid. "
+                     "Shapes as of is_valid.")
                 .def("check_motions", &Checker::checkMotions, py::arg("starts"), py::arg("ends"),
                      "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
                      "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
@@ -65,10 +67,11 @@ namespace ompl_certificates_python
         }
 
         /** Points for a cloud of a checker; None for none */
-        std::vector<Eigen::Vector3d> pointsOf(const Checker &checker, const std::optional<Doubles> &points,
-                                              const char *what)
+        CloudPoints pointsOf(const Checker &checker, const std::optional<Doubles> &points, const char *what)
         {
-            return points ? toPoints3(*points, what, checker.getDimension() == 2) : std::vector<Eigen::Vector3d>();
+            if (!points)
+                return {};
+            return {toPoints3(*points, what, checker.getDimension() == 2), points->shape(1) == 3};
         }
 
         Eigen::AlignedBox3d boxOf(const Checker &checker, const Box &box)
@@ -100,10 +103,10 @@ namespace ompl_certificates_python
         void changeCloud(Checker &checker, std::size_t cloud, const std::optional<Doubles> &inserted,
                          const std::optional<Doubles> &removed, const std::optional<Box> &cleared)
         {
-            const CloudChange change{pointsOf(checker, inserted, "insert"), pointsOf(checker, removed, "remove"),
-                                     cleared ? boxOf(checker, *cleared) : Eigen::AlignedBox3d()};
+            CloudChange change{pointsOf(checker, inserted, "insert"), pointsOf(checker, removed, "remove"),
+                               cleared ? boxOf(checker, *cleared) : Eigen::AlignedBox3d()};
             const py::gil_scoped_release release;
-            checker.changeCloud(cloud, change);
+            checker.changeCloud(cloud, std::move(change));
         }
 
         Doubles cloudPoints(const Checker &checker, std::size_t cloud)
@@ -122,13 +125,16 @@ namespace ompl_certificates_python
             checker
                 .def("add_cloud", &addCloud, py::arg("points"), py::arg("radius"),
                      "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of "
-                     "the cloud. All within radius of a point is occupied.")
+                     "the cloud. All within radius of a point is occupied. In a planar scene the same points count as "
+                     "of Scene.add_cloud, for the checker's robots.")
                 .def("change_cloud", &changeCloud, py::arg("cloud"), py::kw_only(), py::arg("insert") = py::none(),
                      py::arg("remove") = py::none(), py::arg("clear") = py::none(),
                      "Change a cloud, all at once: remove points of exactly these coordinates and all within the box "
                      "clear = (low, high), which may be infinite; then insert others. The scene's own clouds have the "
                      "numbers that Scene.add_cloud returned. Time goes with the points that come and go. Where it "
-                     "raises an Error, nothing has changed.")
+                     "raises an Error, nothing has changed. Points have the cloud's radius, and the shapes of "
+                     "add_cloud: in a planar scene those of shape (n, 3) that no robot reaches do not count, in insert "
+                     "and in remove.")
                 .def("cloud_points", &cloudPoints, py::arg("cloud"),
                      "The points of a cloud now, of shape (n, dimension), in no order");
         }

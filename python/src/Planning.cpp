@@ -10,12 +10,14 @@
 #include <ompl_certificates/team/TeamObjective.h>
 
 #include <cmath>
+#include <mutex>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <ompl/util/RandomNumbers.h>
 #include <optional>
 #include <pybind11/stl.h>
+#include <set>
 #include <sstream>
 
 namespace ompl_certificates_python
@@ -51,23 +53,55 @@ namespace ompl_certificates_python
             std::map<std::string, py::object> parameters;
         };
 
-        /** Only errors of OMPL are printed while this lives. */
+        /** OMPL prints only what has this level or a higher one while this lives. The level is one for the process, and
+            plans of several threads overlap: the highest level counts, and the last one restores what was before. */
         class Quiet
         {
         public:
-            explicit Quiet(ompl::msg::LogLevel level) : before_(ompl::msg::getLogLevel())
+            explicit Quiet(ompl::msg::LogLevel level) : level_(level)
             {
-                ompl::msg::setLogLevel(level);
+                const std::lock_guard<std::mutex> lock(mutex());
+                if (levels().empty())
+                    before() = ompl::msg::getLogLevel();
+                levels().insert(level_);
+                setLevel();
             }
             Quiet(const Quiet &) = delete;
             Quiet &operator=(const Quiet &) = delete;
             ~Quiet()
             {
-                ompl::msg::setLogLevel(before_);
+                const std::lock_guard<std::mutex> lock(mutex());
+                levels().erase(levels().find(level_));
+                setLevel();
             }
 
         private:
-            ompl::msg::LogLevel before_;
+            static void setLevel()
+            {
+                ompl::msg::setLogLevel(levels().empty() ? before() : *levels().rbegin());
+            }
+
+            static std::mutex &mutex()
+            {
+                static std::mutex theMutex;
+                return theMutex;
+            }
+
+            /** All levels that are asked for now */
+            static std::multiset<ompl::msg::LogLevel> &levels()
+            {
+                static std::multiset<ompl::msg::LogLevel> theLevels;
+                return theLevels;
+            }
+
+            /** The level that was there before the first */
+            static ompl::msg::LogLevel &before()
+            {
+                static ompl::msg::LogLevel theLevel{ompl::msg::LOG_INFO};
+                return theLevel;
+            }
+
+            const ompl::msg::LogLevel level_;
         };
 
         void seedRandomNumbers(std::uint32_t seed)
@@ -83,31 +117,33 @@ namespace ompl_certificates_python
             if (name.empty())
                 name = setup.getTeam().getRobotCount() > 1 ? "DRRTstar" : "RRTConnect";
             ob::PlannerPtr planner = makePlanner(name, setup.getSpaceInformation());
+            const py::object numpyBool = py::module_::import("numpy").attr("bool_");
             for (const auto &[key, value] : options.parameters)
-                setParameter(*planner, key,
-                             py::isinstance<py::bool_>(value) ? (value.cast<bool>() ? "1" : "0")
-                                                              : std::string(py::str(value)));
+            {
+                const bool isBool = py::isinstance<py::bool_>(value) || py::isinstance(value, numpyBool);
+                setParameter(*planner, key, isBool ? (py::bool_(value) ? "1" : "0") : std::string(py::str(value)));
+            }
             return planner;
         }
 
         void setProblem(TeamSetup &setup, const Checker &checker, const Options &options, const py::object &start,
                         const py::object &goal)
         {
-            const auto read = [&checker](const py::object &object)
-            {
-                const auto array = Doubles::ensure(object);
-                if (!array)
-                    throw py::error_already_set();
-                return checker.toState(array);
-            };
+            const auto read = [&checker](const py::object &object, const char *what)
+            { return checker.toState(toDoubles(object, what), what); };
             ob::ScopedState<> begin(setup.getStateSpace()), end(setup.getStateSpace());
-            begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0) : read(start).get();
-            end = goal.is_none() ? setup.getGoal()->as<ob::GoalState>()->getState() : read(goal).get();
+            begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0) : read(start, "start").get();
+            end = goal.is_none() ? setup.getGoal()->as<ob::GoalState>()->getState() : read(goal, "goal").get();
             for (const auto &[key, state] :
                  {std::pair<std::string, const ob::State *>{"start", begin.get()}, {"goal", end.get()}})
             {
-                if (!setup.getSpaceInformation()->satisfiesBounds(state))
-                    throw ompl::Exception(checker.getSceneName(), key + ": is outside the bounds");
+                for (unsigned int i = 0; i < setup.getTeam().getRobotCount(); ++i)
+                {
+                    const Robot &robot = setup.getTeam().getRobot(i);
+                    if (!robot.getStateSpace()->satisfiesBounds(state->as<ob::CompoundState>()->components[i]))
+                        throw ompl::Exception(checker.getSceneName(),
+                                              key + ": robot '" + robot.getName() + "' is outside the bounds");
+                }
                 const std::string collision = setup.getTeamChecker()->describeCollision(state);
                 if (!collision.empty())
                     throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
@@ -244,8 +280,8 @@ namespace ompl_certificates_python
             TeamSetup &setup = checker.getSetup();
             // Planners such as KPIECE have cells whose sizes OMPL infers from random states.
             setup.getSpaceInformation()->setup();
-            if (setup.getPlanner())
-                setup.clear();
+            // The last planner is dropped as it is: OMPL's LazyLBTRRT frees memory twice if it is cleared before.
+            setup.setPlanner(nullptr);
             setup.getProblemDefinition()->clearSolutionPaths();
             setup.setPlanner(plannerOf(options, setup));
             setProblem(setup, checker, options, start, goal);

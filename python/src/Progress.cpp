@@ -87,7 +87,14 @@ namespace ompl_certificates_python
     {
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
-        return hasCallback_ && callback_(getSeconds(), cost_.load()).ptr() == Py_True;
+        if (!hasCallback_)
+            return false;
+        const py::object answer = callback_(getSeconds(), cost_.load());
+        // numpy has a True of its own.
+        const int truth = PyObject_IsTrue(answer.ptr());
+        if (truth < 0)
+            throw py::error_already_set();
+        return truth == 1;
     }
 
     void Progress::readCost(double seconds)

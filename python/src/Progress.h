@@ -23,7 +23,7 @@ namespace ompl_certificates_python
     public:
         /** \brief Plan for \e seconds and, if \e evaluations is not 0, for at most that many evaluations.
             \param callback called with the seconds so far and the best cost (infinite if the planner does not tell);
-            None for no call. It ends the plan if it returns True. */
+            None for no call. It ends the plan if it returns what is true. */
         Progress(double seconds, std::uint64_t evaluations, pybind11::object callback,
                  const ompl::base::Planner &planner);
 

@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "World.h"
 
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/pictures/PathFile.h>
@@ -7,6 +8,8 @@
 #include <ompl_certificates/scene/MoveItFiles.h>
 #include <ompl_certificates/scene/SceneFile.h>
 
+#include <cmath>
+#include <ompl/util/Exception.h>
 #include <pybind11/stl.h>
 
 namespace ompl_certificates_python
@@ -26,12 +29,15 @@ namespace ompl_certificates_python
             return scene.getObstacles().size() - 1;
         }
 
-        std::size_t addCloud(Scene &scene, PointCloud cloud, double cell)
+        std::size_t addCloud(Scene &scene, PointCloud cloud, double cell, bool haveHeights = true)
         {
+            if (!(cell >= 0.0))
+                throw ompl::Exception("cell", "must not be negative, not " + std::to_string(cell));
             if (cell > 0.0)
                 cloud = thinned(std::move(cloud), cell);
             if (scene.getDimension() == 2)
-                cloud = sliced(std::move(cloud), scene.getZInterval());
+                cloud.points =
+                    inPlane({std::move(cloud.points), haveHeights}, cloud.radius, scene.getZInterval(), "points");
             const std::size_t number = scene.getSensedObstacles().size();
             scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(std::move(cloud), scene.getDimension()),
                                      "clouds[" + std::to_string(number) + "]");
@@ -41,6 +47,17 @@ namespace ompl_certificates_python
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const std::vector<double> &start,
                       const std::vector<double> &goal, double weight)
         {
+            const auto refuse = [&](const std::string &what, double value)
+            {
+                throw ompl::Exception(scene.getSource(),
+                                      "robot '" + robot->getName() + "': " + what + ", not " + std::to_string(value));
+            };
+            if (!(weight >= 0.0) || !std::isfinite(weight))
+                refuse("weight must be finite and not negative", weight);
+            for (const auto *coordinates : {&start, &goal})
+                for (const double coordinate : *coordinates)
+                    if (!std::isfinite(coordinate))
+                        refuse(coordinates == &start ? "start must be finite" : "goal must be finite", coordinate);
             scene.addMember({robot, start, goal, weight});
         }
 
@@ -77,12 +94,16 @@ namespace ompl_certificates_python
                 .def(
                     "add_cloud",
                     [](Scene &self, const Doubles &points, double radius, double cell) {
-                        return addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell);
+                        return addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell,
+                                        points.shape(1) == 3);
                     },
                     py::arg("points"), py::arg("radius"), py::arg("cell") = 0.0,
                     "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the "
-                    "cloud, from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one in each cell of "
-                    "a grid. In a planar scene add the robots first: points that none reaches do not count.")
+                    "cloud, from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer "
+                    "points stand for them, one in each cell of a grid; the radius grows, so that all that was "
+                    "occupied still is, and what Checker.change_cloud inserts has that larger radius, too. In a "
+                    "planar scene points of shape (n, 2) are in the robots' way at any height. Of those of shape (n, "
+                    "3) only the ones count that a robot reaches with its meshes; so add the robots first.")
                 .def(
                     "add_cloud_file",
                     [](Scene &self, const std::filesystem::path &file, double radius, double cell)
@@ -138,8 +159,8 @@ namespace ompl_certificates_python
                 "goal", [](const Scene &self) { return toArray(joined(self, &Scene::Member::goal)); },
                 "The team's goal, of shape (coordinates,)")
             .def_property("resolution", &Scene::getResolution, &Scene::setResolution,
-                          "The longest step between samples of a motion, as a fraction of each robot's extent; 0 for "
-                          "OMPL's own")
+                          "The longest step between samples of a motion, as a fraction of each robot's extent: from "
+                          "1e-6 to below 1, or 0 for OMPL's own")
             .def("first_robots", &Scene::withFirstRobots, py::arg("count"),
                  "The same scene with the first robots alone")
             .def(

@@ -1,15 +1,30 @@
 #include "World.h"
 
+#include <ompl_certificates/geometry/PointCloud.h>
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 
 #include <ompl/util/Exception.h>
+#include <utility>
 
 namespace ompl_certificates_python
 {
     using namespace ompl_certificates;
 
-    World::World(const Scene &scene) : dimension_(scene.getDimension()), bodies_(dimension_, scene.getZInterval())
+    std::vector<Eigen::Vector3d> inPlane(CloudPoints points, double radius, const ZInterval &heights,
+                                         const std::string &what)
+    {
+        // A height that is no number would be outside all heights, and the point would vanish.
+        for (const Eigen::Vector3d &point : points.points)
+            if (!point.allFinite())
+                throw ompl::Exception(what, "must be finite");
+        if (!points.haveHeights)
+            return std::move(points.points);
+        return sliced({std::move(points.points), radius}, heights).points;
+    }
+
+    World::World(const Scene &scene)
+      : dimension_(scene.getDimension()), heights_(scene.getZInterval()), bodies_(dimension_, heights_)
     {
         for (const PlacedBody &obstacle : scene.getObstacles())
             bodies_.add(obstacle);
@@ -44,23 +59,24 @@ namespace ompl_certificates_python
         return change;
     }
 
-    ObstacleChange World::addCloud(std::vector<Eigen::Vector3d> points, double radius)
+    ObstacleChange World::addCloud(CloudPoints points, double radius)
     {
         PointCloudSet set(radius, dimension_);
-        set.insert(std::move(points));
+        set.insert(placed(std::move(points), radius, "points"));
         ObstacleChange change = set.takeChange();
         sensed_.push_back({change.after, radius, std::move(set)});
         change.after = getObstacles();
         return change;
     }
 
-    ObstacleChange World::changeCloud(std::size_t cloud, const CloudChange &change)
+    ObstacleChange World::changeCloud(std::size_t cloud, CloudChange change)
     {
         PointCloudSet set = takeSet(cloud);
-        set.remove(change.removed);
+        const double radius = *sensed_[cloud].radius;
+        set.remove(placed(std::move(change.removed), radius, "remove"));
         if (!change.cleared.isEmpty())
             set.removeWithin(change.cleared);
-        set.insert(change.inserted);
+        set.insert(placed(std::move(change.inserted), radius, "insert"));
         ObstacleChange result = set.takeChange();
         Sensed &sensed = sensed_[cloud];
         sensed.obstacles = result.after;
@@ -85,6 +101,11 @@ namespace ompl_certificates_python
         if (!points)
             throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " is a map of cells, not of points");
         return points->getBalls();
+    }
+
+    std::vector<Eigen::Vector3d> World::placed(CloudPoints points, double radius, const std::string &what) const
+    {
+        return dimension_ == 2 ? inPlane(std::move(points), radius, heights_, what) : std::move(points.points);
     }
 
     PointCloudSet World::takeSet(std::size_t cloud)

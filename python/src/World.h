@@ -6,18 +6,34 @@
 #include <ompl_certificates/scene/Scene.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ompl_certificates_python
 {
+    /** \brief Points for a cloud */
+    struct CloudPoints
+    {
+        std::vector<Eigen::Vector3d> points;
+
+        /** \brief Whether their z are heights, so that in a planar scene only those count that robots reach. If not,
+            they are points of the plane itself. */
+        bool haveHeights{true};
+    };
+
+    /** \brief The points of a planar scene that robots at \e heights reach, with z = 0, if each has \e radius
+        \throws ompl::Exception that names \e what if a coordinate is not finite */
+    std::vector<Eigen::Vector3d> inPlane(CloudPoints points, double radius, const ompl_certificates::ZInterval &heights,
+                                         const std::string &what);
+
     /** \brief What changes in a cloud, all at once */
     struct CloudChange
     {
         /** \brief Points to be added */
-        std::vector<Eigen::Vector3d> inserted;
+        CloudPoints inserted;
 
         /** \brief Points to be removed, by their coordinates */
-        std::vector<Eigen::Vector3d> removed;
+        CloudPoints removed;
 
         /** \brief A box, all of whose points are removed before others are added; empty for none */
         Eigen::AlignedBox3d cleared;
@@ -53,15 +69,16 @@ namespace ompl_certificates_python
             return sensed_.size();
         }
 
-        /** \brief Add a cloud, whose points all have one \e radius.
+        /** \brief Add a cloud, whose points all have one \e radius. In a planar scene those count that inPlane() keeps,
+            here and below.
             \throws ompl::Exception as PointCloudSet does */
-        ompl_certificates::ObstacleChange addCloud(std::vector<Eigen::Vector3d> points, double radius);
+        ompl_certificates::ObstacleChange addCloud(CloudPoints points, double radius);
 
         /** \brief Change a cloud. Cost: that of PointCloudSet for the points that come and go; the first change of a
             cloud of the scene, in proportion to all of its points.
             \throws ompl::Exception if there is none of this number, if it is a map of cells, and as PointCloudSet does.
             Then nothing has changed. */
-        ompl_certificates::ObstacleChange changeCloud(std::size_t cloud, const CloudChange &change);
+        ompl_certificates::ObstacleChange changeCloud(std::size_t cloud, CloudChange change);
 
         /** \brief The points of a cloud, in no order
             \throws ompl::Exception as changeCloud() does */
@@ -82,7 +99,11 @@ namespace ompl_certificates_python
         /** \brief The set of a cloud, which is made for its first change */
         ompl_certificates::PointCloudSet takeSet(std::size_t cloud);
 
+        /** \brief The points as a cloud of this world has them */
+        std::vector<Eigen::Vector3d> placed(CloudPoints points, double radius, const std::string &what) const;
+
         unsigned int dimension_;
+        ompl_certificates::ZInterval heights_;
         ompl_certificates::ObstacleSet bodies_;
         ompl_certificates::ObstaclesPtr bodiesNow_;
         std::vector<Sensed> sensed_;

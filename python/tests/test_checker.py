@@ -6,7 +6,7 @@ import pathlib
 import signal
 import threading
 import time
-from typing import Any, List
+from typing import Any, List, Set
 
 import numpy as np
 import ompl_certificates as oc
@@ -31,6 +31,7 @@ def test_one_state_gives_one_bool(room: oc.Scene) -> None:
     assert checker.is_valid([math.nan, 5, 1, 1]) is False
     assert "left" in checker.describe_collision([5, 5, 1, 1])
     assert checker.describe_collision(room.start) == ""
+    assert checker.describe_collision([math.nan, 5, 1, 1]) == "a number is not finite"
 
 
 def test_wrong_shapes_are_refused(room: oc.Scene) -> None:
@@ -99,6 +100,38 @@ def test_angles_wrap_and_quaternions_have_length_one() -> None:
     for motion in ("discrete", "continuous"):
         free = oc.Checker(space, motion=motion).check_motions(rounded[:-1], rounded[1:])
         assert 0 < free.sum() < len(free)
+
+
+@pytest.mark.parametrize("motion", ["discrete", "continuous"])
+def test_arrays_may_be_written_while_they_are_read(motion: str) -> None:
+    scene = oc.Scene([0] * 3, [10] * 3)
+    scene.add_obstacle(oc.Body.box(1, 1, 1), (5, 5, 5))
+    box = oc.Robot.rigid("box", oc.Body.box(1, 1, 1), [0] * 3, [10] * 3)
+    scene.add_robot(box, [1, 1, 1, 0, 0, 0, 1], [9, 9, 9, 0, 0, 0, 1])
+    checker = oc.Checker(scene, motion=motion)
+    states = np.tile(scene.start, (2000, 1))
+    done = threading.Event()
+
+    def write() -> None:
+        while not done.is_set():
+            states[1:, 6] = 2.0
+            states[1:, 6] = 1.0
+
+    thread = threading.Thread(target=write)
+    thread.start()
+    seen: Set[bool] = set()
+    begin = time.monotonic()
+    while time.monotonic() - begin < 1:
+        try:
+            # OMPL would end the program for a quaternion whose length is not 1.
+            seen.update(checker.check_motions(states, states).tolist())
+            seen.update(checker.is_valid(states).tolist())
+            checker.clearance(states)
+        except oc.Error as error:
+            assert "a quaternion must have length 1" in str(error)
+    done.set()
+    thread.join()
+    assert True in seen
 
 
 def test_changes_reach_the_checker(room: oc.Scene) -> None:

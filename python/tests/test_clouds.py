@@ -74,7 +74,8 @@ def test_what_is_refused_changes_nothing() -> None:
         (7, {"clear": everywhere}, "^cloud: there is none of number 7$"),
         (cloud, {"remove": points[:1] + 1e-9}, "not there|no point|none"),
         (cloud, {"clear": everywhere, "insert": [[np.nan, 1]]}, "finite|nan"),
-        (cloud, {"clear": everywhere, "insert": [[1, 1, 1]]}, "z"),
+        (cloud, {"clear": everywhere, "insert": [[1, 1, np.nan]]}, "^insert: must be finite$"),
+        (cloud, {"remove": [[2, 2, np.nan]]}, "^remove: must be finite$"),
         (cloud, {"insert": [1, 1]}, r"^insert: must be an array of shape \(n, 2\), not \(2,\)"),
         (cloud, {"clear": ([0, 0, 0], [1, 1, 1])}, "^clear: must be two corners of 2 numbers each$"),
         (cloud, {"clear": ([0, 3], [1, 2])}, "^clear: the first corner must be below the second: 3.*, 2"),
@@ -93,6 +94,59 @@ def test_what_is_refused_changes_nothing() -> None:
     assert checker.is_valid(points).all()
     checker.change_cloud(cloud, insert=points)
     assert np.isclose(checker.clearance([[2, 3]])[0], 1 - RADIUS - 0.3)
+
+
+def slab(low: float, high: float) -> oc.Body:
+    """A box as a planar mesh, from one height to another, 1 wide"""
+    corners = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (low, high)])
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6]]
+    faces += [[0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    return oc.Body.mesh(corners, faces, dimension=2)
+
+
+def test_points_of_the_plane_are_in_the_way_of_meshes_at_any_height() -> None:
+    scene = oc.Scene([0, 0], [10, 10], "hall")
+    scene.add_robot(oc.Robot.rigid("slab", slab(1.0, 2.0), [0, 0], [10, 10], turns=False), [1, 1], [9, 9])
+    empty = oc.Checker(scene)
+    flat = np.array([[5.0, 5.0], [8.0, 2.0]])
+    # The first two are within radius of the robot's heights, the others are above and below.
+    high = np.array([[2.0, 7.0, 1.5], [4.0, 8.0, 2.1], [6.0, 8.0, 2.3], [3.0, 3.0, 0.0], [7.0, 5.0, -4.0]])
+    states = np.vstack([flat, high[:, :2]])
+    wanted = [False, False, False, False, True, True, True]
+    scene.add_cloud(flat, RADIUS)
+    scene.add_cloud(high, RADIUS)
+    checker = oc.Checker(scene)
+    assert checker.is_valid(states).tolist() == wanted
+    assert empty.is_valid(states).all()
+
+    clouds = [empty.add_cloud(points, RADIUS) for points in (flat, high)]
+    assert empty.is_valid(states).tolist() == wanted
+    assert sorted(map(tuple, empty.cloud_points(1))) == sorted(map(tuple, high[:2, :2]))
+    for one, cloud, points in ((empty, clouds[0], flat), (empty, clouds[1], high), (checker, 0, flat)):
+        before = sorted(map(tuple, one.cloud_points(cloud)))
+        one.change_cloud(cloud, remove=points)
+        assert len(one.cloud_points(cloud)) == 0
+        one.change_cloud(cloud, insert=points)
+        assert sorted(map(tuple, one.cloud_points(cloud))) == before
+        assert one.is_valid(states).tolist() == wanted
+    # What is seen once more may be told from above and from within the plane.
+    empty.change_cloud(clouds[1], remove=high[:2, :2], insert=high[2:])
+    assert len(empty.cloud_points(clouds[1])) == 0
+    for bad in (np.nan, np.inf):
+        with pytest.raises(oc.Error, match="^points: must be finite$"):
+            scene.add_cloud([[1, 1, bad]], RADIUS)
+
+
+def test_cells_make_the_radius_larger_also_for_later_points() -> None:
+    scene, _ = world(2, np.zeros((0, 2)))
+    cloud = scene.add_cloud([[2.0, 2.0], [2.4, 2.0]], RADIUS, cell=1.0)
+    checker = oc.Checker(scene)
+    assert len(checker.cloud_points(cloud)) == 1
+    checker.change_cloud(cloud, insert=[[2.0, 8.0]])
+    assert np.isclose(checker.clearance([2.0, 9.0]), 1 - 0.3 - (RADIUS + 0.4))
+    for cell in (-1.0, np.nan):
+        with pytest.raises(oc.Error, match="^cell: must not be negative, not -?(1.0|nan)"):
+            scene.add_cloud([[2.0, 2.0]], RADIUS, cell=cell)
 
 
 def test_cells_do_not_come_and_go(scenes: pathlib.Path) -> None:

@@ -1,17 +1,19 @@
 """Plans"""
 
 import json
+import math
 import os
 import pathlib
 import re
 import signal
 import threading
 import time
-from typing import List, Tuple
+from typing import Dict, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
 import pytest
+from ompl_certificates import Parameter
 
 MANY_THREADS = ("AnytimePathShortening", "CForest", "DRRTstar", "PRMstar", "SPARS", "pRRT", "pSBL")
 
@@ -93,6 +95,36 @@ def test_callback_and_interrupt_reach_planners_with_threads(room: oc.Scene, plan
     assert time.monotonic() - begin < 20
 
 
+@pytest.mark.parametrize("answer", [np.bool_(True), 1, "enough"])
+def test_callback_may_answer_what_is_true(room: oc.Scene, answer: object) -> None:
+    begin = time.monotonic()
+    oc.plan(room, "RRTstar", time=20, callback=lambda *_: answer)
+    assert time.monotonic() - begin < 10
+    falses: List[object] = [None, np.bool_(False), 0]
+    calls = iter(falses + [answer])
+    oc.plan(room, "RRTstar", time=20, callback=lambda *_: next(calls))
+    assert not list(calls)
+
+    class Undecided:
+        def __bool__(self) -> bool:
+            raise KeyError("undecided")
+
+    for unclear, error in ((Undecided(), KeyError), (np.zeros(2), ValueError)):
+        with pytest.raises(error):
+            oc.plan(room, "RRTstar", time=20, callback=lambda *_, answer=unclear: answer)
+
+
+def test_parameters_may_be_of_numpy(room: oc.Scene) -> None:
+    values: Dict[str, Parameter] = {"range": np.float32(0.5), "intermediate_states": np.bool_(True)}
+    plain: Dict[str, Parameter] = {"range": 0.5, "intermediate_states": True}
+    trees = {
+        oc.plan(room, "RRT", time=60, iterations=500, parameters=parameters).report["tree"]["digest"]
+        for parameters in (values, plain)
+    }
+    assert len(trees) == 1
+    oc.plan(room, "RRT", time=20, iterations=5, parameters={"goal_bias": np.float64(0.1), "range": np.int64(1)})
+
+
 def test_what_the_callback_raises_is_raised(room: oc.Scene) -> None:
     def callback(seconds: float, cost: float) -> None:
         raise KeyError("mine")
@@ -143,6 +175,47 @@ def test_checker_plans_again_in_a_changed_world(room: oc.Scene) -> None:
     assert (plan.path[-1] == [9, 9, 1, 1]).all()
 
 
+@pytest.mark.parametrize("planner", oc.planner_names())
+def test_checker_plans_again_after_each_planner(planner: str, scenes: pathlib.Path) -> None:
+    checker = oc.Checker(oc.load_scene(scenes / "paper_one_disc.yaml"))
+    # OMPL's LazyLBTRRT frees some of its memory twice if it is cleared and then destroyed.
+    plan = oc.plan(checker, planner, time=0.1)
+    path = plan.path.copy()
+    for again in (planner, "RRTConnect"):
+        other = oc.plan(checker, again, time=0.1 if again == planner else 20)
+    assert other and other.report["planner"] == "RRTConnect"
+    assert (plan.path == path).all() and len(plan.view().html) > 1000
+
+
+def test_checker_keeps_its_method_and_motion(room: oc.Scene) -> None:
+    checker = oc.Checker(room, "partial", "continuous")
+    plan = oc.plan(checker, "RRTConnect", time=20)
+    assert (plan.report["method"], plan.report["motion"]) == ("partial", "continuous")
+    with pytest.raises(oc.Error, match="^method: a Checker has its own$"):
+        oc.plan(checker, method="partial")
+    with pytest.raises(oc.Error, match="^motion: a Checker has its own$"):
+        oc.plan(checker, motion="discrete")
+    report = oc.plan(room, "RRTConnect", time=20).report
+    assert (report["method"], report["motion"]) == ("shared", "discrete")
+
+
+def test_plans_in_threads_stay_quiet(capfd: pytest.CaptureFixture[str]) -> None:
+    def work(seconds: float, delay: float) -> None:
+        scene = oc.Scene([0, 0], [10, 10])
+        scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 5], [9, 5])
+        time.sleep(delay)
+        oc.plan(scene, "RRTstar", time=seconds)
+
+    # The first one ends while the second one plans, and the third one plans once the second one has ended.
+    threads = [threading.Thread(target=work, args=times) for times in ((0.3, 0), (0.6, 0.1), (0.3, 0.8))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    out, err = capfd.readouterr()
+    assert not out and not err
+
+
 def test_one_checker_plans_once_at_a_time(room: oc.Scene) -> None:
     checker = oc.Checker(room)
 
@@ -165,8 +238,13 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
         ({"start": [5, 5, 1, 1]}, "^room: start: "),
-        ({"goal": [50, 5, 1, 1]}, "^room: goal: is outside the bounds"),
-        ({"goal": [5, 5]}, "^state: "),
+        ({"goal": [1, 9, 50, 1]}, "^room: goal: robot 'right' is outside the bounds$"),
+        ({"goal": [5, 5]}, r"^goal: must be an array of shape \(4,\), not \(2,\)$"),
+        ({"start": [[1, 1, 9, 9], [1, 1, 9, 9]]}, r"^start: must be an array of shape \(4,\), not \(2, 4\)$"),
+        ({"start": 1.0}, r"^start: must be an array of shape \(4,\), not \(\)$"),
+        ({"start": "abc"}, "^start: must be numbers$"),
+        ({"goal": [[1, 2], [3]]}, "^goal: must be numbers$"),
+        ({"goal": [1, 1, math.nan, 1]}, "^goal: all numbers must be finite$"),
     ):
         begin = time.monotonic()
         with pytest.raises(oc.Error, match=message):

@@ -77,7 +77,7 @@ def test_pose_with_quaternion_is_that_of_its_matrix() -> None:
         verdicts.append(oc.Checker(scene).is_valid(states))
     assert (verdicts[0] == verdicts[1]).all()
     assert 0 < verdicts[0].sum() < 1000
-    wrongs: List[Any] = [(1, 0, 0, 0, 0, 1, 1), (1, 2, 3, 4), np.ones((4, 4)), (math.nan, 0, 0)]
+    wrongs: List[Any] = [(1, 0, 0, 0, 0, 1, 1), (1, 2, 3, 4), np.ones((4, 4)), (math.nan, 0, 0), "ab", [[1, 2], [3]]]
     for wrong in wrongs:
         with pytest.raises(oc.Error, match="^pose: "):
             sphere_scene().add_obstacle(oc.Body.sphere(1), wrong)
@@ -108,9 +108,50 @@ def test_bodies_refuse_what_makes_no_sense() -> None:
         oc.Body.mesh(CUBE, [[0, 1, -1]])
     with pytest.raises(oc.Error):
         oc.Body.mesh(CUBE, [[0, 1, 8]])
+    wrongs: List[Any] = [[[0, 1, 2.7]], [["0", "1", "2"]], [[0, 1, math.nan]], [[0, 1, math.inf]], [[0, 1], [2]], None]
+    for faces in wrongs:
+        with pytest.raises(oc.Error, match="^faces: must be whole numbers"):
+            oc.Body.mesh(CUBE, faces)
+    for kind in (float, np.int32, np.uint64):
+        assert oc.Body.mesh(CUBE, FACES.astype(kind)).bounding_radius == oc.Body.mesh(CUBE, FACES).bounding_radius
     with pytest.raises(oc.Error, match="^bounds: "):
         oc.Scene([0, 0], [1])
     assert (oc.Body.sphere(1).signed_distance([[0, 0, 0], [3, 0, 0]]) == [-1, 2]).all()
+
+
+def test_robots_refuse_what_is_no_number() -> None:
+    scene = oc.Scene([0, 0], [10, 10], "room")
+    low, high = np.zeros(2), np.full(2, 10.0)
+    disc = oc.Robot.rigid("disc", oc.Body.disc(0.5), low, high, turns=False)
+    for weight in (-1.0, math.nan, math.inf):
+        message = rf"^room: robot 'disc': weight must be finite and not negative, not {weight:.6f}$"
+        with pytest.raises(oc.Error, match=message):
+            scene.add_robot(disc, [1, 1], [9, 9], weight)
+    with pytest.raises(oc.Error, match="^room: robot 'disc': start must be finite, not nan$"):
+        scene.add_robot(disc, [1, math.nan], [9, 9])
+    with pytest.raises(oc.Error, match="^room: robot 'disc': goal must be finite, not inf$"):
+        scene.add_robot(disc, [1, 1], [math.inf, 9])
+    assert not scene.robots
+    scene.add_robot(disc, low + 1, high - 1, np.full(1, 2.0)[0])
+    assert (scene.start == 1).all() and (scene.goal == 9).all()
+
+
+def test_resolution_is_a_fraction_or_that_of_ompl(room: oc.Scene) -> None:
+    own = room.resolution
+    assert own == 0
+    for wrong in (-0.1, 1e-9, 1.0, 2.0, math.nan, math.inf):
+        with pytest.raises(oc.Error, match="resolution"):
+            room.resolution = wrong
+        assert room.resolution == own
+    starts, ends = np.array([[4.0, 3.4, 9, 9]]), np.array([[6.0, 3.4, 9, 9]])
+    room.add_obstacle(oc.Body.box(0.01, 0.01), (5.05, 2.95))
+    verdicts = []
+    for fraction in (0.0, 1e-6, 0.9, 0.0):
+        room.resolution = fraction
+        assert room.resolution == fraction
+        verdicts.append(bool(oc.Checker(room).check_motions(starts, ends)[0]))
+    # The point is passed by a hair's breadth. Only long steps miss it; OMPL's own are a hundredth.
+    assert verdicts == [False, False, True, False]
 
 
 def test_arm_comes_from_urdf(scenes: pathlib.Path) -> None:
@@ -132,3 +173,22 @@ def test_car_with_trailer_has_four_coordinates() -> None:
     car = oc.Robot.car_with_trailer("car", oc.Body.box(1, 0.5), oc.Body.box(1, 0.5), 1.2, [0, 0], [10, 10])
     assert len(car.coordinates) == 4
     assert np.allclose(car.poses([5, 5, 0, 0])[1][:3, 3], [3.8, 5, 0])
+
+
+def test_checkers_of_the_same_robot_keep_their_resolutions() -> None:
+    robot = oc.Robot.rigid("r", oc.Body.disc(0.05), [0, 0], [10, 10], turns=False)
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_robot(robot, [1, 1], [9, 1])
+    scene.add_obstacle(oc.Body.box(0.01, 9), (5, 4.9))
+    scene.resolution = 0.001
+    fine = oc.Checker(scene)
+    scene.resolution = 0.9
+    assert scene.coordinates == ["r.x", "r.y"]
+    coarse = oc.Checker(scene)
+    ends = [[1.0, 1.0]], [[9.0, 1.0]]
+    assert coarse.check_motions(*ends).all()  # It looks at one place beside the ends.
+    assert not fine.check_motions(*ends).any()
+    assert oc.plan(coarse, "RRTConnect", time=1)
+    assert not fine.check_motions(*ends).any()
+    plan = oc.plan(fine, "RRTConnect", time=1)
+    assert not plan or fine.check_motions(plan.path[:-1], plan.path[1:]).all()
