@@ -188,6 +188,20 @@ namespace ompl_certificates
             return text;
         }
 
+        /** Why a number is too small where OMPL suggests a range such as 1:64; empty if it is not. Only zero and negative
+            numbers are: some planners crash with them, but smaller numbers than those suggested may make sense. */
+        std::string whyTooSmall(const std::string &value, const std::string &range)
+        {
+            char *end = nullptr;
+            const double number = std::strtod(value.c_str(), &end);
+            if (end == value.c_str() || *end != '\0' || range.find(':') == std::string::npos)
+                return "";
+            const double least = std::strtod(range.c_str(), nullptr);
+            if (least > 0.0 && number <= 0.0)
+                return "must be positive";
+            return least >= 0.0 && number < 0.0 ? "must not be negative" : "";
+        }
+
         /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads the leading number
             of a text, and takes every word but "false" for true. */
         bool understood(const std::string &value, const std::string &result)
@@ -241,6 +255,9 @@ namespace ompl_certificates
                                   didYouMean(key, names));
         }
         const std::string refusal = planner.getName() + " refuses '" + value + "' as its parameter '" + key + "'";
+        const std::string tooSmall = whyTooSmall(value, planner.params()[key].getRangeSuggestion());
+        if (!tooSmall.empty())
+            throw ompl::Exception(refusal + ": " + tooSmall);
         bool accepted = false;
         try
         {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
@@ -47,7 +48,11 @@ namespace ompl_certificates
             return most;
         if (longest_ == 0.0)
             return space_->validSegmentCount(state1, state2);
-        return space_->getValidSegmentCountFactor() *
-               static_cast<unsigned int>(std::ceil(space_->distance(state1, state2) / longest_));
+        const double count = std::ceil(space_->distance(state1, state2) / longest_);
+        // OMPL's count, converted as it is, is 0 then.
+        if (!std::isfinite(count))
+            return 0;
+        constexpr double largest = std::numeric_limits<int>::max();
+        return space_->getValidSegmentCountFactor() * static_cast<unsigned int>(std::min(count, largest));
     }
 }

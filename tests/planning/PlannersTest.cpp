@@ -1,5 +1,6 @@
 #include "ompl_certificates/planning/Planners.h"
 
+#include <array>
 #include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
@@ -66,6 +67,30 @@ TEST(Planners, TakeTheirOwnParametersAndNoOthers)
     EXPECT_EQ(
         complaintOf([&] { setParameter(*planner, "range", "far"); }).find("RRT refuses 'far' as its parameter 'range'"),
         0U);
+}
+
+// Some of OMPL's planners would crash, or never end.
+TEST(Planners, RefuseNumbersThatAreTooSmall)
+{
+    const auto si = squareWithoutObstacles();
+    const std::vector<std::array<std::string, 4>> cases{{"STRIDE", "degree", "0", "positive"},
+                                                        {"pRRT", "thread_count", "0", "positive"},
+                                                        {"AITstar", "samples_per_batch", "0", "positive"},
+                                                        {"SORRTstar", "ordering_batch_size", "0", "positive"},
+                                                        {"SPARStwo", "stretch_factor", "-1", "positive"},
+                                                        {"SPARStwo", "dense_delta_fraction", "-1", "negative"},
+                                                        {"RRTXstatic", "epsilon", "-1e-3", "negative"},
+                                                        {"RRT", "range", "-0.5", "negative"}};
+    for (const auto &[name, key, value, why] : cases)
+    {
+        const auto planner = makePlanner(name, si);
+        const std::string complaint = complaintOf([&, k = key, v = value] { setParameter(*planner, k, v); });
+        EXPECT_EQ(complaint.find(name + " refuses '" + value + "' as its parameter '" + key + "': must "), 0U)
+            << complaint;
+        EXPECT_NE(complaint.find(why), std::string::npos) << complaint;
+    }
+    EXPECT_NO_THROW(setParameter(*makePlanner("SPARStwo", si), "stretch_factor", "1.05"));
+    EXPECT_NO_THROW(setParameter(*makePlanner("RRT", si), "range", "0"));
 }
 
 TEST(Planners, CallTheHooksAroundSolve)

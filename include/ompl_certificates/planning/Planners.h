@@ -32,7 +32,7 @@ namespace ompl_certificates
 
     /** \brief Set a parameter of \e planner
         \throws ompl::Exception if the planner has none of that name (the message lists its parameters), or refuses the
-        value */
+        value. Also if it is negative, or zero, where OMPL suggests no such values: some planners crash with them. */
     void setParameter(ompl::base::Planner &planner, const std::string &key, const std::string &value);
 }
 
