@@ -107,7 +107,8 @@ namespace ompl_certificates
 
     void TeamStateSpace::setLongestValidSegmentFraction(double segmentFraction)
     {
-        StateSpace::setLongestValidSegmentFraction(segmentFraction);
+        // Not that of CompoundStateSpace, which writes into the components.
+        StateSpace::setLongestValidSegmentFraction(segmentFraction);  // NOLINT(bugprone-parent-virtual-call)
         hasResolution_ = true;
     }
 
