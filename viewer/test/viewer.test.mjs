@@ -157,7 +157,9 @@ test('keys and controls, on a phone', async () => {
     const begin = performance.now()
     const from = viewer.frame
     viewer.play()
-    await new Promise((done) => setTimeout(done, 300))
+    // On a busy machine the first frame may take longer.
+    do await new Promise((done) => setTimeout(done, 300))
+    while (viewer.frame === from && performance.now() - begin < 20000)
     return (viewer.frame - from) / (performance.now() - begin)
   })
   assert.ok(pace > 0 && pace < 1.1 * 4 * 0.06, `${pace} frames in a millisecond at speed 4`)
