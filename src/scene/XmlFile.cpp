@@ -77,7 +77,7 @@ namespace ompl_certificates
 
     void XmlFile::fail(const pugi::xml_node &node, const std::string &complaint) const
     {
-        throw ompl::Exception(at(node.offset_debug()), std::string("<") + node.name() + ">: " + complaint);
+        throw ompl::Exception(remark(node, complaint));
     }
 
     std::string XmlFile::remark(const pugi::xml_node &node, const std::string &text) const

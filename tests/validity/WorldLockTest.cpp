@@ -18,22 +18,29 @@ namespace
         return std::make_unique<WorldLock::Check>(lock);
     }
 
-    /** A change in a thread of its own. A failing test may leave it waiting, so it keeps its lock. */
-    std::future<void> change(const std::shared_ptr<WorldLock> &lock)
+    /** A change or a check, begun and ended in a thread of its own. A failing test may leave it waiting, so it keeps its
+        lock. */
+    template <typename Guard, typename... Arguments>
+    std::future<void> inThread(const std::shared_ptr<WorldLock> &lock, Arguments... arguments)
     {
         std::promise<void> done;
         std::future<void> result = done.get_future();
         std::thread(
-            [lock](std::promise<void> promise)
+            [lock, arguments...](std::promise<void> promise)
             {
                 {
-                    const WorldLock::Change guard(*lock);
+                    const Guard guard(*lock, arguments...);
                 }
                 promise.set_value();
             },
             std::move(done))
             .detach();
         return result;
+    }
+
+    std::future<void> change(const std::shared_ptr<WorldLock> &lock)
+    {
+        return inThread<WorldLock::Change>(lock);
     }
 
     bool isDone(const std::future<void> &future, std::chrono::milliseconds time)
@@ -74,30 +81,10 @@ TEST(WorldLock, LetsOthersCheckForWhoHoldsItWhileAChangeWaits)
     const auto changed = change(lock);
     EXPECT_FALSE(isDone(changed, A_MOMENT));
     // A worker, whose check the holder waits for
-    std::promise<void> checked, alsoHeld;
-    std::future<void> isChecked = checked.get_future(), isAlsoHeld = alsoHeld.get_future();
-    std::thread(
-        [lock](std::promise<void> promise)
-        {
-            {
-                const WorldLock::Check check(*lock);
-            }
-            promise.set_value();
-        },
-        std::move(checked))
-        .detach();
+    const auto isChecked = inThread<WorldLock::Check>(lock);
     ASSERT_TRUE(isDone(isChecked, VERY_LONG)) << "the check waits for a change that waits for who waits for the check";
     // Another hold waits for the change; otherwise holds could keep it waiting for ever.
-    std::thread(
-        [lock](std::promise<void> promise)
-        {
-            {
-                const WorldLock::Check check(*lock, WorldLock::Check::HELD);
-            }
-            promise.set_value();
-        },
-        std::move(alsoHeld))
-        .detach();
+    const auto isAlsoHeld = inThread<WorldLock::Check>(lock, WorldLock::Check::HELD);
     EXPECT_FALSE(isDone(isAlsoHeld, A_MOMENT));
     held.reset();
     EXPECT_TRUE(isDone(changed, VERY_LONG));
