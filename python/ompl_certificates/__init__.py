@@ -28,6 +28,7 @@ from ._core import (
     load_moveit,
     load_scene,
     planner_names,
+    planner_parameters,
     scene_from_yaml,
 )
 from ._view import View
@@ -45,6 +46,7 @@ __all__ = [
     "load_scene",
     "plan",
     "planner_names",
+    "planner_parameters",
     "scene_from_yaml",
 ]
 
@@ -80,7 +82,7 @@ def plan(
     objective: length, sum, makespan or arrival
     iterations: end after that many evaluations of the termination condition, too
     simplify: shorten the solution, for at most as long again
-    parameters: of the planner, such as {"range": 2.0}
+    parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination

@@ -113,6 +113,21 @@ class Scene:
         first."""
     def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
         """The same, from a PCD, PLY, .xyz or .txt file"""
+    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:
+        """Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, grids and
+        octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in the plane or (nx, ny, nz).
+        Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size; first is the index of occupied[0, 0], by default
+        0."""
+    def add_octomap_file(
+        self,
+        file: Path,
+        depth: int = 16,
+        unknown_occupied: bool = False,
+        heights: Optional[Tuple[float, float]] = None,
+    ) -> int:
+        """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
+        doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
+        In a planar scene those cells count that reach into the heights (low, high)."""
     def add_robot(self, robot: Robot, start: ArrayLike, goal: ArrayLike, weight: float = 1.0) -> None:
         """Add a robot, with its start and goal; its distances count weight times."""
     @property
@@ -152,6 +167,8 @@ class Scene:
         """The same scene with the first robots alone"""
     def validate(self) -> None:
         """Raise an Error unless the team can stand at its start and goal."""
+    def save_picture(self, file: Path) -> None:
+        """Write a picture of the scene, as SVG."""
 
 class Checker:
     """Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of the scene
@@ -176,6 +193,17 @@ class Checker:
         """Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned."""
     def remove_obstacle(self, obstacle: int) -> None:
         """Remove an obstacle."""
+    def change_obstacles(
+        self,
+        *,
+        add: Sequence[Tuple[Body, Optional[ArrayLike]]] = (),
+        move: Mapping[int, ArrayLike] = {},
+        remove: Sequence[int] = (),
+    ) -> List[int]:
+        """Change many obstacles, all at once: remove those of some numbers, move others to the poses of a dict from
+        numbers to poses, and add pairs of a body and its pose. Returns the numbers of those that are added. Each change
+        takes time in proportion to all obstacles, so one is faster than many. Where it raises an Error, nothing has
+        changed."""
     def add_cloud(self, points: ArrayLike, radius: float) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud.
         All within radius of a point is occupied. In a planar scene the same points count as of Scene.add_cloud, for the
@@ -195,6 +223,13 @@ class Checker:
         do not count, in insert and in remove."""
     def cloud_points(self, cloud: int) -> NDArray[np.float64]:
         """The points of a cloud now, of shape (n, dimension), in no order"""
+    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:
+        """Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number."""
+    def change_grid(self, grid: int, occupied: ArrayLike, first: ArrayLike = ()) -> None:
+        """Set which cells of a grid are occupied, all at once: those that the array covers, whose first one has the
+        index first. Others stay. The scene's own grids and octomaps have the numbers that Scene.add_grid and
+        add_octomap_file returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has
+        changed."""
     def certificates(self) -> NDArray[np.float64]:
         """The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and its
         clearance"""
@@ -234,6 +269,12 @@ class Plan:
         """Write the path as a table of comma-separated values (docs/plan-team.md)."""
     def save_report(self, file: Path) -> None:
         """Write the report as JSON."""
+    def at(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Where the team is at some times, of shape (n, coordinates), or for one time (coordinates,). Between two
+        states of the path all robots move steadily, as OMPL interpolates; before the first and after the last they
+        rest."""
+    def save_picture(self, file: Path) -> None:
+        """Write a picture of the path and of the planner's tree, as SVG."""
     def view(self, path: Optional[Path] = None) -> View:
         """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
         too."""
@@ -245,6 +286,9 @@ def scene_from_yaml(text: str, source: str = "scene.yaml") -> Scene:
     """The scene in a text. Errors name source, and meshes are looked for in its folder."""
 def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path) -> Scene:
     """The scene in MoveIt's planning scene and motion plan request (YAML)"""
+def planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:
+    """The parameters of a planner: a dict from their names to their values and the ranges that OMPL suggests, as texts
+    such as 0.:1.:10000., which is from 0 in steps of 1 to 10000"""
 def planner_names() -> List[str]:
     """The names of all planners: OMPL's classes, and DRRTstar"""
 def _plan(

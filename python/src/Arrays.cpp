@@ -123,6 +123,53 @@ namespace ompl_certificates_python
         return std::make_shared<TriangleMesh>(toPoints3(vertices, "vertices"), std::move(triangles));
     }
 
+    std::vector<CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,
+                                 unsigned int dimension, bool occupied)
+    {
+        const auto grid = py::array::ensure(object);
+        if (!grid)
+            throw ompl::Exception("occupied", "must be bools");
+        if (grid.ndim() != static_cast<py::ssize_t>(dimension))
+            throw ompl::Exception("occupied", std::string("must be an array of shape ") +
+                                                  (dimension == 2 ? "(nx, ny)" : "(nx, ny, nz)") + ", not " +
+                                                  shapeOf(grid));
+        // Maps of ROS have -1 for unknown cells, which would be true.
+        if (grid.dtype().kind() != 'b')
+            throw ompl::Exception("occupied", "must be bools");
+        if (!first.empty() && first.size() != dimension)
+            throw ompl::Exception("first", "must be " + std::to_string(dimension) + " numbers, not " +
+                                               std::to_string(first.size()));
+        std::array<std::int32_t, 3> low{}, count{1, 1, 1};
+        for (std::size_t axis = 0; axis < dimension; ++axis)
+        {
+            const std::int64_t begin = first.empty() ? 0 : first[axis], cells = grid.shape(static_cast<int>(axis));
+            if (begin < -CellBox::FARTHEST || begin > CellBox::FARTHEST - cells)
+                throw ompl::Exception("first", "cells must have numbers from -" + std::to_string(CellBox::FARTHEST) +
+                                                   " to " + std::to_string(CellBox::FARTHEST - 1) + ", not " +
+                                                   std::to_string(begin) + " to " + std::to_string(begin + cells - 1));
+            low[axis] = static_cast<std::int32_t>(begin);
+            count[axis] = static_cast<std::int32_t>(cells);
+        }
+        const auto bools = py::array_t<bool, py::array::c_style | py::array::forcecast>::ensure(grid);
+        const bool *cell = bools.data();
+        std::vector<CellBox> boxes;
+        const std::size_t last = dimension - 1;
+        for (std::int32_t x = 0; x < count[0]; ++x)
+            for (std::int32_t y = 0; y < (last == 2 ? count[1] : 1); ++y, cell += count[last])
+                for (std::int32_t begin = 0, end; begin < count[last]; begin = end)
+                {
+                    for (end = begin + 1; end < count[last] && cell[end] == cell[begin];)
+                        ++end;
+                    if (cell[begin] != occupied)
+                        continue;
+                    CellBox box{{low[0] + x, low[1] + y, low[2]}, {low[0] + x + 1, low[1] + y + 1, low[2] + 1}};
+                    box.low[last] = low[last] + begin;
+                    box.high[last] = low[last] + end;
+                    boxes.push_back(box);
+                }
+        return boxes;
+    }
+
     Pose toPose(const py::object &object, unsigned int dimension)
     {
         if (object.is_none())

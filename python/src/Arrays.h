@@ -3,6 +3,7 @@
 
 #include <ompl_certificates/geometry/Pose.h>
 #include <ompl_certificates/geometry/TriangleMesh.h>
+#include <ompl_certificates/obstacles/CellBox.h>
 
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <pybind11/numpy.h>
@@ -32,6 +33,14 @@ namespace ompl_certificates_python
         \throws ompl::Exception for another shape or an index that is no whole number or negative, and as TriangleMesh
         does */
     ompl_certificates::TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &faces);
+
+    /** \brief The cells of a grid that are \e occupied, or those that are not, as boxes that do not overlap: runs along
+        the last axis
+        \param object bools, of shape (nx, ny) if \e dimension is 2, or (nx, ny, nz)
+        \param first the index of the first cell of all; none for 0
+        \throws ompl::Exception for another shape or other values, and for an index that is out of range */
+    std::vector<ompl_certificates::CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,
+                                                    unsigned int dimension, bool occupied = true);
 
     /** \brief A pose, from (x, y, angle), (x, y), (x, y, z), (x, y, z, qx, qy, qz, qw) or a 4 × 4 matrix; none is the
         identity. Three numbers are (x, y, angle) if \e dimension is 2.

@@ -245,32 +245,18 @@ namespace ompl_certificates_python
         setup_->getTeamChecker()->changeObstacles(change);
     }
 
-    ObstacleSet::Id Checker::addObstacle(const Body &body, const Pose &pose)
+    std::vector<ObstacleSet::Id> Checker::changeObstacles(const BodyChange &change)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        const ObstacleSet::Id obstacle = world_.getBodies().add({body, pose});
-        tell(world_.takeBodies());
-        return obstacle;
-    }
-
-    void Checker::moveObstacle(ObstacleSet::Id obstacle, const Pose &pose)
-    {
-        const std::lock_guard<std::mutex> lock(changing_);
-        world_.getBodies().move(obstacle, pose);
-        tell(world_.takeBodies());
-    }
-
-    void Checker::removeObstacle(ObstacleSet::Id obstacle)
-    {
-        const std::lock_guard<std::mutex> lock(changing_);
-        world_.getBodies().remove(obstacle);
-        tell(world_.takeBodies());
+        std::vector<ObstacleSet::Id> numbers;
+        tell(world_.changeBodies(change, numbers));
+        return numbers;
     }
 
     std::size_t Checker::addCloud(CloudPoints points, double radius)
     {
         const std::lock_guard<std::mutex> lock(changing_);
-        const std::size_t cloud = world_.getCloudCount();
+        const std::size_t cloud = world_.getSensedCount();
         tell(world_.addCloud(std::move(points), radius));
         return cloud;
     }
@@ -285,6 +271,20 @@ namespace ompl_certificates_python
     {
         const std::lock_guard<std::mutex> lock(changing_);
         return world_.getPoints(cloud);
+    }
+
+    std::size_t Checker::addGrid(const std::vector<CellBox> &occupied, double size)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        const std::size_t grid = world_.getSensedCount();
+        tell(world_.addGrid(occupied, size));
+        return grid;
+    }
+
+    void Checker::changeGrid(std::size_t grid, const std::vector<CellBox> &occupied, const std::vector<CellBox> &free)
+    {
+        const std::lock_guard<std::mutex> lock(changing_);
+        tell(world_.changeGrid(grid, occupied, free));
     }
 
     std::shared_ptr<const Checker> Checker::beginPlanning() const

@@ -10,9 +10,7 @@
 
 namespace ompl_certificates_python
 {
-    using ompl_certificates::Body;
     using ompl_certificates::ObstacleSet;
-    using ompl_certificates::Pose;
     using ompl_certificates::Scene;
     using ompl_certificates::TeamSetup;
 
@@ -46,21 +44,27 @@ namespace ompl_certificates_python
         /** \brief What collides in a state, in one line; empty if it is valid */
         std::string describeCollision(const Doubles &state) const;
 
-        /** \brief Change the obstacles. Waits for running checks of other threads.
-            \throws ompl::Exception as ObstacleSet does */
-        ObstacleSet::Id addObstacle(const Body &body, const Pose &pose);
-        void moveObstacle(ObstacleSet::Id obstacle, const Pose &pose);
-        void removeObstacle(ObstacleSet::Id obstacle);
+        /** \brief Change the obstacles that are bodies, and return the numbers of those that are added. Waits for
+            running checks of other threads, which see all of the change or nothing, here and below.
+            \throws ompl::Exception as World does. Then nothing has changed. */
+        std::vector<ObstacleSet::Id> changeObstacles(const BodyChange &change);
 
         /** \brief Add a cloud of points with one radius, and return its number.
             \throws ompl::Exception as World does, here and below */
         std::size_t addCloud(CloudPoints points, double radius);
 
-        /** \brief Change the points of a cloud. Checks of other threads see all of the change or nothing. */
+        /** \brief Change the points of a cloud. */
         void changeCloud(std::size_t cloud, CloudChange change);
 
         /** \brief The points of a cloud, in no order */
         std::vector<Eigen::Vector3d> getCloudPoints(std::size_t cloud) const;
+
+        /** \brief Add a grid of occupied cells, and return its number. */
+        std::size_t addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size);
+
+        /** \brief Change cells of a grid. */
+        void changeGrid(std::size_t grid, const std::vector<ompl_certificates::CellBox> &occupied,
+                        const std::vector<ompl_certificates::CellBox> &free);
 
         /** \brief A state of the team, from its numbers
             \throws ompl::Exception that names \e what as isValid() does, and if a number is not finite */

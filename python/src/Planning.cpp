@@ -1,14 +1,13 @@
 #include "Bindings.h"
 #include "Checker.h"
+#include "Plan.h"
 #include "Progress.h"
-#include "Reports.h"
 
-#include <ompl_certificates/pictures/PathFile.h>
-#include <ompl_certificates/pictures/PlanViewer.h>
 #include <ompl_certificates/planning/Planners.h>
-#include <ompl_certificates/team/PathTimes.h>
+#include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/TeamObjective.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <ompl/base/goals/GoalState.h>
@@ -27,21 +26,6 @@ namespace ompl_certificates_python
 
     namespace
     {
-        /** What came of a plan */
-        struct Plan
-        {
-            PlanReport report;
-            std::vector<std::string> coordinates;
-            Doubles path, times;
-            std::string csv;
-
-            /** What a page shows. It is made when it is asked for: that takes longer than many a plan. */
-            std::shared_ptr<const Scene> scene;
-            std::shared_ptr<const ompl::geometric::PathGeometric> solution;
-            std::shared_ptr<const ob::PlannerData> tree;
-            std::vector<Certificate> certificates;
-        };
-
         struct Options
         {
             std::string planner, objective;
@@ -154,40 +138,6 @@ namespace ompl_certificates_python
                                                : makeObjective(options.objective, setup.getSpaceInformation(), end));
         }
 
-        void setPath(Plan &plan, ompl::geometric::PathGeometric &path)
-        {
-            const ob::StateSpacePtr space = path.getSpaceInformation()->getStateSpace();
-            std::vector<double> row;
-            space->copyToReals(row, path.getState(0));
-            const auto count = static_cast<py::ssize_t>(path.getStateCount());
-            plan.path = Doubles({count, static_cast<py::ssize_t>(row.size())});
-            double *values = plan.path.mutable_data();
-            for (const ob::State *state : path.getStates())
-            {
-                space->copyToReals(row, state);
-                values = std::copy(row.begin(), row.end(), values);
-            }
-            plan.times = Doubles(count, stateTimes(path).data());
-            plan.csv = toCsv(path);
-        }
-
-        /** The cost of the path, infinite without one */
-        double costOf(const Plan &plan)
-        {
-            if (!plan.report.solved)
-                return std::numeric_limits<double>::infinity();
-            return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
-        }
-
-        std::string describe(const Plan &plan)
-        {
-            if (!plan.report.solved)
-                return "<Plan: not solved>";
-            std::ostringstream text;
-            text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states>";
-            return text.str();
-        }
-
         double costOf(TeamSetup &setup, const Options &options)
         {
             ob::ScopedState<> goal(setup.getStateSpace());
@@ -246,28 +196,7 @@ namespace ompl_certificates_python
             plan.tree = tree;
             plan.scene =
                 std::make_shared<const Scene>(checker.getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
-            if (plan.report.solved)
-                plan.solution = std::make_shared<const ompl::geometric::PathGeometric>(setup.getSolutionPath());
             plan.certificates = setup.getTeamChecker()->getCertificates();
-        }
-
-        py::object view(const Plan &plan, const py::object &path)
-        {
-            std::string html;
-            {
-                const py::gil_scoped_release release;
-                PlanViewer viewer(*plan.scene);
-                if (plan.solution)
-                    viewer.setPath(*plan.solution);
-                viewer.setTree(*plan.tree);
-                viewer.setCertificates(plan.certificates);
-                viewer.setReport(plan.report);
-                html = viewer.toHtml();
-            }
-            py::object page = py::module_::import("ompl_certificates._view").attr("View")(html);
-            if (!path.is_none())
-                page.attr("save")(path);
-            return page;
         }
 
         Plan planWith(Checker &checker, const Options &options, const py::object &start, const py::object &goal)
@@ -302,45 +231,35 @@ namespace ompl_certificates_python
             if (plan.report.solved && options.simplify)
                 simplify(setup, options, plan.report);
             if (plan.report.solved)
-                setPath(plan, setup.getSolutionPath());
+                setSolution(plan, setup.getSolutionPath());
             keepAll(plan, checker);
             return plan;
         }
 
-        void savePath(const Plan &plan, const std::filesystem::path &file)
+        /** The parameters of a planner, with their values and the ranges that OMPL suggests, in a team of two discs */
+        py::dict parametersOf(const std::string &name)
         {
-            if (!plan.report.solved)
-                throw ompl::Exception(file, "there is no path to be written");
-            py::cast(file).attr("write_text")(plan.csv, py::arg("encoding") = "utf-8");
+            const Quiet quiet(ompl::msg::LOG_ERROR);
+            const ob::RealVectorBounds bounds = toBounds({0.0, 0.0}, {1.0, 1.0});
+            Scene scene(name, name, bounds);
+            for (const char *robot : {"first", "second"})
+                scene.addMember({RigidRobot::inR2(robot, Body::disc(0.1), bounds), {0.0, 0.0}, {1.0, 1.0}});
+            py::dict parameters;
+            const ob::PlannerPtr planner = makePlanner(name, scene.makeSetup()->getSpaceInformation());
+            for (const auto &[key, parameter] : planner->params().getParams())
+                parameters[py::str(key)] = py::make_tuple(parameter->getValue(), parameter->getRangeSuggestion());
+            return parameters;
         }
     }
 
     void bindPlanning(py::module_ &module)
     {
-        py::class_<Plan>(module, "Plan", "What came of a plan")
-            .def_property_readonly(
-                "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
-            .def("__repr__", &describe)
-            .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
-                                   "The cost of the path, by the objective; infinite without a solution")
-            .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
-            .def_readonly("times", &Plan::times,
-                          "When the team is at each state if no robot is faster than 1, of shape (n,)")
-            .def_readonly("coordinates", &Plan::coordinates, "The names of the columns of path, such as scout.x")
-            .def_property_readonly(
-                "report", [](const Plan &plan) { return toDict(plan.report); },
-                "Costs, counts and times (docs/plan-team.md), as a dict")
-            .def("save", &savePath, py::arg("file"),
-                 "Write the path as a table of comma-separated values (docs/plan-team.md).")
-            .def(
-                "save_report", [](const Plan &plan, const std::filesystem::path &file) { plan.report.write(file); },
-                py::arg("file"), "Write the report as JSON.")
-            .def("view", &view, py::arg("path") = py::none(),
-                 "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "
-                 "file, too.")
-            .def("__bool__", [](const Plan &plan) { return plan.report.solved; });
-
+        bindPlan(module);
         module.def("planner_names", &plannerNames, "The names of all planners: OMPL's classes, and DRRTstar");
+        module.def(
+            "planner_parameters", &parametersOf, py::arg("planner"),
+            "The parameters of a planner: a dict from their names to their values and the ranges that OMPL suggests, "
+            "as texts such as 0.:1.:10000., which is from 0 in steps of 1 to 10000");
         module.def(
             "_plan",
             [](Checker &checker, const std::string &planner, double time, std::uint64_t iterations, std::uint32_t seed,

@@ -2,15 +2,22 @@
 #include "Bindings.h"
 #include "World.h"
 
+#include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/pictures/ScenePicture.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/MoveItFiles.h>
 #include <ompl_certificates/scene/SceneFile.h>
 
 #include <cmath>
 #include <ompl/util/Exception.h>
+#include <optional>
 #include <pybind11/stl.h>
+
+#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
+#include <ompl_certificates/octomap/OctomapObstacles.h>
+#endif
 
 namespace ompl_certificates_python
 {
@@ -29,19 +36,67 @@ namespace ompl_certificates_python
             return scene.getObstacles().size() - 1;
         }
 
+        /** Add obstacles that are no bodies, and return their number. They are made while other Python threads run. */
+        template <typename Make>
+        std::size_t addSensed(Scene &scene, const Make &make, const std::string &kind)
+        {
+            ObstaclesPtr obstacles;
+            {
+                const py::gil_scoped_release release;
+                obstacles = make();
+            }
+            const std::size_t number = scene.getSensedObstacles().size();
+            scene.addSensedObstacles(obstacles, kind + "[" + std::to_string(number) + "]");
+            return number;
+        }
+
         std::size_t addCloud(Scene &scene, PointCloud cloud, double cell, bool haveHeights = true)
         {
             if (!(cell >= 0.0))
                 throw ompl::Exception("cell", "must not be negative, not " + std::to_string(cell));
-            if (cell > 0.0)
-                cloud = thinned(std::move(cloud), cell);
-            if (scene.getDimension() == 2)
-                cloud.points =
-                    inPlane({std::move(cloud.points), haveHeights}, cloud.radius, scene.getZInterval(), "points");
-            const std::size_t number = scene.getSensedObstacles().size();
-            scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(std::move(cloud), scene.getDimension()),
-                                     "clouds[" + std::to_string(number) + "]");
-            return number;
+            const ZInterval heights = scene.getZInterval();
+            const unsigned int dimension = scene.getDimension();
+            return addSensed(
+                scene,
+                [&]() -> ObstaclesPtr
+                {
+                    if (cell > 0.0)
+                        cloud = thinned(std::move(cloud), cell);
+                    if (dimension == 2)
+                        cloud.points = inPlane({std::move(cloud.points), haveHeights}, cloud.radius, heights, "points");
+                    return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
+                },
+                "clouds");
+        }
+
+        std::size_t addGrid(Scene &scene, const py::object &occupied, double size,
+                            const std::vector<std::int64_t> &first)
+        {
+            const auto cells = toCells(occupied, first, scene.getDimension());
+            return addSensed(
+                scene,
+                [&, dimension = scene.getDimension()]
+                { return std::make_shared<CellObstacles>(size, cells, dimension); },
+                "grids");
+        }
+
+        std::size_t addOctomapFile(Scene &scene, const std::filesystem::path &file, unsigned int depth,
+                                   bool unknownOccupied, const std::optional<std::pair<double, double>> &heights)
+        {
+#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
+            OctomapOptions options;
+            options.depth = depth;
+            options.unknownIsOccupied = unknownOccupied;
+            if ((scene.getDimension() == 2) != heights.has_value())
+                throw ompl::Exception("heights", heights ? "are for planar scenes alone"
+                                                         : "a planar scene needs those of the slice, (low, high)");
+            if (heights)
+                options.slice = ZInterval{heights->first, heights->second};
+            return addSensed(
+                scene, [&] { return std::make_shared<OctomapObstacles>(file.string(), options); }, "octomaps");
+#else
+            throw ompl::Exception(file, "this module was built without octomap");
+#endif
         }
 
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const std::vector<double> &start,
@@ -83,14 +138,9 @@ namespace ompl_certificates_python
                    count(scene.getObstacles().size() + scene.getSensedObstacles().size(), "obstacle") + ">";
         }
 
-        void bindBuilding(py::class_<Scene> &scene)
+        void bindSensed(py::class_<Scene> &scene)
         {
             scene
-                .def(py::init(&makeScene), py::arg("low"), py::arg("high"), py::arg("name") = "scene",
-                     "A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers.")
-                .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
-                     "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
-                     "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
                 .def(
                     "add_cloud",
                     [](Scene &self, const Doubles &points, double radius, double cell) {
@@ -114,6 +164,28 @@ namespace ompl_certificates_python
                     },
                     py::arg("file"), py::arg("radius"), py::arg("cell") = 0.0,
                     "The same, from a PCD, PLY, .xyz or .txt file")
+                .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
+                     py::arg("first") = std::vector<std::int64_t>(),
+                     "Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, "
+                     "grids and octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in "
+                     "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size; first "
+                     "is the index of occupied[0, 0], by default 0.")
+                .def("add_octomap_file", &addOctomapFile, py::arg("file"), py::arg("depth") = 16,
+                     py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
+                     "Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level "
+                     "of depth less doubles the edges of its smallest cells. Unknown cells are free; or occupied, "
+                     "within the box of all known ones. In a planar scene those cells count that reach into the "
+                     "heights (low, high).");
+        }
+
+        void bindBuilding(py::class_<Scene> &scene)
+        {
+            scene
+                .def(py::init(&makeScene), py::arg("low"), py::arg("high"), py::arg("name") = "scene",
+                     "A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers.")
+                .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
+                     "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
+                     "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
                 .def("add_robot", &addRobot, py::arg("robot"), py::arg("start"), py::arg("goal"),
                      py::arg("weight") = 1.0,
                      "Add a robot, with its start and goal; its distances count weight times.");
@@ -126,6 +198,7 @@ namespace ompl_certificates_python
                                 "A workspace with obstacles, and robots with their starts and goals. Lengths are in "
                                 "the scene's unit, angles in radians.");
         bindBuilding(scene);
+        bindSensed(scene);
         scene.def("__repr__", &describe)
             .def_property_readonly("name", &Scene::getName, "What the scene is called")
             .def_property_readonly("dimension", &Scene::getDimension, "The dimension of the workspace: 2 or 3")
@@ -164,8 +237,19 @@ namespace ompl_certificates_python
             .def("first_robots", &Scene::withFirstRobots, py::arg("count"),
                  "The same scene with the first robots alone")
             .def(
-                "validate", [](const Scene &self) { self.validate(); },
-                "Raise an Error unless the team can stand at its start and goal.");
+                "validate",
+                [](const Scene &self)
+                {
+                    // Another thread may change the scene meanwhile.
+                    const Scene copy = self;
+                    const py::gil_scoped_release release;
+                    copy.validate();
+                },
+                "Raise an Error unless the team can stand at its start and goal.")
+            .def(
+                "save_picture",
+                [](const Scene &self, const std::filesystem::path &file) { ScenePicture(self).write(file.string()); },
+                py::arg("file"), "Write a picture of the scene, as SVG.");
 
         module.def(
             "load_scene", [](const std::filesystem::path &file) { return loadScene(file); }, py::arg("file"),

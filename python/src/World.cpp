@@ -1,6 +1,7 @@
 #include "World.h"
 
 #include <ompl_certificates/geometry/PointCloud.h>
+#include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/MixedObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 
@@ -30,7 +31,7 @@ namespace ompl_certificates_python
             bodies_.add(obstacle);
         bodiesNow_ = bodies_.takeChange().after;
         for (const ObstaclesPtr &obstacles : scene.getSensedObstacles())
-            sensed_.push_back({obstacles, std::nullopt, std::nullopt});
+            sensed_.push_back({obstacles});
     }
 
     ObstaclesPtr World::getObstacles() const
@@ -51,12 +52,20 @@ namespace ompl_certificates_python
             scene.addSensedObstacles(sensed.obstacles, "");
     }
 
-    ObstacleChange World::takeBodies()
+    ObstacleChange World::changeBodies(const BodyChange &change, std::vector<ObstacleSet::Id> &numbers)
     {
-        ObstacleChange change = bodies_.takeChange();
-        bodiesNow_ = change.after;
-        change.after = getObstacles();
-        return change;
+        ObstacleSet bodies = bodies_;
+        for (const ObstacleSet::Id number : change.removed)
+            bodies.remove(number);
+        for (const auto &[number, pose] : change.moved)
+            bodies.move(number, pose);
+        for (const PlacedBody &body : change.added)
+            numbers.push_back(bodies.add(body));
+        ObstacleChange result = bodies.takeChange();
+        bodies_ = std::move(bodies);
+        bodiesNow_ = result.after;
+        result.after = getObstacles();
+        return result;
     }
 
     ObstacleChange World::addCloud(CloudPoints points, double radius)
@@ -64,7 +73,7 @@ namespace ompl_certificates_python
         PointCloudSet set(radius, dimension_);
         set.insert(placed(std::move(points), radius, "points"));
         ObstacleChange change = set.takeChange();
-        sensed_.push_back({change.after, radius, std::move(set)});
+        sensed_.push_back({change.after, radius, std::move(set), {}});
         change.after = getObstacles();
         return change;
     }
@@ -85,6 +94,30 @@ namespace ompl_certificates_python
         return result;
     }
 
+    ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size)
+    {
+        CellSet cells(size, dimension_);
+        cells.insert(occupied);
+        ObstacleChange change = cells.takeChange();
+        sensed_.push_back({change.after, {}, {}, std::move(cells)});
+        change.after = getObstacles();
+        return change;
+    }
+
+    ObstacleChange World::changeGrid(std::size_t grid, const std::vector<CellBox> &occupied,
+                                     const std::vector<CellBox> &free)
+    {
+        CellSet cells = takeCells(grid);
+        cells.remove(free);
+        cells.insert(occupied);
+        ObstacleChange result = cells.takeChange();
+        Sensed &sensed = sensed_[grid];
+        sensed.obstacles = result.after;
+        sensed.cells = std::move(cells);
+        result.after = getObstacles();
+        return result;
+    }
+
     std::vector<Eigen::Vector3d> World::getPoints(std::size_t cloud) const
     {
         std::vector<Eigen::Vector3d> points;
@@ -101,6 +134,26 @@ namespace ompl_certificates_python
         if (!points)
             throw ompl::Exception("cloud", "number " + std::to_string(cloud) + " is a map of cells, not of points");
         return points->getBalls();
+    }
+
+    CellSet World::takeCells(std::size_t grid)
+    {
+        if (grid >= sensed_.size())
+            throw ompl::Exception("grid", "there is none of number " + std::to_string(grid));
+        if (sensed_[grid].cells)
+        {
+            // If a change throws, no set is left, and the next change makes one of the cells that are there.
+            CellSet set = std::move(*sensed_[grid].cells);
+            sensed_[grid].cells.reset();
+            return set;
+        }
+        const auto *cells = dynamic_cast<const CellObstacles *>(sensed_[grid].obstacles.get());
+        if (!cells)
+            throw ompl::Exception("grid", "number " + std::to_string(grid) + " is a cloud of points, not of cells");
+        CellSet set(cells->getCellSize(), dimension_);
+        set.insert(cells->getBoxes());
+        set.takeChange();
+        return set;
     }
 
     std::vector<Eigen::Vector3d> World::placed(CloudPoints points, double radius, const std::string &what) const

@@ -1,10 +1,12 @@
 #ifndef OMPL_CERTIFICATES_PYTHON_WORLD_
 #define OMPL_CERTIFICATES_PYTHON_WORLD_
 
+#include <ompl_certificates/obstacles/CellSet.h>
 #include <ompl_certificates/obstacles/ObstacleSet.h>
 #include <ompl_certificates/obstacles/PointCloudSet.h>
 #include <ompl_certificates/scene/Scene.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +41,16 @@ namespace ompl_certificates_python
         Eigen::AlignedBox3d cleared;
     };
 
-    /** \brief The obstacles of a scene, which may change: bodies, and clouds of points.
+    /** \brief What changes among bodies, all at once */
+    struct BodyChange
+    {
+        std::vector<ompl_certificates::PlacedBody> added;
+        std::map<ompl_certificates::ObstacleSet::Id, ompl_certificates::Pose> moved;
+        std::vector<ompl_certificates::ObstacleSet::Id> removed;
+    };
+
+    /** \brief The obstacles of a scene, which may change: bodies, clouds of points, and grids of cells. Clouds and grids
+        are numbered together.
 
         Each change returns what a TeamValidityChecker has to be told. Not for several threads at once. */
     class World
@@ -54,17 +65,13 @@ namespace ompl_certificates_python
         /** \brief Add all obstacles to a scene that has none. */
         void addTo(ompl_certificates::Scene &scene) const;
 
-        /** \brief The bodies; tell takeBodies() when they have been changed. */
-        ompl_certificates::ObstacleSet &getBodies()
-        {
-            return bodies_;
-        }
+        /** \brief Change the bodies, and write the numbers of those that are added to \e numbers.
+            \throws ompl::Exception as ObstacleSet does. Then nothing has changed. */
+        ompl_certificates::ObstacleChange changeBodies(const BodyChange &change,
+                                                       std::vector<ompl_certificates::ObstacleSet::Id> &numbers);
 
-        /** \brief What has changed among the bodies since the last call */
-        ompl_certificates::ObstacleChange takeBodies();
-
-        /** \brief The number that the next cloud gets */
-        std::size_t getCloudCount() const
+        /** \brief The number that the next cloud or grid gets */
+        std::size_t getSensedCount() const
         {
             return sensed_.size();
         }
@@ -84,13 +91,26 @@ namespace ompl_certificates_python
             \throws ompl::Exception as changeCloud() does */
         std::vector<Eigen::Vector3d> getPoints(std::size_t cloud) const;
 
+        /** \brief Add a grid of occupied cells.
+            \throws ompl::Exception as CellSet does */
+        ompl_certificates::ObstacleChange addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size);
+
+        /** \brief Change cells of a grid. Cost: that of CellSet; the first change of a grid of the scene, in proportion
+            to all of its cells.
+            \throws ompl::Exception if there is none of this number, if it is a cloud, and as CellSet does. Then
+            nothing has changed. */
+        ompl_certificates::ObstacleChange changeGrid(std::size_t grid,
+                                                     const std::vector<ompl_certificates::CellBox> &occupied,
+                                                     const std::vector<ompl_certificates::CellBox> &free);
+
     private:
-        /** \brief A map, or a cloud; of the cloud its radius once it is known, and the set that makes it */
+        /** \brief A grid or a cloud, and the set that makes it; of the cloud its radius once it is known */
         struct Sensed
         {
             ompl_certificates::ObstaclesPtr obstacles;
-            std::optional<double> radius;
-            std::optional<ompl_certificates::PointCloudSet> set;
+            std::optional<double> radius{};
+            std::optional<ompl_certificates::PointCloudSet> set{};
+            std::optional<ompl_certificates::CellSet> cells{};
         };
 
         /** \brief The points of a cloud, with their radii */
@@ -98,6 +118,9 @@ namespace ompl_certificates_python
 
         /** \brief The set of a cloud, which is made for its first change */
         ompl_certificates::PointCloudSet takeSet(std::size_t cloud);
+
+        /** \brief The set of a grid, which is made for its first change */
+        ompl_certificates::CellSet takeCells(std::size_t grid);
 
         /** \brief The points as a cloud of this world has them */
         std::vector<Eigen::Vector3d> placed(CloudPoints points, double radius, const std::string &what) const;

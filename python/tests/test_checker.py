@@ -160,6 +160,36 @@ def test_changes_reach_the_checker(room: oc.Scene) -> None:
         checker.remove_obstacle(crate)
 
 
+def test_many_obstacles_change_at_once(room: oc.Scene) -> None:
+    checker, single = oc.Checker(room), oc.Checker(room)
+    seed = 9
+    rng = np.random.default_rng(seed)
+    states = rng.uniform(0, 10, (5000, 4))
+    places = [rng.uniform(0, 10, 2) for _ in range(30)]
+    numbers = checker.change_obstacles(add=[(oc.Body.box(0.3, 0.3), place) for place in places])
+    assert numbers == [single.add_obstacle(oc.Body.box(0.3, 0.3), place) for place in places] == list(range(1, 31))
+    moved = {number: (1.0 + 0.3 * number, 2.0, 0.1) for number in numbers[:10]}
+    new = checker.change_obstacles(remove=numbers[20:] + [0], move=moved, add=[(oc.Body.disc(0.5), (4, 4))])
+    assert new == [31]
+    for number, pose in moved.items():
+        single.move_obstacle(number, pose)
+    for number in numbers[20:] + [0]:
+        single.remove_obstacle(number)
+    single.add_obstacle(oc.Body.disc(0.5), (4, 4))
+    expected = single.is_valid(states)
+    assert (checker.is_valid(states) == expected).all(), f"seed {seed}"
+    # One that is not there undoes all of the change.
+    for change in ({"remove": [1, 1]}, {"remove": [1], "move": {77: (0, 0)}}, {"remove": [2], "move": {2: (5, 5)}}):
+        with pytest.raises(oc.Error, match="^There is no obstacle (1|77|2)$"):
+            checker.change_obstacles(**change)  # type: ignore[arg-type]
+        assert (checker.is_valid(states) == expected).all()
+    with pytest.raises(oc.Error, match="^pose: "):
+        checker.change_obstacles(remove=[3], add=[(oc.Body.disc(1), (np.nan, 0))])
+    assert checker.change_obstacles() == []
+    assert (checker.is_valid(states) == expected).all()
+    assert checker.change_obstacles(remove=[3, 4], add=[(oc.Body.disc(0.1), (9, 9))]) == [32]
+
+
 def test_certificates_are_clearances_and_outlive_the_program(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     # Among few obstacles clearances cost less than certificates, and none are kept.
     crates = np.array([[x, y] for x in (1, 3, 7, 9) for y in (1, 2, 3, 7, 8, 9)], dtype=float)

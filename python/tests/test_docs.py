@@ -32,11 +32,12 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
     for name, module in fakes.items():
         monkeypatch.setitem(sys.modules, name, module)
     monkeypatch.chdir(ROOT)
+    (ROOT / "out").mkdir(exist_ok=True)
     names: Dict[str, Any] = {}
     snippets = []
     for page in ("README.md", "docs/python.md"):
         snippets += re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 8
+    assert len(snippets) == 10
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))

@@ -31,6 +31,50 @@ def test_plan_leads_from_start_to_goal(room: oc.Scene) -> None:
     assert np.isclose(plan.cost, np.linalg.norm(np.diff(plan.path, axis=0), axis=1).sum())
 
 
+def test_the_team_is_somewhere_at_any_time(room: oc.Scene) -> None:
+    robot = oc.Robot.rigid("bar", oc.Body.box(1.0, 0.2), [0, 0], [10, 10])
+    room.add_robot(robot, [1, 2, 3], [9, 2, -3])
+    plan = oc.plan(room, time=1.0, seed=2, motion="continuous")
+    assert (plan.at(plan.times) == plan.path).all()
+    middle = (plan.times[:-1] + plan.times[1:]) / 2
+    steps = plan.path[1:] - plan.path[:-1]
+    turn = (steps[:, 6] + np.pi) % (2 * np.pi) - np.pi
+    expected = plan.path[:-1] + np.column_stack([steps[:, :6], turn]) / 2
+    there = plan.at(middle)
+    assert np.allclose(there[:, :6], expected[:, :6])
+    assert np.allclose(np.cos(there[:, 6] - expected[:, 6]), 1)
+    assert oc.Checker(room).is_valid(plan.at(np.linspace(0, plan.times[-1], 500))).all()
+    # Nobody is faster than 1.
+    fine = plan.at(np.linspace(0, plan.times[-1], 2001))
+    assert np.linalg.norm(np.diff(fine[:, :2], axis=0), axis=1).max() <= plan.times[-1] / 2000 * (1 + 1e-9)
+    assert (plan.at(-5.0) == room.start).all() and (plan.at(np.inf) == room.goal).all()
+    assert plan.at([]).shape == (0, 7) and plan.at(1.0).shape == (7,)
+    plan.times[:] = 0.0
+    assert (plan.at(middle) == there).all()
+    with pytest.raises(oc.Error, match="^times: must be numbers, not nan$"):
+        plan.at([0.0, math.nan])
+
+
+def test_pictures_are_drawn(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    plan = oc.plan(room, time=0.5)
+    room.save_picture(tmp_path / "room.svg")
+    plan.save_picture(tmp_path / "plan.svg")
+    scene, planned = ((tmp_path / name).read_text(encoding="utf-8") for name in ("room.svg", "plan.svg"))
+    assert "<svg" in scene and len(planned) > 2 * len(scene)
+    with pytest.raises(oc.Error, match="nowhere"):
+        plan.save_picture(tmp_path / "nowhere" / "plan.svg")
+
+
+def test_planners_name_their_parameters(capfd: pytest.CaptureFixture[str]) -> None:
+    for name in oc.planner_names():
+        parameters = oc.planner_parameters(name)
+        assert all(isinstance(text, str) for pair in parameters.values() for text in pair), name
+    assert float(oc.planner_parameters("RRT")["goal_bias"][0]) == 0.05
+    assert capfd.readouterr() == ("", "")
+    with pytest.raises(oc.Error, match="RRTConect"):
+        oc.planner_parameters("RRTConect")
+
+
 def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     plan = oc.plan(room, "RRTConnect", time=5.0, seed=7, simplify=True, parameters={"range": 0.5})
     report = plan.report
@@ -263,4 +307,6 @@ def test_no_solution_is_no_path() -> None:
     assert repr(plan) == "<Plan: not solved>"
     with pytest.raises(oc.Error, match="no path"):
         plan.save("nothing.csv")
+    with pytest.raises(oc.Error, match="^at: there is no path$"):
+        plan.at(0.0)
     assert "DRRTstar" in oc.planner_names()

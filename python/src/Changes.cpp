@@ -1,0 +1,180 @@
+#include "Changes.h"
+
+#include <algorithm>
+#include <limits>
+#include <ompl/util/Exception.h>
+#include <optional>
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        /** The lower and the upper corner */
+        using Box = std::pair<std::vector<double>, std::vector<double>>;
+
+        /** Points for a cloud of a checker; None for none */
+        CloudPoints pointsOf(const Checker &checker, const std::optional<Doubles> &points, const char *what)
+        {
+            if (!points)
+                return {};
+            return {toPoints3(*points, what, checker.getDimension() == 2), points->shape(1) == 3};
+        }
+
+        Eigen::AlignedBox3d boxOf(const Checker &checker, const Box &box)
+        {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            const auto &[low, high] = box;
+            Eigen::AlignedBox3d result(Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity));
+            const std::size_t dimension = checker.getDimension();
+            if (low.size() != dimension || high.size() != dimension)
+                throw ompl::Exception("clear", "must be two corners of " + std::to_string(dimension) + " numbers each");
+            for (std::size_t axis = 0; axis < dimension; ++axis)
+            {
+                if (!(low[axis] <= high[axis]))
+                    throw ompl::Exception("clear", "the first corner must be below the second: " +
+                                                       std::to_string(low[axis]) + ", " + std::to_string(high[axis]));
+                result.min()[static_cast<Eigen::Index>(axis)] = low[axis];
+                result.max()[static_cast<Eigen::Index>(axis)] = high[axis];
+            }
+            return result;
+        }
+
+        std::size_t addCloud(Checker &checker, const Doubles &array, double radius)
+        {
+            auto points = pointsOf(checker, array, "points");
+            const py::gil_scoped_release release;
+            return checker.addCloud(std::move(points), radius);
+        }
+
+        void changeCloud(Checker &checker, std::size_t cloud, const std::optional<Doubles> &inserted,
+                         const std::optional<Doubles> &removed, const std::optional<Box> &cleared)
+        {
+            CloudChange change{pointsOf(checker, inserted, "insert"), pointsOf(checker, removed, "remove"),
+                               cleared ? boxOf(checker, *cleared) : Eigen::AlignedBox3d()};
+            const py::gil_scoped_release release;
+            checker.changeCloud(cloud, std::move(change));
+        }
+
+        Doubles cloudPoints(const Checker &checker, std::size_t cloud)
+        {
+            const auto points = [&]
+            {
+                const py::gil_scoped_release release;
+                return checker.getCloudPoints(cloud);
+            }();
+            const auto dimension = static_cast<py::ssize_t>(checker.getDimension());
+            Doubles result({static_cast<py::ssize_t>(points.size()), dimension});
+            double *values = result.mutable_data();
+            for (const Eigen::Vector3d &point : points)
+                values = std::copy_n(point.data(), dimension, values);
+            return result;
+        }
+
+        void bindClouds(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+        {
+            checker
+                .def("add_cloud", &addCloud, py::arg("points"), py::arg("radius"),
+                     "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of "
+                     "the cloud. All within radius of a point is occupied. In a planar scene the same points count as "
+                     "of Scene.add_cloud, for the checker's robots.")
+                .def("change_cloud", &changeCloud, py::arg("cloud"), py::kw_only(), py::arg("insert") = py::none(),
+                     py::arg("remove") = py::none(), py::arg("clear") = py::none(),
+                     "Change a cloud, all at once: remove points of exactly these coordinates and all within the box "
+                     "clear = (low, high), which may be infinite; then insert others. The scene's own clouds have the "
+                     "numbers that Scene.add_cloud returned. Time goes with the points that come and go. Where it "
+                     "raises an Error, nothing has changed. Points have the cloud's radius, and the shapes of "
+                     "add_cloud: in a planar scene those of shape (n, 3) that no robot reaches do not count, in insert "
+                     "and in remove.")
+                .def("cloud_points", &cloudPoints, py::arg("cloud"),
+                     "The points of a cloud now, of shape (n, dimension), in no order");
+        }
+
+        /** A body and its pose */
+        using Placed = std::pair<Body, py::object>;
+
+        std::vector<ObstacleSet::Id> changeObstacles(Checker &checker, const std::vector<Placed> &added,
+                                                     const std::map<ObstacleSet::Id, py::object> &moved,
+                                                     const std::vector<ObstacleSet::Id> &removed)
+        {
+            BodyChange change;
+            for (const auto &[body, pose] : added)
+                change.added.push_back({body, toPose(pose, checker.getDimension())});
+            for (const auto &[number, pose] : moved)
+                change.moved.emplace(number, toPose(pose, checker.getDimension()));
+            change.removed = removed;
+            const py::gil_scoped_release release;
+            return checker.changeObstacles(change);
+        }
+
+        void bindObstacles(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+        {
+            checker
+                .def(
+                    "add_obstacle",
+                    [](Checker &self, const Body &body, const py::object &pose) {
+                        return changeObstacles(self, {{body, pose}}, {}, {}).front();
+                    },
+                    py::arg("body"), py::arg("pose") = py::none(), "Add an obstacle and return its number.")
+                .def(
+                    "move_obstacle",
+                    [](Checker &self, ObstacleSet::Id obstacle, const py::object &pose) {
+                        changeObstacles(self, {}, {{obstacle, pose}}, {});
+                    },
+                    py::arg("obstacle"), py::arg("pose"),
+                    "Move an obstacle. The scene's own have the numbers that Scene.add_obstacle returned.")
+                .def(
+                    "remove_obstacle",
+                    [](Checker &self, ObstacleSet::Id obstacle) { changeObstacles(self, {}, {}, {obstacle}); },
+                    py::arg("obstacle"), "Remove an obstacle.")
+                .def("change_obstacles", &changeObstacles, py::kw_only(), py::arg("add") = std::vector<Placed>(),
+                     py::arg("move") = std::map<ObstacleSet::Id, py::object>(),
+                     py::arg("remove") = std::vector<ObstacleSet::Id>(),
+                     "Change many obstacles, all at once: remove those of some numbers, move others to the poses of a "
+                     "dict from numbers to poses, and add pairs of a body and its pose. Returns the numbers of those "
+                     "that are added. Each change takes time in proportion to all obstacles, so one is faster than "
+                     "many. Where it raises an Error, nothing has changed.");
+        }
+
+        std::size_t addGrid(Checker &checker, const py::object &occupied, double size,
+                            const std::vector<std::int64_t> &first)
+        {
+            const auto cells = toCells(occupied, first, checker.getDimension());
+            const py::gil_scoped_release release;
+            return checker.addGrid(cells, size);
+        }
+
+        void changeGrid(Checker &checker, std::size_t grid, const py::object &occupied,
+                        const std::vector<std::int64_t> &first)
+        {
+            const auto cells = toCells(occupied, first, checker.getDimension());
+            const auto others = toCells(occupied, first, checker.getDimension(), false);
+            const py::gil_scoped_release release;
+            checker.changeGrid(grid, cells, others);
+        }
+
+        void bindGrids(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+        {
+            checker
+                .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
+                     py::arg("first") = std::vector<std::int64_t>(),
+                     "Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number.")
+                .def(
+                    "change_grid", &changeGrid, py::arg("grid"), py::arg("occupied"),
+                    py::arg("first") = std::vector<std::int64_t>(),
+                    "Set which cells of a grid are occupied, all at once: those that the array covers, whose first one "
+                    "has the index first. Others stay. The scene's own grids and octomaps have the numbers that "
+                    "Scene.add_grid and add_octomap_file returned. Time goes with the cells that the array covers. "
+                    "Where it raises an Error, nothing has changed.");
+        }
+    }
+
+    void bindChanges(py::class_<Checker, std::shared_ptr<Checker>> &checker)
+    {
+        bindObstacles(checker);
+        bindClouds(checker);
+        bindGrids(checker);
+    }
+}

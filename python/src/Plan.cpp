@@ -1,0 +1,159 @@
+#include "Plan.h"
+#include "Reports.h"
+
+#include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/pictures/PlanViewer.h>
+#include <ompl_certificates/pictures/ScenePicture.h>
+#include <ompl_certificates/team/PathTimes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ompl/base/ScopedState.h>
+#include <ompl/util/Exception.h>
+#include <pybind11/stl/filesystem.h>
+#include <sstream>
+
+namespace ompl_certificates_python
+{
+    namespace ob = ompl::base;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        /** The cost of the path, infinite without one */
+        double costOf(const Plan &plan)
+        {
+            if (!plan.report.solved)
+                return std::numeric_limits<double>::infinity();
+            return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
+        }
+
+        std::string describe(const Plan &plan)
+        {
+            if (!plan.report.solved)
+                return "<Plan: not solved>";
+            std::ostringstream text;
+            text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states>";
+            return text.str();
+        }
+
+        /** Where the team is at some times: one row for each */
+        Doubles statesAt(const Plan &plan, const Doubles &times)
+        {
+            if (!plan.solution)
+                throw ompl::Exception("at", "there is no path");
+            const ob::StateSpacePtr &space = plan.solution->getSpaceInformation()->getStateSpace();
+            const std::vector<double> known = stateTimes(*plan.solution);
+            const auto columns = static_cast<py::ssize_t>(plan.coordinates.size());
+            Doubles result({times.size(), columns});
+            ob::ScopedState<> state(space);
+            std::vector<double> row;
+            for (py::ssize_t i = 0; i < times.size(); ++i)
+            {
+                const double time = times.data()[i];
+                if (std::isnan(time))
+                    throw ompl::Exception("times", "must be numbers, not nan");
+                // The first state that is later; before the first and after the last the team rests.
+                const auto next =
+                    static_cast<std::size_t>(std::upper_bound(known.begin(), known.end(), time) - known.begin());
+                const std::size_t before = next > 0 ? next - 1 : 0;
+                const ob::State *from = plan.solution->getState(static_cast<unsigned int>(before));
+                if (next > 0 && next < known.size())
+                    space->interpolate(from, plan.solution->getState(static_cast<unsigned int>(next)),
+                                       (time - known[before]) / (known[next] - known[before]), state.get());
+                else
+                    space->copyState(state.get(), from);
+                space->copyToReals(row, state.get());
+                std::copy(row.begin(), row.end(), result.mutable_data() + i * columns);
+            }
+            return times.ndim() == 0 ? Doubles(result.squeeze()) : result;
+        }
+
+        void savePicture(const Plan &plan, const std::filesystem::path &file)
+        {
+            ScenePicture picture(*plan.scene);
+            picture.setTree(*plan.tree);
+            picture.setCertificates(plan.certificates);
+            if (plan.solution)
+                picture.setPath(*plan.solution);
+            picture.write(file.string());
+        }
+
+        py::object view(const Plan &plan, const py::object &path)
+        {
+            std::string html;
+            {
+                const py::gil_scoped_release release;
+                PlanViewer viewer(*plan.scene);
+                if (plan.solution)
+                    viewer.setPath(*plan.solution);
+                viewer.setTree(*plan.tree);
+                viewer.setCertificates(plan.certificates);
+                viewer.setReport(plan.report);
+                html = viewer.toHtml();
+            }
+            py::object page = py::module_::import("ompl_certificates._view").attr("View")(html);
+            if (!path.is_none())
+                page.attr("save")(path);
+            return page;
+        }
+
+        void savePath(const Plan &plan, const std::filesystem::path &file)
+        {
+            if (!plan.solution)
+                throw ompl::Exception(file, "there is no path to be written");
+            py::cast(file).attr("write_text")(toCsv(*plan.solution), py::arg("encoding") = "utf-8");
+        }
+    }
+
+    void setSolution(Plan &plan, const ompl::geometric::PathGeometric &path)
+    {
+        const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
+        std::vector<double> row;
+        space->copyToReals(row, path.getState(0));
+        const auto count = static_cast<py::ssize_t>(path.getStateCount());
+        plan.path = Doubles({count, static_cast<py::ssize_t>(row.size())});
+        double *values = plan.path.mutable_data();
+        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        {
+            space->copyToReals(row, path.getState(i));
+            values = std::copy(row.begin(), row.end(), values);
+        }
+        plan.times = Doubles(count, stateTimes(path).data());
+        plan.solution = std::make_shared<const ompl::geometric::PathGeometric>(path);
+    }
+
+    void bindPlan(py::module_ &module)
+    {
+        py::class_<Plan>(module, "Plan", "What came of a plan")
+            .def_property_readonly(
+                "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
+            .def("__repr__", &describe)
+            .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
+                                   "The cost of the path, by the objective; infinite without a solution")
+            .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
+            .def_readonly("times", &Plan::times,
+                          "When the team is at each state if no robot is faster than 1, of shape (n,)")
+            .def_readonly("coordinates", &Plan::coordinates, "The names of the columns of path, such as scout.x")
+            .def_property_readonly(
+                "report", [](const Plan &plan) { return toDict(plan.report); },
+                "Costs, counts and times (docs/plan-team.md), as a dict")
+            .def("save", &savePath, py::arg("file"),
+                 "Write the path as a table of comma-separated values (docs/plan-team.md).")
+            .def(
+                "save_report", [](const Plan &plan, const std::filesystem::path &file) { plan.report.write(file); },
+                py::arg("file"), "Write the report as JSON.")
+            .def(
+                "at", &statesAt, py::arg("times"),
+                "Where the team is at some times, of shape (n, coordinates), or for one time (coordinates,). Between two "
+                "states of the path all robots move steadily, as OMPL interpolates; before the first and after the last "
+                "they rest.")
+            .def("save_picture", &savePicture, py::arg("file"),
+                 "Write a picture of the path and of the planner's tree, as SVG.")
+            .def("view", &view, py::arg("path") = py::none(),
+                 "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "
+                 "file, too.")
+            .def("__bool__", [](const Plan &plan) { return plan.report.solved; });
+    }
+}

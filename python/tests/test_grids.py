@@ -1,0 +1,130 @@
+"""Cells of a grid, and octomaps"""
+
+import pathlib
+from typing import Tuple
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+from numpy.typing import NDArray
+
+SIZE = 0.5
+RADIUS = 0.3
+Bools = NDArray[np.bool_]
+
+
+def hall(dimension: int) -> oc.Scene:
+    """A ball in an empty hall"""
+    scene = oc.Scene([0] * dimension, [10] * dimension, "hall")
+    ball = oc.Body.disc(RADIUS) if dimension == 2 else oc.Body.sphere(RADIUS)
+    robot = oc.Robot.rigid("ball", ball, [0] * dimension, [10] * dimension, turns=False)
+    scene.add_robot(robot, [0] * dimension, [10] * dimension)
+    return scene
+
+
+def free(states: NDArray[np.float64], occupied: Bools, first: Tuple[int, ...]) -> Bools:
+    """Whether a ball in each state touches no occupied cell"""
+    low = (np.argwhere(occupied) + first) * SIZE
+    away = np.maximum(np.maximum(low[None] - states[:, None], states[:, None] - low[None] - SIZE), 0)
+    nearest: Bools = np.linalg.norm(away, axis=2).min(axis=1, initial=np.inf) > RADIUS
+    return nearest
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("method", ["fcl", "standard", "shared"])
+def test_cells_that_change_give_the_verdicts_of_the_geometry(dimension: int, method: str) -> None:
+    seed = 40 + dimension
+    rng = np.random.default_rng(seed)
+    occupied = rng.random([24] * dimension) < 0.05
+    first = (-2, -1, -2)[:dimension]
+    scene = hall(dimension)
+    scene.add_cloud(np.zeros((0, dimension)), 0.1)
+    assert scene.add_grid(occupied, SIZE, first) == 1
+    checker = oc.Checker(scene, method)
+    states = rng.uniform(0, 10, (1000, dimension))
+    for _ in range(5):
+        expected = free(states, occupied, first)
+        assert (checker.is_valid(states) == expected).all(), f"seed {seed}"
+        assert 0 < expected.sum() < len(states)
+        begin = rng.integers(0, 16, dimension)
+        block = rng.random([8] * dimension) < 0.1
+        occupied[tuple(slice(i, i + 8) for i in begin)] = block
+        checker.change_grid(1, block, begin + first)
+
+    empty = oc.Checker(hall(dimension), method)
+    number = empty.add_grid(np.zeros([3] * dimension, dtype=bool), SIZE)
+    assert empty.is_valid(states).all()
+    empty.change_grid(number, occupied, first)
+    assert (empty.is_valid(states) == free(states, occupied, first)).all()
+
+
+def test_grids_are_refused_by_name() -> None:
+    scene = hall(2)
+    for occupied, first, message in (
+        (np.full((3, 3), -1), (), "^occupied: must be bools$"),
+        (np.zeros((3, 3, 3), dtype=bool), (), r"^occupied: must be an array of shape \(nx, ny\), not \(3, 3, 3\)$"),
+        (np.zeros((3, 3), dtype=bool), (1, 2, 3), "^first: must be 2 numbers, not 3$"),
+        (np.zeros((3, 3), dtype=bool), (32766, 0), "^first: .* from -32768 to 32767, not 32766 to 32768$"),
+        (np.zeros((3, 3), dtype=bool), (0, 2**62), "^first: cells must have numbers from -32768 to 32767"),
+    ):
+        with pytest.raises(oc.Error, match=message):
+            scene.add_grid(occupied, SIZE, first)
+    for size in (0.0, -1.0, np.nan):
+        with pytest.raises(oc.Error, match="size"):
+            scene.add_grid(np.ones((3, 3), dtype=bool), size)
+    cloud = scene.add_cloud([[5.0, 5.0]], 0.1)
+    grid = scene.add_grid([[True]], SIZE)
+    checker = oc.Checker(scene)
+    with pytest.raises(oc.Error, match="^grid: number 0 is a cloud of points, not of cells$"):
+        checker.change_grid(cloud, [[True]])
+    with pytest.raises(oc.Error, match="^cloud: number 1 is a map of cells, not of points$"):
+        checker.change_cloud(grid, insert=[[1.0, 1.0]])
+    with pytest.raises(oc.Error, match="^grid: there is none of number 2$"):
+        checker.change_grid(2, [[True]])
+
+
+def test_unknown_cells_are_free_or_occupied(tmp_path: pathlib.Path) -> None:
+    # Of the eight cells about (0.5, 0.5, 0.5) the first is occupied and the last is free. Two bits for each child: 2 is
+    # occupied, 1 free, 3 has children itself.
+    nodes = [3 << 14] + 14 * [3] + [2 + (1 << 14)]
+    head = "# Octomap OcTree binary file\nid OcTree\nsize 18\nres 0.5\ndata\n".encode()
+    file = tmp_path / "eight.bt"
+    file.write_bytes(head + np.array(nodes, dtype="<u2").tobytes())
+    seed = 6
+    states = np.random.default_rng(seed).uniform(-1, 2, (2000, 3))
+    for unknown in (False, True):
+        cells = np.full((2, 2, 2), unknown)
+        cells[0, 0, 0] = True
+        cells[1, 1, 1] = False
+        scene = hall(3)
+        scene.add_octomap_file(file, unknown_occupied=unknown)
+        assert (oc.Checker(scene).is_valid(states) == free(states, cells, (0, 0, 0))).all(), f"seed {seed}"
+
+
+def test_an_octomap_is_read_and_changed(scenes: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    maps = sorted(scenes.glob("**/*.bt"))
+    assert maps
+    space = hall(3)
+    number = space.add_octomap_file(maps[0])
+    checker = oc.Checker(space)
+    seed = 5
+    states = np.random.default_rng(seed).uniform(-5, 10, (2000, 3))
+    valid = checker.is_valid(states)
+    assert 0 < valid.sum() < len(states)
+    coarse = hall(3)
+    coarse.add_octomap_file(maps[0], depth=14)
+    assert not (oc.Checker(coarse).is_valid(states) & ~valid).any()
+    checker.change_grid(number, np.zeros((400, 400, 400), dtype=bool), (-200, -200, -200))
+    assert checker.is_valid(states).all()
+
+    plane = hall(2)
+    plane.add_octomap_file(maps[0], heights=(0.2, 1.0))
+    assert 0 < oc.Checker(plane).is_valid(states[:, :2]).sum() < len(states)
+    with pytest.raises(oc.Error, match="^heights: a planar scene needs those of the slice"):
+        plane.add_octomap_file(maps[0])
+    with pytest.raises(oc.Error, match="^heights: are for planar scenes alone$"):
+        space.add_octomap_file(maps[0], heights=(0.0, 1.0))
+    broken = tmp_path / "broken.bt"
+    broken.write_bytes(maps[0].read_bytes()[:-40])
+    with pytest.raises(oc.Error, match="broken.bt"):
+        space.add_octomap_file(broken)
