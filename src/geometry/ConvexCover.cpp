@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -68,7 +71,7 @@ namespace ompl_certificates
         if (points.size() <= MOST_CORNERS)
             setPoints(points);
         else
-            coverAll(std::move(points));
+            coverAll(points);
         rounding_ += shape.getRadius() * (shape.getKind() == Shape::Kind::CYLINDER ? 0.0 : 1.0) + SINGLE * extent_;
     }
 
@@ -109,7 +112,7 @@ namespace ompl_certificates
         return Eigen::Vector3f(four.x[lane], four.y[lane], four.z[lane]).cast<double>();
     }
 
-    void ConvexCover::coverAll(std::vector<Eigen::Vector3d> points)
+    void ConvexCover::coverAll(const std::vector<Eigen::Vector3d> &points)
     {
         std::vector<Eigen::Vector3d> chosen;
         const auto choose = [&](const Eigen::Vector3d &point)
@@ -124,33 +127,32 @@ namespace ompl_certificates
                         choose(*std::max_element(points.begin(), points.end(),
                                                  [&](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
                                                  { return direction.dot(a) < direction.dot(b); }));
+        setPoints(chosen);
+        setPoints(chosen);
         const double small = SMALL_ROUNDING * extent_;
-        for (;;)
+        // Points outside, by how far they were when they were last asked: as points are chosen, they only come nearer.
+        std::priority_queue<std::pair<double, std::size_t>> outside;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            outside.emplace(std::numeric_limits<double>::infinity(), i);
+        while (!outside.empty())
         {
-            setPoints(chosen);
-            // What is near the hull needs no more points, and stays near while points are added.
-            std::vector<std::pair<double, Eigen::Vector3d>> outside;
-            for (const Eigen::Vector3d &point : points)
+            const std::size_t farthest = outside.top().second;
+            outside.pop();
+            const double distance = distanceToHull(points[farthest]);
+            if (distance <= small)
+                rounding_ = std::max(rounding_, distance);
+            else if (!outside.empty() && distance < outside.top().first)
+                outside.emplace(distance, farthest);
+            else if (chosen.size() < MOST_CORNERS)
             {
-                const double distance = distanceToHull(point);
-                if (distance > small)
-                    outside.emplace_back(distance, point);
-                else
-                    rounding_ = std::max(rounding_, distance);
+                choose(points[farthest]);
+                setPoints(chosen);
             }
-            if (outside.empty())
-                return;
-            const auto farthest = std::max_element(outside.begin(), outside.end(),
-                                                   [](const auto &a, const auto &b) { return a.first < b.first; });
-            if (chosen.size() == MOST_CORNERS)
+            else
             {
-                rounding_ = farthest->first;
+                rounding_ = distance;
                 return;
             }
-            choose(farthest->second);
-            points.clear();
-            for (const auto &[distance, point] : outside)
-                points.push_back(point);
         }
     }
 

@@ -54,7 +54,7 @@ namespace ompl_certificates
         void setPoints(const std::vector<Eigen::Vector3d> &points);
 
         /** \brief Chooses a few of \e points, and a rounding, so that the cover contains them all */
-        void coverAll(std::vector<Eigen::Vector3d> points);
+        void coverAll(const std::vector<Eigen::Vector3d> &points);
 
         /** \brief The distance of a point, relative to the middle, to the hull, or slightly more */
         double distanceToHull(const Eigen::Vector3d &point) const;

@@ -1,6 +1,7 @@
 #include "SphereTreeBuilder.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 
@@ -18,17 +19,21 @@ namespace ompl_certificates
 
         constexpr std::size_t INNER_SPHERES = 8;
 
+        /** The corners of a polygon; most are triangles and their parts */
+        using Outline = boost::container::small_vector<Eigen::Vector3d, 6>;
+
         /** A convex piece of a shape, enlarged by a rounding radius: the outlines of its faces, its one outline in the
             plane, or the two ends of a segment. For a mesh: the outlines of pieces of its triangles. */
         struct Piece
         {
-            std::vector<std::vector<Eigen::Vector3d>> outlines;
+            std::vector<Outline> outlines;
             double rounding;
             bool isSolid{true};
 
             std::vector<Eigen::Vector3d> vertices() const
             {
                 std::vector<Eigen::Vector3d> all;
+                all.reserve(4 * outlines.size());
                 for (const auto &outline : outlines)
                     all.insert(all.end(), outline.begin(), outline.end());
                 return all;
@@ -36,10 +41,9 @@ namespace ompl_certificates
         };
 
         /** The part of an outline where sign * (p[axis] - position) <= 0; the points on the cut are added to \e cut. */
-        std::vector<Eigen::Vector3d> clip(const std::vector<Eigen::Vector3d> &outline, Eigen::Index axis,
-                                          double position, double sign, std::vector<Eigen::Vector3d> &cut)
+        Outline clip(const Outline &outline, Eigen::Index axis, double position, double sign, Outline &cut)
         {
-            std::vector<Eigen::Vector3d> kept;
+            Outline kept;
             for (std::size_t i = 0; i < outline.size(); ++i)
             {
                 const Eigen::Vector3d &a = outline[i], &b = outline[(i + 1) % outline.size()];
@@ -60,7 +64,7 @@ namespace ompl_certificates
         }
 
         /** Sort the corners of a convex polygon, across \e axis, around their mean. */
-        void sortAround(std::vector<Eigen::Vector3d> &corners, Eigen::Index axis)
+        void sortAround(Outline &corners, Eigen::Index axis)
         {
             Eigen::Vector3d mean = Eigen::Vector3d::Zero();
             for (const auto &corner : corners)
@@ -74,7 +78,8 @@ namespace ompl_certificates
         Piece halfOf(const Piece &piece, Eigen::Index axis, double position, double sign)
         {
             Piece half{{}, piece.rounding, piece.isSolid};
-            std::vector<Eigen::Vector3d> cut;
+            half.outlines.reserve(piece.outlines.size());
+            Outline cut;
             for (const auto &outline : piece.outlines)
                 if (auto kept = clip(outline, axis, position, sign, cut); !kept.empty())
                     half.outlines.push_back(std::move(kept));
@@ -139,7 +144,7 @@ namespace ompl_certificates
             }
             const ConvexHull &hull = *shape.getHull();
             if (shape.getDimension() == 2)
-                return {{hull.vertices}, 0.0};
+                return {{Outline(hull.vertices.begin(), hull.vertices.end())}, 0.0};
             Piece piece{{}, 0.0};
             for (const auto &face : hull.faces)
             {
@@ -159,26 +164,24 @@ namespace ompl_certificates
             return pose;
         }
 
-        Ball ballAround(const Piece &piece, const Pose &pose)
+        Ball ballAround(const Piece &piece)
         {
             Ball ball = enclosingBall(piece.vertices(), piece.rounding);
-            ball.center = pose * ball.center;
             // Pays for the rounding of the clipping, so that no sliver of the shape is left outside.
             ball.radius *= 1.0 + 1e-12;
-            if (!piece.isSolid)  // its ball may be a point, far from the origin
-                ball.radius += 1e-13 * ball.center.norm();
             return ball;
         }
 
-        void addChildren(std::vector<SphereTree::Node> &nodes, std::size_t parent, const Piece &piece, const Pose &pose,
-                         double smallest, unsigned int depth)
+        void addChildren(std::vector<SphereTree::Node> &nodes, std::size_t parent, const Piece &piece, double smallest,
+                         unsigned int depth)
         {
             const double radius = nodes[parent].ball.radius;
             if (depth == MAX_DEPTH || radius <= smallest || radius <= TIGHT * piece.rounding)
                 return;
             Eigen::AlignedBox3d box;
-            for (const auto &vertex : piece.vertices())
-                box.extend(vertex);
+            for (const auto &outline : piece.outlines)
+                for (const auto &vertex : outline)
+                    box.extend(vertex);
             Eigen::Index axis;
             if (box.sizes().maxCoeff(&axis) <= 0.0)
                 return;
@@ -188,38 +191,76 @@ namespace ompl_certificates
             nodes[parent].firstChild = first;
             nodes[parent].childCount = 2;
             for (const Piece &half : halves)
-                nodes.push_back({ballAround(half, pose), 0, 0});
+                nodes.push_back({ballAround(half), 0, 0});
             for (std::size_t i = 0; i < 2; ++i)
-                addChildren(nodes, first + i, halves[i], pose, smallest, depth + 1);
+                addChildren(nodes, first + i, halves[i], smallest, depth + 1);
+        }
+
+        /** The tree of one shape, in its own frame */
+        std::vector<SphereTree::Node> treeOf(const Piece &piece)
+        {
+            std::vector<SphereTree::Node> nodes{{ballAround(piece), 0, 0}};
+            addChildren(nodes, 0, piece, LEAF_RADIUS * nodes[0].ball.radius, 0);
+            return nodes;
+        }
+
+        Ball placed(Ball ball, const Pose &pose, bool isSolid)
+        {
+            ball.center = pose * ball.center;
+            if (!isSolid)  // its ball may be a point, far from the origin
+                ball.radius += 1e-13 * ball.center.norm();
+            return ball;
+        }
+
+        /** Put the tree of a part below a node. */
+        void addTree(std::vector<SphereTree::Node> &nodes, std::size_t root, const std::vector<SphereTree::Node> &tree,
+                     const Pose &pose, bool isSolid)
+        {
+            const auto shift = static_cast<std::uint32_t>(nodes.size()) - 1;
+            for (std::size_t i = 0; i < tree.size(); ++i)
+            {
+                SphereTree::Node node = tree[i];
+                node.ball = placed(node.ball, pose, isSolid);
+                if (node.childCount > 0)
+                    node.firstChild += shift;
+                if (i == 0)
+                    nodes[root] = node;
+                else
+                    nodes.push_back(node);
+            }
         }
     }
 
     SphereTree buildSphereTree(const std::vector<Body::Part> &parts)
     {
-        std::vector<SphereTree::Node> nodes(1);
         std::vector<Piece> pieces;
+        std::vector<std::vector<SphereTree::Node>> trees;
         std::vector<Eigen::Vector3d> extremes;
         double rounding = 0.0;
         for (const auto &part : parts)
         {
             pieces.push_back(wholeOf(part.shape));
+            // Many a body has several equal parts, such as wheels and rotors.
+            const auto equal = std::find_if(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(trees.size()),
+                                            [&](const Body::Part &other) { return other.shape == part.shape; });
+            const auto known = static_cast<std::size_t>(equal - parts.begin());
+            trees.push_back(known < trees.size() ? trees[known] : treeOf(pieces.back()));
             for (const auto &vertex : pieces.back().vertices())
                 extremes.push_back(treePose(part) * vertex);
             rounding = std::max(rounding, pieces.back().rounding);
         }
+        std::vector<SphereTree::Node> nodes(1);
         if (parts.size() == 1)
         {
-            nodes[0].ball = ballAround(pieces[0], treePose(parts[0]));
-            addChildren(nodes, 0, pieces[0], treePose(parts[0]), LEAF_RADIUS * nodes[0].ball.radius, 0);
+            addTree(nodes, 0, trees[0], treePose(parts[0]), pieces[0].isSolid);
             return SphereTree(std::move(nodes));
         }
         nodes[0].ball = enclosingBall(extremes, rounding);
         nodes[0].firstChild = 1;
         nodes[0].childCount = static_cast<std::uint32_t>(parts.size());
+        nodes.resize(1 + parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-            nodes.push_back({ballAround(pieces[i], treePose(parts[i])), 0, 0});
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            addChildren(nodes, 1 + i, pieces[i], treePose(parts[i]), LEAF_RADIUS * nodes[1 + i].ball.radius, 0);
+            addTree(nodes, 1 + i, trees[i], treePose(parts[i]), pieces[i].isSolid);
         return SphereTree(std::move(nodes));
     }
 
