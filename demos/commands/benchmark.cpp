@@ -59,10 +59,9 @@ namespace
         app.add_option("--seed", options.seed, "Seed of the first run; each further one adds 1")
             ->check(demos::countUpTo(4000000000ull))
             ->capture_default_str();
-        app.add_option(
-            "--log", options.log,
-            "Write a log for ompl_benchmark_statistics, - to standard output; of several scenes one each, named "
-            "F_SCENE.log");
+        app.add_option("--log", options.log,
+                       "Write a log for ompl_benchmark_statistics, - to standard output; of several scenes one each: "
+                       "of F.log they are F_SCENE.log");
         app.footer("Returns 0 when the benchmark is complete, 1 if it was interrupted, 2 for bad input.");
     }
 
@@ -85,7 +84,7 @@ namespace
             return options.log;
         const std::filesystem::path log(options.log);
         const std::string name = log.stem().string() + "_" + std::filesystem::path(scene).stem().string();
-        return (log.parent_path() / (name + log.extension().string())).string();
+        return (log.parent_path() / (name + (log.has_extension() ? log.extension().string() : ".log"))).string();
     }
 
     /** A scene and what of its benchmark the options left open */

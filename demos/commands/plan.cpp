@@ -108,12 +108,15 @@ namespace
         report.certificates = setup.getTeamChecker()->getCertificateCount();
     }
 
-    /** Simplify the solution, if there is one, until nothing improves any more or an interrupt comes */
+    /** Simplify the solution, if there is one, until nothing improves any more, an interrupt comes, or as much time has
+        passed as there was for planning */
     void simplify(TeamSetup &setup, const PlanTeamOptions &options, PlanReport &report)
     {
         if (!report.solved)
             return;
-        setup.simplifySolution(ob::PlannerTerminationCondition(demos::interrupted));
+        setup.simplifySolution(
+            ob::plannerOrTerminationCondition(ob::PlannerTerminationCondition(demos::interrupted),
+                                              ob::timedPlannerTerminationCondition(options.seconds)));
         report.simplifiedCost = costOf(setup, options);
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }

@@ -1,6 +1,7 @@
 #include "ompl_certificates/control/Car.h"
 
 #include "Planar.h"
+#include "RigidFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,7 @@ namespace ompl_certificates
       , wheelbase_(wheelbase)
       , hitchLength_(hitchLength)
       , maxHingeAngle_(maxHingeAngle)
+      , distances_(hitchLength > 0.0 ? std::vector<double>() : distancesFromFrame(*shape))
     {
         constexpr double straightAngle = 1.5707;
         if (!(wheelbase > 0.0) || !std::isfinite(wheelbase))
@@ -84,10 +86,14 @@ namespace ompl_certificates
                                 MotionBound *bounds) const
     {
         const double way = std::abs(control[0]) * duration;
-        bounds[0] = {way, way / wheelbase_ * std::abs(std::tan(control[1]))};
+        const double turn = way / wheelbase_ * std::abs(std::tan(control[1]));
+        for (std::size_t body = 0; body < distances_.size(); ++body)
+            bounds[body] = {way + turn * distances_[body], turn};
+        if (hitchLength_ == 0.0)
+            return;
+        bounds[0] = {way, turn};
         // The trailer's origin follows the hinge along the trailer's heading, so it is never faster.
-        if (hitchLength_ > 0.0)
-            bounds[1] = {way, way / hitchLength_};
+        bounds[1] = {way, way / hitchLength_};
     }
 
     bool Car::isWithinLimits(const ob::State *state) const

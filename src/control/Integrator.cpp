@@ -1,5 +1,7 @@
 #include "ompl_certificates/control/Integrator.h"
 
+#include "RigidFrame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -14,10 +16,11 @@ namespace ompl_certificates
         /** Names of the velocities or controls: as many as the space has axes */
         std::vector<std::string> axesOf(const RobotPtr &shape, const std::string &prefix)
         {
-            if (!shape || shape->getStateSpace()->getType() != ob::STATE_SPACE_REAL_VECTOR)
-                throw ompl::Exception(shape ? shape->getName() : "Integrator", "its shape must move in R^n");
             std::vector<std::string> names{prefix + "x", prefix + "y", prefix + "z"};
-            names.resize(shape->getStateSpace()->getDimension());
+            const std::size_t dimension = shape ? shape->getStateSpace()->getDimension() : 0;
+            if (!shape || shape->getStateSpace()->getType() != ob::STATE_SPACE_REAL_VECTOR || dimension > names.size())
+                throw ompl::Exception(shape ? shape->getName() : "Integrator", "its shape must move in R^2 or R^3");
+            names.resize(dimension);
             return names;
         }
 
@@ -47,6 +50,7 @@ namespace ompl_certificates
                            const ob::RealVectorBounds &controlBounds)
       : DynamicRobot(shape, velocityNames, velocityBounds, controlNames, controlBounds)
     {
+        distancesFromFrame(*shape);
     }
 
     void Integrator::propagate(const ob::State *from, const double *control, double duration, ob::State *to) const

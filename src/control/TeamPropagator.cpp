@@ -3,6 +3,7 @@
 #include "StepProof.h"
 
 #include <limits>
+#include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -65,6 +66,11 @@ namespace ompl_certificates
                                   nameOf(checker->getMethod()) + " does not have");
         if (checker && checker->getTeam().getStateSpace() != space_)
             throw ompl::Exception("Steps are proved free by a checker of the same space");
+        // A step that is not proved ends in a state that is none.
+        if (checker && !space_->getValueAddressAtIndex(ob::ScopedState<>(space_).get(), 0))
+            throw ompl::Exception(robots_[0]->getName(),
+                                  "steps are proved free in spaces alone whose "
+                                  "getValueAddressAtIndex() tells where numbers are");
         proof_ = checker;
     }
 

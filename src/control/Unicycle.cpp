@@ -1,6 +1,7 @@
 #include "ompl_certificates/control/Unicycle.h"
 
 #include "Planar.h"
+#include "RigidFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ namespace ompl_certificates
                        const ob::RealVectorBounds &velocityBounds, const std::vector<std::string> &controlNames,
                        const ob::RealVectorBounds &controlBounds)
       : DynamicRobot(requirePlanar(shape), velocityNames, velocityBounds, controlNames, controlBounds)
+      , distances_(distancesFromFrame(*shape))
     {
     }
 
@@ -72,6 +74,7 @@ namespace ompl_certificates
                 return std::abs(control[i]) * duration;
             return std::max(std::abs(speeds[i]), std::abs(speeds[i] + duration * control[i])) * duration;
         };
-        std::fill_n(bounds, getBodies().size(), MotionBound{most(0), most(1)});
+        for (std::size_t body = 0; body < distances_.size(); ++body)
+            bounds[body] = {most(0) + most(1) * distances_[body], most(1)};
     }
 }

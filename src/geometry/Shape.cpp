@@ -54,6 +54,22 @@ namespace ompl_certificates
             return corners;
         }
 
+        /** The hull of a box of this size. That of a cube is stretched, which costs a hundredth of searching for it. */
+        ConvexHull hullOfBox(const Eigen::Vector3d &size)
+        {
+            static const ConvexHull cube = convexHull(boxCorners(Eigen::Vector3d::Ones()), 3);
+            // What is too thin, the search refuses.
+            constexpr double thin = 1e-5;
+            if (!(size.minCoeff() > thin * size.maxCoeff()) || !size.allFinite())
+                return convexHull(boxCorners(size), 3);
+            ConvexHull hull = cube;
+            for (Eigen::Vector3d &vertex : hull.vertices)
+                vertex = vertex.cwiseProduct(size);
+            for (ConvexHull::Face &face : hull.faces)
+                face.offset *= face.normal.cwiseAbs().dot(size);
+            return hull;
+        }
+
         /** FCL's hierarchy of boxes over the triangles that are not degenerate */
         std::shared_ptr<fcl::CollisionGeometryd> makeHierarchy(const TriangleMesh &mesh)
         {
@@ -135,7 +151,7 @@ namespace ompl_certificates
         for (const double extent : size)
             checkedSize("size", extent);
         Shape shape(Kind::BOX, 3, 0.0, size);
-        shape.hull_ = std::make_shared<ConvexHull>(convexHull(boxCorners(size), 3));
+        shape.hull_ = std::make_shared<ConvexHull>(hullOfBox(size));
         return shape;
     }
 

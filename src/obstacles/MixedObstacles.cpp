@@ -158,4 +158,18 @@ namespace ompl_certificates
         return std::all_of(members_.begin(), members_.end(),
                            [](const ObstaclesPtr &member) { return member->isClearanceCheap(); });
     }
+
+    ObstacleChange mixedChange(const std::vector<ObstacleChange> &changes)
+    {
+        const auto mixed = [&changes](ObstaclesPtr ObstacleChange::*part, bool needsAll) -> ObstaclesPtr
+        {
+            std::vector<ObstaclesPtr> members;
+            for (const ObstacleChange &change : changes)
+                if (needsAll || change.*part)
+                    members.push_back(change.*part);
+            return members.empty() && !needsAll ? nullptr : std::make_shared<MixedObstacles>(std::move(members));
+        };
+        return {mixed(&ObstacleChange::after, true), mixed(&ObstacleChange::added, false),
+                mixed(&ObstacleChange::removed, false)};
+    }
 }

@@ -157,6 +157,8 @@ namespace ompl_certificates
 
     std::size_t PointCloudSet::removeWithin(const Eigen::AlignedBox3d &wanted)
     {
+        if (wanted.min().hasNaN() || wanted.max().hasNaN())
+            throw ompl::Exception("The box whose points are to be removed has corners that are no numbers");
         Eigen::AlignedBox3d box;
         for (const Layer &layer : layers_)
             box.extend(layer.tree->getCube());

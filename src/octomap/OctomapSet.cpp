@@ -57,6 +57,11 @@ namespace ompl_certificates
         cells_.insert(boxes);
     }
 
+    void OctomapSet::reread()
+    {
+        isRead_ = false;
+    }
+
     ObstacleChange OctomapSet::takeChange()
     {
         if (!isRead_)

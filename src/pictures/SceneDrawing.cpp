@@ -5,8 +5,11 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <ompl/util/Exception.h>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace ompl_certificates
@@ -66,7 +69,19 @@ namespace ompl_certificates
 
     std::string SceneDrawing::colorOf(std::size_t robot)
     {
-        return COLORS[robot % std::size(COLORS)];
+        // After the colors themselves: darker ones, then lighter ones.
+        constexpr double shares[] = {1.0, 0.55, 0.6};
+        constexpr double grounds[] = {0.0, 0.0, 255.0};
+        const std::string color = COLORS[robot % std::size(COLORS)];
+        const std::size_t shade = robot / std::size(COLORS) % std::size(shares);
+        std::ostringstream mixed;
+        mixed << '#' << std::hex << std::uppercase << std::setfill('0');
+        for (const std::size_t digit : {1, 3, 5})
+        {
+            const double part = std::stoi(color.substr(digit, 2), nullptr, 16);
+            mixed << std::setw(2) << std::lround(shares[shade] * part + (1.0 - shares[shade]) * grounds[shade]);
+        }
+        return mixed.str();
     }
 
     std::string SceneDrawing::clipAtFrame(const SceneView &view)

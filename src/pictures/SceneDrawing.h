@@ -35,7 +35,7 @@ namespace ompl_certificates
         {
         }
 
-        /** \brief The color of a robot */
+        /** \brief The color of a robot; after 18 they repeat */
         static std::string colorOf(std::size_t robot);
 
         /** \brief The symbol of goals */

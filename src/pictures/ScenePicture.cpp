@@ -27,7 +27,7 @@ namespace ompl_certificates
         /** How many of the times are between two numbers: many robots have fewer numbers. */
         std::size_t markStep(std::size_t robots)
         {
-            return robots <= 8 ? 40 : robots <= 20 ? 60 : 120;
+            return robots <= 8 ? 40 : robots <= 20 ? 60 : 80;
         }
 
         /** Where a path is at a time */

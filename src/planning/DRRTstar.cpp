@@ -69,6 +69,10 @@ namespace ompl_certificates
         validator_ = std::dynamic_pointer_cast<const CertificateMotionValidator>(si_->getMotionValidator());
         if (!validator_)
             validator_ = std::make_shared<CertificateMotionValidator>(checker_);
+        if (validator_->getFurtherChecker())
+            throw ompl::Exception(getName(),
+                                  "asks robots and pairs of robots one by one, so it cannot heed a validity "
+                                  "checker of the team of your own");
         if (!pdef_)
         {
             setup_ = false;  // solve() needs the objective.

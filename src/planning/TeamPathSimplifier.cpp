@@ -2,6 +2,8 @@
 
 #include "TimedPaths.h"
 
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -219,7 +221,10 @@ namespace ompl_certificates
             moved[index].state = paths_.clone(robot, knots[index].state.get());
             if (!samplers_[robot])
                 samplers_[robot] = space.allocStateSampler();
-            samplers_[robot]->sampleUniformNear(moved[index].state.get(), knots[index].state.get(), distance);
+            // Ways that are curves, such as cars', may leave the bounds, where OMPL's samplers do not work.
+            const auto center = paths_.clone(robot, knots[index].state.get());
+            space.enforceBounds(center.get());
+            samplers_[robot]->sampleUniformNear(moved[index].state.get(), center.get(), distance);
             return accept({{robot, std::move(moved)}}, previous.time, next.time);
         }
 
@@ -290,6 +295,9 @@ namespace ompl_certificates
       , objective_(std::move(objective))
       , checker_(std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker()))
     {
+        const auto validator = std::dynamic_pointer_cast<const CertificateMotionValidator>(si_->getMotionValidator());
+        if (!checker_ && validator)
+            checker_ = {validator, &validator->getChecker()};
         if (!checker_)
             throw ompl::Exception("A TeamPathSimplifier needs a TeamValidityChecker");
     }

@@ -103,7 +103,8 @@ namespace ompl_certificates
         // Other goals are left to OMPL's choice.
         if (planner_ || pa_ || !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
             return;
-        if (getTeam().getRobotCount() > 1)
+        const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si_->getMotionValidator().get());
+        if (getTeam().getRobotCount() > 1 && !(validator && validator->getFurtherChecker()))
             planner_ = std::make_shared<DRRTstar>(si_);
         else
             planner_ = std::make_shared<og::RRTConnect>(si_);

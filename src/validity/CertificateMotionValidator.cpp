@@ -4,10 +4,16 @@
 #include "DiscreteMotionCheck.h"
 #include "SampledMotionCheck.h"
 
+#include "ompl_certificates/validity/Basic.h"
+#include "ompl_certificates/validity/Partial.h"
+#include "ompl_certificates/validity/SharedProjection.h"
+
 #include <algorithm>
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/constraint/ConstrainedStateSpace.h>
 #include <ompl/util/Exception.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
@@ -19,6 +25,14 @@ namespace ompl_certificates
         void countMotion(unsigned int &counter)
         {
             __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
+        }
+
+        /** Whether a checker knows what this library's certificates know, and no more */
+        bool isOfLibrary(const ob::StateValidityChecker &checker)
+        {
+            const std::type_info &type = typeid(checker);
+            return type == typeid(TeamValidityChecker) || type == typeid(SharedProjection) || type == typeid(Partial) ||
+                   type == typeid(Basic) || type == typeid(ob::AllValidStateValidityChecker);
         }
 
         /** Whether all samples of a motion are free, by whichever is quicker; if not, the last argument is set to the
@@ -85,10 +99,43 @@ namespace ompl_certificates
     {
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
-        const bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_)
-                                             : ContinuousMotionCheck(check, *context, s1, s2).isFree();
+        const bool free = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_)
+                                            : ContinuousMotionCheck(check, *context, s1, s2).isFree();
+        double unused;
+        const bool valid = free && areSamplesValid(s1, s2, unused);
         countMotion(valid ? valid_ : invalid_);
         return valid;
+    }
+
+    const ob::StateValidityChecker *CertificateMotionValidator::getFurtherChecker() const
+    {
+        for (const ob::StateValidityChecker *checker :
+             {static_cast<const ob::StateValidityChecker *>(si_->getStateValidityChecker().get()),
+              static_cast<const ob::StateValidityChecker *>(checker_.get())})
+            if (checker && !isOfLibrary(*checker))
+                return checker;
+        return nullptr;
+    }
+
+    bool CertificateMotionValidator::areSamplesValid(const ob::State *s1, const ob::State *s2, double &free) const
+    {
+        const ob::StateValidityChecker *checker = getFurtherChecker();
+        if (!checker)
+            return true;
+        const ob::StateSpacePtr &space = si_->getStateSpace();
+        const unsigned int count = std::max(1U, space->validSegmentCount(s1, s2));
+        ob::ScopedState<> sample(space);
+        for (unsigned int i = 1; i <= count; ++i)
+        {
+            if (i < count)
+                space->interpolate(s1, s2, static_cast<double>(i) / count, sample.get());
+            if (!checker->isValid(i < count ? sample.get() : s2))
+            {
+                free = static_cast<double>(i - 1) / count;
+                return false;
+            }
+        }
+        return true;
     }
 
     bool CertificateMotionValidator::isRobotMotionFree(unsigned int robot, const ob::State *from,
@@ -122,8 +169,15 @@ namespace ompl_certificates
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
         double free = 1.0;
-        const bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
-                                             : isProved(check, *context, s1, s2, free);
+        bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
+                                       : isProved(check, *context, s1, s2, free);
+        if (double most = 1.0; !areSamplesValid(s1, s2, most))
+        {
+            // How far a proof goes that ends earlier is not known.
+            if (most < free)
+                free = mode_ == DISCRETE ? most : 0.0;
+            valid = false;
+        }
         countMotion(valid ? valid_ : invalid_);
         if (!valid)
         {

@@ -3,10 +3,16 @@
 #include "TeamCheck.h"
 
 #include <algorithm>
+#include <cmath>
+#include <ompl/base/ScopedState.h>
+#include <ompl/control/PlannerData.h>
+#include <ompl/control/SpaceInformation.h>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
+    namespace oc = ompl::control;
 
     Revalidation::Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
                                CertificateMotionValidator::Mode mode)
@@ -32,6 +38,23 @@ namespace ompl_certificates
         return !checker_ || (checker_->isValid(from) && validator_->checkMotion(from, to));
     }
 
+    bool Revalidation::staysValid(const ob::State *from, const oc::Control *control, double duration) const
+    {
+        const auto *si = dynamic_cast<const oc::SpaceInformation *>(checker_->getSpaceInformation());
+        if (!si)
+            throw ompl::Exception("Revalidation", "controls need a checker whose space information has them");
+        ob::ScopedState<> state(si->getStateSpace());
+        si->copyState(state.get(), from);
+        const auto steps = std::lround(duration / si->getPropagationStepSize());
+        for (long step = 0; step < steps; ++step)
+        {
+            si->propagate(state.get(), control, 1, state.get());
+            if (!checker_->isValid(state.get()))
+                return false;
+        }
+        return true;
+    }
+
     Revalidation::Invalid Revalidation::findInvalid(const ob::PlannerData &data) const
     {
         Invalid invalid;
@@ -50,10 +73,31 @@ namespace ompl_certificates
             data.getEdges(i, ends);
             std::sort(ends.begin(), ends.end());
             for (const unsigned int end : ends)
-                if (!isValid[i] || !isValid[end] ||
-                    !validator_->checkMotion(data.getVertex(i).getState(), data.getVertex(end).getState()))
+            {
+                const ob::State *from = data.getVertex(i).getState(), *to = data.getVertex(end).getState();
+                const auto *edge = dynamic_cast<const oc::PlannerDataEdgeControl *>(&data.getEdge(i, end));
+                const auto isFree = [&] {
+                    return edge ? staysValid(from, edge->getControl(), edge->getDuration())
+                                : validator_->checkMotion(from, to);
+                };
+                if (!isValid[i] || !isValid[end] || !isFree())
                     invalid.edges.emplace_back(i, end);
+            }
         }
+        return invalid;
+    }
+
+    std::vector<std::size_t> Revalidation::findInvalidEdges(const oc::PathControl &path) const
+    {
+        std::vector<std::size_t> invalid;
+        if (!checker_)
+            return invalid;
+        if (path.getStateCount() == 1 && !staysValid(path.getState(0)))
+            invalid.push_back(0);
+        for (unsigned int i = 0; i + 1 < path.getStateCount(); ++i)
+            if (!checker_->isValid(path.getState(i)) ||
+                !staysValid(path.getState(i), path.getControl(i), path.getControlDuration(i)))
+                invalid.push_back(i);
         return invalid;
     }
 

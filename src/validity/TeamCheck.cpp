@@ -303,6 +303,14 @@ namespace ompl_certificates
         return "";
     }
 
+    bool TeamCheck::mayReplaceAll(const ObstacleChange &change) const
+    {
+        if (change.added || change.removed || change.after == obstacles_)
+            return false;
+        const std::uint64_t fingerprint = change.after->getFingerprint();
+        return fingerprint == 0 || fingerprint != obstacles_->getFingerprint();
+    }
+
     void TeamCheck::change(const ObstacleChange &change)
     {
         for (const ObstaclesPtr &obstacles : {change.after, change.added, change.removed})
@@ -310,7 +318,12 @@ namespace ompl_certificates
                 requireObstacles(obstacles, team_);
         ObstaclesPtr before;  // Large obstacles take time to destroy: when the checks go on.
         WorldLock::Change world(lock_);
-        CertificateRepair repair(checkMethod_->getStores(), change);
+        world.open();
+        // Who tells of other obstacles alone may have taken the rest for optional.
+        const ObstacleChange whole =
+            mayReplaceAll(change) ? ObstacleChange::replacing(obstacles_, change.after) : change;
+        world.close();
+        CertificateRepair repair(checkMethod_->getStores(), whole);
         world.open();
         repair.find();
         world.close();

@@ -35,18 +35,28 @@ namespace ompl_certificates
         return last;
     }
 
-    void WorldLock::Check::enter(std::atomic<int> &count, const std::atomic<bool> &bars)
+    void WorldLock::Check::enterHold()
     {
         // A check enters, then looks for a change. A change announces itself, then waits for checks to leave. So one of
         // them sees the other.
+        for (lock_.holds_.fetch_add(1); lock_.barsHolds_.load(); lock_.holds_.fetch_add(1))
+        {
+            lock_.holds_.fetch_sub(1);
+            const std::lock_guard<std::mutex> untilAllSteps(lock_.changes_);
+        }
+        holds_ = &lock_.holds_;
+    }
+
+    void WorldLock::Check::enter(std::atomic<int> &count)
+    {
         bool waits = false;
-        for (count.fetch_add(1); bars.load(); count.fetch_add(1))
+        for (count.fetch_add(1); lock_.barsChecks_.load(); count.fetch_add(1))
         {
             count.fetch_sub(1);
             if (!waits)
                 lock_.waiting_.fetch_add(1);
             waits = true;
-            const std::lock_guard<std::mutex> wait(lock_.mutex_);
+            const std::lock_guard<std::mutex> untilThisStep(lock_.mutex_);
         }
         if (waits)
             lock_.waiting_.fetch_sub(1);
@@ -57,12 +67,9 @@ namespace ompl_certificates
         if (find(outer_, lock_) == nullptr)
         {
             if (kind == HELD)
-            {
-                enter(lock_.holds_, lock_.barsHolds_);
-                holds_ = &lock_.holds_;
-            }
+                enterHold();
             checks_ = &lock_.slots_[threadNumber() % SLOTS].checks;
-            enter(*checks_, lock_.barsChecks_);
+            enter(*checks_);
         }
         last_ = this;
     }
@@ -102,8 +109,8 @@ namespace ompl_certificates
 
     void WorldLock::Change::open()
     {
+        // Holds stay out: the change would wait for each of them.
         lock_.barsChecks_.store(false);
-        lock_.barsHolds_.store(false);
         checks_.unlock();
         // Otherwise those that wait would find the change going on again when they wake.
         while (lock_.waiting_.load() != 0)

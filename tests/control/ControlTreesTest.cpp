@@ -6,8 +6,14 @@
 #include "support/Quiet.h"
 #include "support/Random.h"
 
+#include "ompl_certificates/obstacles/ObstacleSet.h"
+#include "ompl_certificates/validity/Revalidation.h"
+
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
+#include <ompl/control/PlannerData.h>
 #include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/kpiece/KPIECE1.h>
 #include <ompl/control/planners/pdst/PDST.h>
@@ -109,6 +115,73 @@ TEST(ControlTreesTest, StayWithinLimits)
     setup->getPlanner()->getPlannerData(data);
     for (unsigned int i = 0; i < data.numVertices(); ++i)
         EXPECT_TRUE(setup->getStateSpace()->satisfiesBounds(data.getVertex(i).getState()));
+}
+
+TEST(ControlTreesTest, RevalidationPropagatesEdgesAgain)
+{
+    ObstacleSet set(2);
+    for (int i = 0; i < 60; ++i)
+        set.add({Body::box(0.05, 0.05), planarPose(-2.9 + 0.1 * i, 2.8)});
+    const auto robots = allKinds();
+    TeamControlSetup setup(teamOf({robots[1], robots[3], robots[5]}), set.takeChange().after);
+    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
+    start = std::vector<double>{-1.5, 0.0, 0.0, 0.0, -1.0, -2.0, 0.0, 0.0, 0.0, 1.5, 0.0, 3.0, 3.0};
+    goal = std::vector<double>{1.5, 1.0, 0.0, 0.0, -1.0, 0.7, 0.0, 0.0, 0.0, 1.5, -1.5, 3.0, 3.0};
+    setup.setStartAndGoalStates(start, goal, 0.5);
+    treeOf(setup, "RRT", 2, 2000);
+    oc::PlannerData controls(setup.getSpaceInformation());
+    setup.getPlanner()->getPlannerData(controls);
+    ASSERT_GT(controls.numVertices(), 100U);
+
+    for (const double y : {-1.5, 0.3, 1.0})
+        set.add({Body::box(0.15, 0.3), planarPose(0.0, y)});
+    const ObstacleChange change = set.takeChange();
+    setup.getTeamChecker()->changeObstacles(change);
+    const Revalidation revalidation(*setup.getTeamChecker(), change);
+    const auto found = revalidation.findInvalid(controls);
+
+    const auto &si = setup.getSpaceInformation();
+    std::vector<unsigned int> vertices, ends;
+    std::vector<std::pair<unsigned int, unsigned int>> edges;
+    unsigned int between = 0;
+    ob::ScopedState<> state(si->getStateSpace());
+    for (unsigned int i = 0; i < controls.numVertices(); ++i)
+    {
+        const ob::State *from = controls.getVertex(i).getState();
+        const bool isValid = setup.getTeamChecker()->isValid(from);
+        if (!isValid)
+            vertices.push_back(i);
+        controls.getEdges(i, ends);
+        std::sort(ends.begin(), ends.end());
+        for (const unsigned int end : ends)
+        {
+            const auto &edge = static_cast<const oc::PlannerDataEdgeControl &>(controls.getEdge(i, end));
+            const auto steps =
+                static_cast<unsigned int>(std::lround(edge.getDuration() / si->getPropagationStepSize()));
+            const bool isWayFree =
+                si->propagateWhileValid(from, edge.getControl(), static_cast<int>(steps), state.get()) == steps;
+            between += isValid && !isWayFree && setup.getTeamChecker()->isValid(controls.getVertex(end).getState());
+            if (!isValid || !isWayFree)
+                edges.emplace_back(i, end);
+        }
+    }
+    EXPECT_EQ(found.vertices, vertices);
+    EXPECT_EQ(found.edges, edges);
+    EXPECT_FALSE(vertices.empty());
+    EXPECT_GT(between, 0U) << "no edge is invalid between valid ends";
+
+    for (const auto &[from, to] : edges)
+    {
+        const auto &edge = static_cast<const oc::PlannerDataEdgeControl &>(controls.getEdge(from, to));
+        oc::PathControl one(si);
+        one.append(controls.getVertex(from).getState());
+        one.append(controls.getVertex(to).getState(), edge.getControl(), edge.getDuration());
+        EXPECT_EQ(revalidation.findInvalidEdges(one), std::vector<std::size_t>{0});
+    }
+    const auto withoutControls = std::make_shared<ob::SpaceInformation>(setup.getStateSpace());
+    const TeamValidityChecker geometric(withoutControls, change.after, Method::SHARED_PROJECTION);
+    EXPECT_NE(messageOf([&] { Revalidation(geometric, change).findInvalid(controls); }).find("controls need a checker"),
+              std::string::npos);
 }
 
 TEST(ControlTreesTest, ProvenTreesAreEqualUnderAllMethodsWithCertificates)

@@ -1,11 +1,14 @@
 #include "DynamicProblems.h"
 
+#include "ompl_certificates/control/CheckDynamicRobot.h"
+
 #include "support/Message.h"
 #include "support/Random.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -127,12 +130,126 @@ TEST(DynamicRobotTest, LimitsHoldVelocitiesAndHinge)
     EXPECT_FALSE(robots[5]->isWithinLimits(train.get()));
 }
 
+namespace
+{
+    /** A robot whose bodies are moved from the frame of its state */
+    class Moved : public Robot
+    {
+    public:
+        Moved(const RobotPtr &robot, std::vector<Pose> places)
+          : Robot("moved", robot->getStateSpace(), std::vector<Body>(places.size(), robot->getBodies()[0]))
+          , robot_(robot)
+          , places_(std::move(places))
+        {
+        }
+
+        void computePoses(const ob::State *state, Pose *poses) const override
+        {
+            robot_->computePoses(state, poses);
+            const Pose frame = poses[0];
+            for (std::size_t body = 0; body < places_.size(); ++body)
+                poses[body] = frame * places_[body];
+            if (isLoose)
+                poses[places_.size() - 1].translation().x() *= 1.001;
+        }
+
+        void computeMotionBounds(const ob::State * /*from*/, const ob::State * /*to*/,
+                                 MotionBound * /*bounds*/) const override
+        {
+        }
+
+        bool isLoose{false};
+
+    private:
+        const RobotPtr robot_;
+        const std::vector<Pose> places_;
+    };
+
+    /** Steps whose bounds are a little too small */
+    class Optimist : public DynamicRobot
+    {
+    public:
+        explicit Optimist(const std::shared_ptr<const DynamicRobot> &robot)
+          : DynamicRobot(RigidRobot::inSE2("optimist", Body::box(0.5, 0.25), within({3.0, 3.0})), {},
+                         ob::RealVectorBounds(0), robot->getControlNames(), robot->getControlBounds())
+          , robot_(robot)
+        {
+        }
+
+        void propagate(const ob::State *from, const double *control, double duration, ob::State *to) const override
+        {
+            robot_->propagate(from, control, duration, to);
+            if (forgets)
+                to->as<ob::SE2StateSpace::StateType>()->setX(from->as<ob::SE2StateSpace::StateType>()->getX());
+            if (fails)
+                to->as<ob::SE2StateSpace::StateType>()->setX(std::nan(""));
+        }
+
+        void computeStepBounds(const ob::State *from, const double *control, double duration,
+                               MotionBound *bounds) const override
+        {
+            robot_->computeStepBounds(from, control, duration, bounds);
+            bounds[0].linear *= share;
+            if (writesMore)
+                bounds[1] = bounds[0];
+        }
+
+        double share{1.0};
+        bool writesMore{false}, fails{false}, forgets{false};
+
+    private:
+        const std::shared_ptr<const DynamicRobot> robot_;
+    };
+}
+
+TEST(DynamicRobotTest, BodiesMayLieBesideTheFrame)
+{
+    const auto space = within({3.0, 3.0});
+    const RobotPtr box = RigidRobot::inSE2("box", Body::box(0.5, 0.25), space),
+                   disc = RigidRobot::disc("disc", 0.1, space);
+    const std::vector<Pose> ahead{planarPose(2.0, 0.0, 0.3), planarPose(0.0, 0.0), planarPose(-0.5, 1.0, 3.0)};
+    const auto turning = std::make_shared<Moved>(box, ahead), straight = std::make_shared<Moved>(disc, ahead);
+    for (const std::shared_ptr<const DynamicRobot> &robot :
+         {std::shared_ptr<const DynamicRobot>(Unicycle::firstOrder(turning, within({0.5, 2.0}))),
+          std::shared_ptr<const DynamicRobot>(Unicycle::secondOrder(turning, within({0.5, 0.5}), within({0.25, 0.25}))),
+          std::shared_ptr<const DynamicRobot>(Car::alone(turning, within({0.5, 1.0}), 0.25)),
+          std::shared_ptr<const DynamicRobot>(Integrator::firstOrder(straight, within({0.5, 0.5})))})
+        EXPECT_EQ(messageOf([&] { checkDynamicRobot(*robot, 0.5); }), "");
+
+    turning->isLoose = straight->isLoose = true;
+    const std::string loose = "moved: its body 2 is not fixed to the frame of its state";
+    EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(turning, space); }), loose);
+    EXPECT_EQ(messageOf([&] { Car::alone(turning, within({0.5, 1.0}), 0.25); }), loose);
+    EXPECT_EQ(messageOf([&] { Integrator::firstOrder(straight, space); }), loose);
+}
+
+TEST(DynamicRobotTest, TrialFindsWrongSteps)
+{
+    for (const auto &robot : allKinds())
+        EXPECT_EQ(messageOf([&] { checkDynamicRobot(*robot, 0.5); }), "");
+    const auto complaint = [](auto change)
+    {
+        Optimist optimist(allKinds()[2]);
+        change(optimist);
+        return messageOf([&] { checkDynamicRobot(optimist, 0.5); });
+    };
+    EXPECT_EQ(complaint([](Optimist &) {}), "");
+    EXPECT_NE(complaint([](Optimist &robot) { robot.share = 0.99; }).find("of body 0 moves"), std::string::npos);
+    EXPECT_NE(complaint([](Optimist &robot) { robot.share = -1.0; }).find("must not be negative"), std::string::npos);
+    EXPECT_NE(complaint([](Optimist &robot) { robot.writesMore = true; }).find("writes more"), std::string::npos);
+    EXPECT_NE(complaint([](Optimist &robot) { robot.fails = true; }).find("not finite"), std::string::npos);
+    EXPECT_NE(complaint([](Optimist &robot) { robot.forgets = true; }).find("if both states are one"),
+              std::string::npos);
+    EXPECT_EQ(messageOf([] { checkDynamicRobot(*allKinds()[0], 0.0); }),
+              "single: the longest step must be positive, not 0 s");
+}
+
 TEST(DynamicRobotTest, RefusesBadParts)
 {
     const auto space = within({1.0, 1.0});
     const RobotPtr disc = RigidRobot::disc("disc", 0.1, space), box = RigidRobot::inSE2("box", Body::box(1, 1), space);
     EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(disc, space); }), "disc: its shape must move in SE(2)");
-    EXPECT_EQ(messageOf([&] { Integrator::firstOrder(box, space); }), "box: its shape must move in R^n");
+    EXPECT_EQ(messageOf([&] { Integrator::firstOrder(box, space); }), "box: its shape must move in R^2 or R^3");
     EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(box, within({1.0})); }),
               "box: the bounds of its controls must have 2 dimensions, not 1");
     EXPECT_EQ(messageOf(

@@ -3,6 +3,8 @@
 
 #include "ompl_certificates/obstacles/CheckObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
+#include "ompl_certificates/obstacles/PointCloudSet.h"
+#include "ompl_certificates/obstacles/ObstacleSet.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -132,6 +134,29 @@ TEST(MixedObstacles, PromiseNoMoreThanEachOfThem)
     const ZInterval common = MixedObstacles({low, high}).getZInterval();
     EXPECT_EQ(common.low, 1.0);
     EXPECT_EQ(common.high, 2.0);
+}
+
+TEST(MixedObstacles, ChangeAsTheirMembersDo)
+{
+    ObstacleSet shapes(3);
+    PointCloudSet points(0.1);
+    const ObstacleSet::Id box = shapes.add({Body::box(1.0, 1.0, 1.0)});
+    points.insert({Eigen::Vector3d(5.0, 0.0, 0.0)});
+    const ObstacleChange first = mixedChange({shapes.takeChange(), points.takeChange()});
+    EXPECT_NEAR(first.after->clearance({3.0, 0.0, 0.0}), 1.9, 1e-12);
+    EXPECT_NEAR(first.added->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
+    EXPECT_FALSE(first.removed);
+
+    shapes.remove(box);
+    const ObstacleChange second = mixedChange({shapes.takeChange(), points.takeChange()});
+    EXPECT_NEAR(second.after->clearance({2.0, 0.0, 0.0}), 2.9, 1e-12);
+    EXPECT_FALSE(second.added);
+    EXPECT_NEAR(second.removed->clearance({2.0, 0.0, 0.0}), 1.5, 1e-12);
+
+    const ObstacleChange none = mixedChange({shapes.takeChange(), points.takeChange()});
+    EXPECT_FALSE(none.added || none.removed);
+    EXPECT_THROW(mixedChange({}), ompl::Exception);
+    EXPECT_THROW(mixedChange({none, ObstacleChange()}), ompl::Exception);
 }
 
 TEST(MixedObstacles, RefuseWhatDoesNotFit)

@@ -278,6 +278,8 @@ TEST(PointCloudSet, RefusesWhatMakesNoSense)
     PointCloudSet set(RADIUS, 2);
     const Eigen::Vector3d here(1.0, 2.0, 0.0), there(3.0, 4.0, 0.0);
     EXPECT_THROW(set.insert({here, Eigen::Vector3d(NAN, 0.0, 0.0)}), ompl::Exception);
+    EXPECT_THROW(set.removeWithin({Eigen::Vector3d(NAN, 0.0, 0.0), Eigen::Vector3d::Ones()}), ompl::Exception);
+    EXPECT_THROW(set.removeWithin({Eigen::Vector3d::Zero(), Eigen::Vector3d(1.0, NAN, 1.0)}), ompl::Exception);
     EXPECT_THROW(set.insert({here, Eigen::Vector3d(0.0, 0.0, 1.0)}), ompl::Exception);
     EXPECT_EQ(set.size(), 0U);
     set.insert({here});

@@ -141,6 +141,33 @@ INSTANTIATE_TEST_SUITE_P(Options, OctomapSets,
                                          Case{"veryCoarseSlice", 4, ZInterval{0.1, 0.5}}),
                          [](const auto &instance) { return std::string(instance.param.name); });
 
+TEST_P(OctomapSets, RereadWhatTheMapDoesNotNote)
+{
+    octomap::OcTree map(RESOLUTION);
+    // Two cells far from each other, of which the second was seen twice
+    map.updateNode(octomap::point3d(0.1F, 0.1F, 0.1F), true);
+    for (int times = 0; times < 2; ++times)
+        map.updateNode(octomap::point3d(3000.0F, 0.1F, 0.1F), true);
+    OctomapSet set(map, options());
+    const auto edge = 1 << (16U - GetParam().depth);
+    const auto now = [&] { return cellsOf(OctomapObstacles(map, options()), edge); };
+    EXPECT_EQ(cellsOf(*set.takeChange().after, 1), now());
+    EXPECT_EQ(now().size(), 2U);
+    map.setOccupancyThres(0.8);
+    set.reread();
+    const ObstacleChange less = set.takeChange();
+    EXPECT_EQ(cellsOf(*less.after, 1), now());
+    EXPECT_EQ(now().size(), 1U);
+    EXPECT_TRUE(less.removed && !less.added);
+
+    set.reread();
+    const ObstacleChange same = set.takeChange();
+    EXPECT_FALSE(same.added || same.removed);
+    map.clear();
+    set.reread();
+    EXPECT_TRUE(cellsOf(*set.takeChange().after, 1).empty());
+}
+
 TEST(OctomapSet, RefusesWhatMakesNoSense)
 {
     octomap::OcTree map(RESOLUTION);

@@ -1,11 +1,13 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "pictures/SceneDrawing.h"
 #include "support/Svg.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
 #include <regex>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -70,6 +72,19 @@ namespace ompl_certificates
             for (std::sregex_iterator i(svg.begin(), svg.end(), mark), end; i != end; ++i)
                 places.emplace_back((std::stod((*i)[1]) - left) / 7.2 - 10.0, 50.0 - (std::stod((*i)[2]) - top) / 7.2);
             return places;
+        }
+
+        TEST(ScenePicture, HasEighteenColors)
+        {
+            std::set<std::string> colors;
+            for (std::size_t robot = 0; robot < 18; ++robot)
+            {
+                colors.insert(SceneDrawing::colorOf(robot));
+                EXPECT_TRUE(std::regex_match(SceneDrawing::colorOf(robot), std::regex("#[0-9A-F]{6}")));
+            }
+            EXPECT_EQ(colors.size(), 18U);
+            EXPECT_EQ(SceneDrawing::colorOf(0), "#0072B2");
+            EXPECT_EQ(SceneDrawing::colorOf(18), SceneDrawing::colorOf(0));
         }
 
         TEST(ScenePicture, NumbersShowWhereRobotsAreAtEqualTimes)

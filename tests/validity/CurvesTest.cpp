@@ -1,7 +1,9 @@
 #include "support/ErrorsOnly.h"
 #include "support/Teams.h"
 
+#include "ompl_certificates/planning/TeamPathSimplifier.h"
 #include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/team/TeamPathLength.h"
 #include "ompl_certificates/validity/SharedProjection.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +50,32 @@ namespace
     class Curves : public ErrorsOnly<std::shared_ptr<ob::SE2StateSpace>>
     {
     };
+}
+
+/** Between states within the bounds, curves may leave them. */
+TEST_P(Curves, MayBeSimplifiedWhereTheyLeaveTheBounds)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(std::make_shared<CurveRobot>(GetParam()));
+    const TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 2));
+    const auto &si = setup.getSpaceInformation();
+    si->setup();
+    Random random(2);
+    for (unsigned int i = 0; i < scaled(20); ++i)
+    {
+        ompl::geometric::PathGeometric path(si);
+        for (int k = 0; k < 5; ++k)
+        {
+            ob::ScopedState<> state(team);
+            state = std::vector<double>{9.9, random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
+            path.append(state.get());
+        }
+        // The corners on the way are then what is moved.
+        path.interpolate(20);
+        TeamPathSimplifier(si, std::make_shared<TeamPathLength>(si))
+            .simplify(path, 200, ob::plannerNonTerminatingCondition());
+        EXPECT_TRUE(path.check());
+    }
 }
 
 /** Of curves that are equally long, one is taken on the way there and another on the way back: each is proved as it is

@@ -91,6 +91,24 @@ TEST(WorldLock, LetsOthersCheckForWhoHoldsItWhileAChangeWaits)
     EXPECT_TRUE(isDone(isAlsoHeld, VERY_LONG));
 }
 
+TEST(WorldLock, LetsChecksInBetweenTheStepsOfAChangeButNoHolds)
+{
+    const auto lock = std::make_shared<WorldLock>();
+    auto changing = std::make_unique<WorldLock::Change>(*lock);
+    const auto isHeld = inThread<WorldLock::Check>(lock, WorldLock::Check::HELD);
+    for (int step = 0; step < 2; ++step)
+    {
+        const auto isChecked = inThread<WorldLock::Check>(lock);
+        EXPECT_FALSE(isDone(isChecked, A_MOMENT));
+        changing->open();
+        EXPECT_TRUE(isDone(isChecked, VERY_LONG));
+        EXPECT_FALSE(isDone(isHeld, A_MOMENT));
+        changing->close();
+    }
+    changing.reset();
+    EXPECT_TRUE(isDone(isHeld, VERY_LONG));
+}
+
 TEST(WorldLock, HoldsEndInAnyOrder)
 {
     const auto lock = std::make_shared<WorldLock>();

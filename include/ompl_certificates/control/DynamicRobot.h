@@ -12,7 +12,8 @@ namespace ompl_certificates
     /** \brief A robot that moves by controls.
 
         It has the bodies of another robot, its shape. Its space is that of the shape or, if the state has velocities, a
-        compound of it and an R^n of them. Derive from this class to bring your own kind of dynamics. */
+        compound of it and an R^n of them. Derive from this class to bring your own kind of dynamics, and try it with
+        checkDynamicRobot(). */
     class DynamicRobot : public Robot
     {
     public:

@@ -12,8 +12,10 @@ namespace ompl_certificates
     class Integrator : public DynamicRobot
     {
     public:
-        /** \brief A single integrator. \e shape moves in R^n, such as a RigidRobot::disc().
-            \throws ompl::Exception if the space of \e shape is another one, or bounds do not have its dimension */
+        /** \brief A single integrator. \e shape moves in R^2 or R^3, such as a RigidRobot::disc(), and its bodies do not
+            move against each other.
+            \throws ompl::Exception if the space of \e shape is another one, if a body does not move as its state does, or
+            if bounds do not have its dimension */
         static std::shared_ptr<Integrator> firstOrder(const RobotPtr &shape,
                                                       const ompl::base::RealVectorBounds &velocityBounds);
 

@@ -37,7 +37,8 @@ namespace ompl_certificates
         static std::shared_ptr<ompl::control::RealVectorControlSpace> makeControlSpace(const TeamStateSpacePtr &team);
 
         /** \brief Prove each step free from now on; null to stop that. Not while others use the propagator.
-            \throws ompl::Exception if \e checker uses a method without certificates, or is of another space */
+            \throws ompl::Exception if \e checker uses a method without certificates, or is of another space; and if
+            getValueAddressAtIndex() of the team's space, and so of the first robot's, tells no address */
         void requireProof(const std::shared_ptr<const TeamValidityChecker> &checker);
 
         /** \brief Whether all of a step is proved free, both ends included. If so, \e result, the state at its end, is

@@ -16,7 +16,8 @@ namespace ompl_certificates
     {
     public:
         /** \brief A unicycle whose controls are its speeds, in length units and radians per second
-            \throws ompl::Exception if \e shape is not in SE(2), or bounds do not have 2 dimensions */
+            \throws ompl::Exception if \e shape is not in SE(2), if a body is not fixed to the frame of its state, or if
+            bounds do not have 2 dimensions */
         static std::shared_ptr<Unicycle> firstOrder(const RobotPtr &shape,
                                                     const ompl::base::RealVectorBounds &speedBounds);
 
@@ -35,6 +36,9 @@ namespace ompl_certificates
         Unicycle(const RobotPtr &shape, const std::vector<std::string> &velocityNames,
                  const ompl::base::RealVectorBounds &velocityBounds, const std::vector<std::string> &controlNames,
                  const ompl::base::RealVectorBounds &controlBounds);
+
+        /** \brief How far the frame of each body is from that of the state */
+        const std::vector<double> distances_;
     };
 }
 

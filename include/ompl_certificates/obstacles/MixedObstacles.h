@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_OBSTACLES_MIXED_OBSTACLES_
 #define OMPL_CERTIFICATES_OBSTACLES_MIXED_OBSTACLES_
 
-#include "ompl_certificates/obstacles/Obstacles.h"
+#include "ompl_certificates/obstacles/ObstacleChange.h"
 
 #include <vector>
 
@@ -72,6 +72,11 @@ namespace ompl_certificates
 
         std::vector<ObstaclesPtr> members_;
     };
+
+    /** \brief One change of MixedObstacles from those of its members, in their order: from an ObstacleSet, a PointCloudSet
+        and an OctomapSet, say. A member without changes is one with nothing added and removed.
+        \throws ompl::Exception as MixedObstacles::MixedObstacles() */
+    ObstacleChange mixedChange(const std::vector<ObstacleChange> &changes);
 }
 
 #endif

@@ -9,10 +9,16 @@
 
 namespace ompl_certificates
 {
-    /** \brief What has changed among obstacles, for the repair of known clearances. ObstacleSet makes these; for
-        obstacles of another kind make them yourself. */
+    /** \brief What has changed among obstacles, for the repair of known clearances. Sets make these, such as ObstacleSet;
+        see replacing() for obstacles that are new altogether. */
     struct ObstacleChange
     {
+        /** \brief The change from all obstacles \e before to others: all that is known of them is given up. */
+        static ObstacleChange replacing(const ObstaclesPtr &before, const ObstaclesPtr &after)
+        {
+            return {after, after, before};
+        }
+
         /** \brief All obstacles, as they are now */
         ObstaclesPtr after;
 

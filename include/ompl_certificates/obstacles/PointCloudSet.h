@@ -51,7 +51,8 @@ namespace ompl_certificates
 
         /** \brief Remove all points within \e box, its faces included; the box may be infinite. Cost: proportional to
             the points in and near it.
-            \return how many they were */
+            \return how many they were
+            \throws ompl::Exception if a coordinate of the box is not a number */
         std::size_t removeWithin(const Eigen::AlignedBox3d &box);
 
         /** \brief The number of points */

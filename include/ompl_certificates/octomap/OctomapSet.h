@@ -15,9 +15,10 @@ namespace ompl_certificates
         map.insertPointCloud(scan, sensor);
         setup.getTeamChecker()->changeObstacles(set.takeChange());
         @endcode
-        The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). What is
-        changed without that, such as by reading a file into the map, is not seen. A map can have one such set at a
-        time, and nobody else may reset its change detection: certificates would stay that are no longer true.
+        The map itself notes which of its cells have changed, see octomap::OcTree::enableChangeDetection(). It does not
+        note what deleteNode(), clear(), another threshold of occupancy or a file that is read into it change: then call
+        reread(). A map can have one such set at a time, and nobody else may reset its change detection: certificates
+        would stay that are no longer true.
         Not for several threads at once, and not while another changes the map. */
     class OctomapSet
     {
@@ -35,9 +36,13 @@ namespace ompl_certificates
         OctomapSet &operator=(const OctomapSet &) = delete;
 
         /** \brief The obstacles now, and what was added and removed since the last call. Resets the map's change
-            detection. Cost: some tens of µs for each block of 16 cells along each axis in which a cell has changed, in
-            a slice for each column of blocks; the first time as for OctomapObstacles. */
+            detection. Cost: some 0.1 ms for each block of 16 cells along each axis in which the map notes a change, in a
+            slice for each column of blocks; the first time, and after reread(), as for OctomapObstacles. */
         ObstacleChange takeChange();
+
+        /** \brief Lets the next takeChange() read all of the map, whatever it has noted. What is the same there as before
+            is no change. */
+        void reread();
 
     private:
         /** \brief Makes the cells of a box of whole cells, in the map's own ones, those of the map */

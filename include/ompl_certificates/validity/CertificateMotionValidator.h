@@ -31,6 +31,9 @@ namespace ompl_certificates
         - So is a robot in SE(3) that turns, but by less than 2e-4 rad, unless it is a ball about its origin. OMPL's
           interpolation makes such a turn in one jump.
 
+        A validity checker of your own, in the space information or derived from a class of this library, is heeded: see
+        getFurtherChecker().
+
         May be used by many threads at once. */
     class CertificateMotionValidator : public ompl::base::MotionValidator
     {
@@ -74,6 +77,12 @@ namespace ompl_certificates
             return *checker_;
         }
 
+        /** \brief The validity checker that knows more than this library: that of the space information, or the one this
+            validator was made with, if its class is not one of this library's. Null if neither is. Where a motion is
+            free, all its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
+            too. That costs what it costs, so let it look at what the certificates do not know, first. */
+        const ompl::base::StateValidityChecker *getFurtherChecker() const;
+
         /** \brief When a motion is valid, as given to the constructor */
         Mode getMode() const
         {
@@ -81,6 +90,10 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Whether the further checker, if there is one, finds all samples valid after the first
+            \param free set to the time of the last one before the first that is not */
+        bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &free) const;
+
         std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;
         bool isSampled_;

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <ompl/base/PlannerData.h>
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <optional>
 #include <utility>
@@ -54,12 +55,18 @@ namespace ompl_certificates
             std::vector<std::pair<unsigned int, unsigned int>> edges;
         };
 
-        /** \brief Which vertices and edges of \e data, all valid before, are no longer valid */
+        /** \brief Which vertices and edges of \e data, all valid before, are no longer valid. Edges of planners with
+            controls are propagated again, in the steps of the space information of the checker.
+            \throws ompl::Exception if \e data has controls, and that space information has none */
         Invalid findInvalid(const ompl::base::PlannerData &data) const;
 
         /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to
             state i + 1. If it has a single state, 0 is that state. */
         std::vector<std::size_t> findInvalidEdges(const ompl::geometric::PathGeometric &path) const;
+
+        /** \brief The same for a path of controls, which are propagated again
+            \throws ompl::Exception as findInvalid() */
+        std::vector<std::size_t> findInvalidEdges(const ompl::control::PathControl &path) const;
 
         /** \brief The checks made among the added obstacles; null if none were added */
         const TeamValidityChecker *getChecker() const
@@ -68,6 +75,10 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Whether the way that a control leads along stays valid, after its start
+            \throws ompl::Exception if the checker's space information has no controls */
+        bool staysValid(const ompl::base::State *from, const ompl::control::Control *control, double duration) const;
+
         /** \brief Null if nothing was added */
         std::shared_ptr<TeamValidityChecker> checker_;
         std::optional<CertificateMotionValidator> validator_;

@@ -96,7 +96,9 @@ namespace ompl_certificates
         /** \brief Replaces the obstacles. All later verdicts are those of a new checker among the new obstacles.
 
             Waits until the running checks of other threads are done; later checks wait for the change. What a planner
-            found before is not checked again, so clear the planner before it continues.
+            found before is not checked again, so clear the planner before it continues. A change that names neither
+            added nor removed obstacles, but others than there are, counts as ObstacleChange::replacing(). Whether they
+            are others, their fingerprints tell.
             \throws ompl::Exception if there are no obstacles, or if their workspace or z-interval does not fit. Also if
             called within a check. */
         void changeObstacles(const ObstacleChange &change);

@@ -14,7 +14,8 @@ namespace ompl_certificates
         change may let them in between its steps.
 
         A thread may also hold the world for several checks. While it does, checks of all threads may begin: they may be
-        what the holder waits for, as a planner with threads of its own. Only other holds wait for the change. */
+        what the holder waits for, as a planner with threads of its own. Other holds wait for the change, from when it
+        waits for the first until all its steps are done: what holds the world may do so for seconds. */
     class WorldLock
     {
     public:
@@ -47,8 +48,11 @@ namespace ompl_certificates
             /** \brief The check of \e lock among \e last and those entered before it, or null */
             static Check *find(Check *last, const WorldLock &lock);
 
-            /** \brief Adds one to \e count once there is no change that \e bars it */
-            void enter(std::atomic<int> &count, const std::atomic<bool> &bars);
+            /** \brief Counts this hold once there is no change */
+            void enterHold();
+
+            /** \brief Adds one to \e count once no change bars checks */
+            void enter(std::atomic<int> &count);
 
             friend class WorldLock;
 
@@ -75,7 +79,8 @@ namespace ompl_certificates
             Change(const Change &) = delete;
             Change &operator=(const Change &) = delete;
 
-            /** \brief Lets checks begin, and waits until those that wait have begun. Other changes still wait. */
+            /** \brief Lets checks begin, and waits until those that wait have begun. Holds and other changes still
+                wait. */
             void open();
 
             /** \brief Goes on with the change, once all checks have ended */
@@ -104,8 +109,8 @@ namespace ompl_certificates
         std::atomic<bool> barsHolds_{false}, barsChecks_{false};
         /** \brief How many checks wait for a change */
         std::atomic<int> waiting_{0};
-        /** \brief Held by a change, and while no checks may begin. A check waits for the second, never for the
-            first. */
+        /** \brief Held by a change, and while no checks may begin. Holds wait for the first, other checks for the
+            second. */
         std::mutex changes_, mutex_;
     };
 }

@@ -1,0 +1,147 @@
+#include "support/CrowdProblem.h"
+#include "support/Message.h"
+#include "support/Quiet.h"
+
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/validity/SharedProjection.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    using Mode = CertificateMotionValidator::Mode;
+
+    /** The first disc keeps out of a zone that no obstacle fills. */
+    bool keepsOut(const ob::State *state)
+    {
+        const auto *values =
+            state->as<ob::CompoundState>()->components[0]->as<ob::RealVectorStateSpace::StateType>()->values;
+        return std::hypot(values[0], values[1]) > 1.0;
+    }
+
+    class DerivedChecker : public SharedProjection
+    {
+    public:
+        using SharedProjection::SharedProjection;
+
+        bool isValid(const ob::State *state) const override
+        {
+            return keepsOut(state) && SharedProjection::isValid(state);
+        }
+    };
+
+    /** Three robots among boxes whose states are asked of a checker of the user's, derived or put in its place */
+    class FurtherChecker : public testing::TestWithParam<bool>
+    {
+    protected:
+        TeamSetupPtr makeSetup(std::uint64_t seed, Mode mode = CertificateMotionValidator::DISCRETE,
+                               unsigned int boxes = 5) const
+        {
+            auto setup = crowd(seed, 3, 4.0, boxes, Method::SHARED_PROJECTION, mode);
+            const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+            if (GetParam())
+            {
+                const auto obstacles = std::make_shared<FclObstacles>(
+                    std::vector<PlacedBody>{{Body::box(0.5, 2.0), planarPose(2.0, 0.0)}}, 2);
+                const auto derived = std::make_shared<DerivedChecker>(si, obstacles);
+                setup->setStateValidityChecker(derived);
+                si->setMotionValidator(std::make_shared<CertificateMotionValidator>(derived, mode));
+            }
+            else
+                setup->setStateValidityChecker([checker = setup->getTeamChecker()](const ob::State *state)
+                                               { return keepsOut(state) && checker->isValid(state); });
+            si->setup();
+            return setup;
+        }
+
+    private:
+        const Quiet quiet_;
+    };
+}
+
+TEST_P(FurtherChecker, DecidesMotionsAsWithOmplsValidator)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
+    {
+        const auto setup = makeSetup(seed);
+        const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+        const ob::DiscreteMotionValidator reference(si);
+        Random random(seed);
+        ob::ScopedState<> last(si), expected(si);
+        unsigned int refused = 0, motions = 0;
+        for (int i = 0; i < 2000 && motions < 200; ++i)
+        {
+            const ob::ScopedState<> from = randomState(random, si->getStateSpace());
+            const ob::ScopedState<> to = randomStateNear(random, from, random.uniform(0.0, 0.5));
+            if (!si->isValid(from.get()))
+                continue;
+            ++motions;
+            std::pair<ob::State *, double> found(last.get(), -1.0), wanted(expected.get(), -1.0);
+            const bool valid = reference.checkMotion(from.get(), to.get());
+            refused += !valid && setup->getTeamChecker()->isValid(to.get());
+            ASSERT_EQ(si->checkMotion(from.get(), to.get()), valid) << "seed " << seed << " motion " << i;
+            ASSERT_EQ(si->getMotionValidator()->checkMotion(from.get(), to.get(), found),
+                      reference.checkMotion(from.get(), to.get(), wanted));
+            ASSERT_DOUBLE_EQ(found.second, wanted.second) << "seed " << seed << " motion " << i;
+            ASSERT_TRUE(valid || si->equalStates(last.get(), expected.get()));
+        }
+        EXPECT_GT(refused, 3U);
+    }
+}
+
+TEST_P(FurtherChecker, KeepsItsRuleInContinuousMode)
+{
+    const auto setup = makeSetup(3, CertificateMotionValidator::CONTINUOUS);
+    const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+    const ob::DiscreteMotionValidator reference(si);
+    Random random(3);
+    ob::ScopedState<> last(si);
+    unsigned int accepted = 0, refused = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const ob::ScopedState<> from = randomState(random, si->getStateSpace());
+        const ob::ScopedState<> to = randomStateNear(random, from, random.uniform(0.0, 0.5));
+        if (!si->isValid(from.get()))
+            continue;
+        const bool valid = si->checkMotion(from.get(), to.get());
+        ++(valid ? accepted : refused);
+        EXPECT_TRUE(!valid || reference.checkMotion(from.get(), to.get())) << "motion " << i;
+        std::pair<ob::State *, double> found(last.get(), -1.0);
+        EXPECT_EQ(si->getMotionValidator()->checkMotion(from.get(), to.get(), found), valid);
+        EXPECT_TRUE(valid || si->checkMotion(from.get(), last.get())) << "motion " << i;
+    }
+    EXPECT_GT(accepted, 20U);
+    EXPECT_GT(refused, 20U);
+}
+
+TEST_P(FurtherChecker, IsHeededInPlansAndSimplerPaths)
+{
+    ompl::RNG::setSeed(4);
+    const auto setup = makeSetup(4, CertificateMotionValidator::DISCRETE, 0);
+    ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+    start = std::vector<double>{-3.0, 0.1, -3.0, 3.0, 0.0, 3.5, -3.5};
+    goal = std::vector<double>{3.0, 0.1, 3.0, 3.0, 0.0, 3.5, 3.5};
+    setup->setStartAndGoalStates(start, goal);
+    ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(setup->getPlanner()->getName(), "RRTConnect");
+    setup->simplifySolution(2.0);
+    og::PathGeometric path = setup->getSolutionPath();
+    EXPECT_TRUE(path.check());
+    for (unsigned int i = 1; i < path.getStateCount(); ++i)
+        EXPECT_TRUE(ob::DiscreteMotionValidator(setup->getSpaceInformation())
+                        .checkMotion(path.getState(i - 1), path.getState(i)));
+
+    setup->setPlanner(std::make_shared<DRRTstar>(setup->getSpaceInformation()));
+    EXPECT_NE(messageOf([&] { setup->solve(0.1); }).find(GetParam() ? "of your own" : "needs a TeamValidityChecker"),
+              std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FurtherChecker, testing::Bool());
