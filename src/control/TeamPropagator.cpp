@@ -69,8 +69,8 @@ namespace ompl_certificates
         // A step that is not proved ends in a state that is none.
         if (checker && !space_->getValueAddressAtIndex(ob::ScopedState<>(space_).get(), 0))
             throw ompl::Exception(robots_[0]->getName(),
-                                  "steps are proved free in spaces alone whose "
-                                  "getValueAddressAtIndex() tells where numbers are");
+                                  "steps are proved free only in a space whose "
+                                  "getValueAddressAtIndex() tells where its numbers are");
         proof_ = checker;
     }
 

@@ -128,7 +128,6 @@ namespace ompl_certificates
                                                  [&](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
                                                  { return direction.dot(a) < direction.dot(b); }));
         setPoints(chosen);
-        setPoints(chosen);
         const double small = SMALL_ROUNDING * extent_;
         // Points outside, by how far they were when they were last asked: as points are chosen, they only come nearer.
         std::priority_queue<std::pair<double, std::size_t>> outside;
