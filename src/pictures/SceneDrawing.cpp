@@ -76,7 +76,7 @@ namespace ompl_certificates
         const std::size_t shade = robot / std::size(COLORS) % std::size(shares);
         std::ostringstream mixed;
         mixed << '#' << std::hex << std::uppercase << std::setfill('0');
-        for (const std::size_t digit : {1, 3, 5})
+        for (const std::size_t digit : {1UL, 3UL, 5UL})
         {
             const double part = std::stoi(color.substr(digit, 2), nullptr, 16);
             mixed << std::setw(2) << std::lround(shares[shade] * part + (1.0 - shares[shade]) * grounds[shade]);
