@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <gtest/gtest.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Console.h>
@@ -298,63 +297,6 @@ TEST_F(ChangingObstacles, WaitWhileTheyAreHeld)
         EXPECT_GT(seen, 0U) << nameOf(checker->getMethod()) << " " << checker->getCertificateCount();
         EXPECT_EQ(wrong, 0U);
     }
-}
-
-TEST_F(ChangingObstacles, MayBeReplacedByOthersAltogether)
-{
-    const TeamStateSpacePtr team = teamOfDiscs();
-    const auto worldOf = [](std::uint64_t seed)
-    {
-        Random random(seed);
-        std::vector<PlacedBody> bodies;
-        for (int i = 0; i < 60; ++i)
-            bodies.push_back({Body::box(0.4, 0.4), random.pose(2, HALF)});
-        return bodies;
-    };
-    const auto without = [](const std::vector<PlacedBody> &bodies) -> ObstaclesPtr
-    {
-        class Nameless : public FclObstacles
-        {
-        public:
-            using FclObstacles::FclObstacles;
-            std::uint64_t getFingerprint() const override
-            {
-                return 0;
-            }
-        };
-        return std::make_shared<Nameless>(bodies, 2U);
-    };
-    const auto with = [](const std::vector<PlacedBody> &bodies) -> ObstaclesPtr
-    { return std::make_shared<FclObstacles>(bodies, 2U); };
-    for (const auto &make : std::vector<std::function<ObstaclesPtr(const std::vector<PlacedBody> &)>>{with, without})
-        for (const bool told : {false, true})
-        {
-            Random random(7);
-            const ObstaclesPtr before = make(worldOf(1)), after = make(worldOf(2));
-            TeamSetup setup(team, before);
-            setup.getSpaceInformation()->setup();
-            const auto checker = setup.getTeamChecker();
-            checker->setCertificatesAfter(0);
-            checker->setAdaptive(false);
-            std::vector<ob::ScopedState<>> states;
-            for (int i = 0; i < 2000; ++i)
-                states.push_back(randomState(random, team));
-            for (auto &state : states)
-                checker->isValid(state.get());
-            const std::size_t known = checker->getCertificateCount();
-            ASSERT_GT(known, 50U);
-            // The same obstacles once more: who has a fingerprint keeps what is known.
-            checker->changeObstacles({make(worldOf(1)), {}, {}});
-            EXPECT_EQ(checker->getCertificateCount(), known);
-            checker->changeObstacles(told ? ObstacleChange::replacing(before, after)
-                                          : ObstacleChange{after, nullptr, nullptr});
-            TeamSetup fresh(team, after, Method::FCL);
-            fresh.getSpaceInformation()->setup();
-            for (const auto &state : states)
-                ASSERT_EQ(checker->isValid(state.get()), fresh.getTeamChecker()->isValid(state.get()));
-            for (const Certificate &certificate : checker->getCertificates())
-                EXPECT_NEAR(certificate.clearance, after->clearance(certificate.point), 1e-6);
-        }
 }
 
 TEST_F(ChangingObstacles, AreNotKeptWaitingByOneHoldAfterTheOther)
