@@ -57,8 +57,10 @@ namespace demos
         app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")
             ->check(positiveNumber());
         app.add_option("--planner-param", options.parameters, "Parameters of the planner: NAME=VALUE ...");
-        app.add_flag("--simplify", options.simplify,
-                     "Shorten the solution before it is written: with OMPL's simplifier, then robot by robot");
+        app.add_flag(
+            "--simplify", options.simplify,
+            "Shorten the solution before it is written, for --time at most: with OMPL's simplifier, then robot by "
+            "robot");
         auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
         app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")

@@ -50,6 +50,7 @@ namespace ompl_certificates
                            const ob::RealVectorBounds &controlBounds)
       : DynamicRobot(shape, velocityNames, velocityBounds, controlNames, controlBounds)
     {
+        // Only for what it refuses: without turns, it does not matter how far bodies are from the frame.
         distancesFromFrame(*shape);
     }
 

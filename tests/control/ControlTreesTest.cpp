@@ -13,6 +13,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/control/PlannerData.h>
 #include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/kpiece/KPIECE1.h>
@@ -295,6 +296,84 @@ TEST(TeamPropagatorTest, ProvenPathsNeverCrossThinWalls)
             }
     }
     EXPECT_GT(solved, 0u);
+}
+
+namespace
+{
+    /** A space that does not tell where its numbers are, as OMPL's own base class does not */
+    class Addressless : public ob::SE2StateSpace
+    {
+    public:
+        double *getValueAddressAtIndex(ob::State * /*state*/, unsigned int /*index*/) const override
+        {
+            return nullptr;
+        }
+    };
+
+    /** A unicycle's steps in such a space */
+    class Wanderer : public DynamicRobot
+    {
+    public:
+        Wanderer(const RobotPtr &shape, const std::shared_ptr<const DynamicRobot> &model)
+          : DynamicRobot(shape, {}, ob::RealVectorBounds(0), model->getControlNames(), model->getControlBounds())
+          , model_(model)
+        {
+        }
+
+        void propagate(const ob::State *from, const double *control, double duration, ob::State *to) const override
+        {
+            model_->propagate(from, control, duration, to);
+        }
+
+        void computeStepBounds(const ob::State *from, const double *control, double duration,
+                               MotionBound *bounds) const override
+        {
+            model_->computeStepBounds(from, control, duration, bounds);
+        }
+
+    private:
+        const std::shared_ptr<const DynamicRobot> model_;
+    };
+
+    /** A disc in such a space */
+    class AddresslessDisc : public Robot
+    {
+    public:
+        AddresslessDisc() : Robot("wanderer", makeSpace(), {Body::disc(0.2)})
+        {
+        }
+
+        void computePoses(const ob::State *state, Pose *poses) const override
+        {
+            const auto *place = state->as<ob::SE2StateSpace::StateType>();
+            poses[0] = planarPose(place->getX(), place->getY(), place->getYaw());
+        }
+
+        void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
+        {
+            bounds[0] = {getStateSpace()->distance(from, to), 3.2};
+        }
+
+    private:
+        static ob::StateSpacePtr makeSpace()
+        {
+            auto space = std::make_shared<Addressless>();
+            space->setBounds(within({3.0, 3.0}));
+            return space;
+        }
+    };
+}
+
+TEST(TeamPropagatorTest, RefusesProofsWhereItCannotRefuseSteps)
+{
+    const auto team = teamOf({std::make_shared<Wanderer>(std::make_shared<AddresslessDisc>(), allKinds()[2])});
+    EXPECT_EQ(messageOf([&] { TeamControlSetup(team, boxes({}), Method::SHARED_PROJECTION); }), "");
+    EXPECT_NE(
+        messageOf(
+            [&]
+            { TeamControlSetup(team, boxes({}), Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS); })
+            .find("getValueAddressAtIndex()"),
+        std::string::npos);
 }
 
 TEST(TeamPropagatorTest, RefusesBadParts)

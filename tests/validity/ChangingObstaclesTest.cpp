@@ -327,8 +327,8 @@ TEST_F(ChangingObstacles, AreNotKeptWaitingByOneHoldAfterTheOther)
         });
     while (holds == 0)
         std::this_thread::yield();
-    // A large one concerns all certificates, so the change takes many steps.
-    set.add({Body::box(2.0 * HALF, 0.1)});
+    // One that fills the workspace concerns all certificates, so the change takes many steps.
+    set.add({Body::box(2.0 * HALF, 2.0 * HALF)});
     const ObstacleChange change = set.takeChange();
     const int before = holds;
     checker->changeObstacles(change);
