@@ -115,13 +115,16 @@ namespace ompl_certificates
         }
 
         /** \brief For states of \e space: a SearchableStateSpace, R^n, SO(2), SO(3), SE(2), SE(3), or a compound of
-            these. Elements of other spaces go to \e other, which must be empty, or to a GNAT if it is null. Elements
-            that do not show their state need \e stateOf. */
-        explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction(),
-                               std::shared_ptr<ompl::NearestNeighbors<T>> other = nullptr)
-          : space_(std::move(space))
-          , stateFunction_(std::move(stateOf))
-          , gnat_(other ? std::move(other) : std::make_shared<ompl::NearestNeighborsGNAT<T>>())
+            these. Elements of other spaces go to a GNAT. Elements that do not show their state need \e stateOf. */
+        explicit PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf = StateFunction())
+          : PlannerKdTree(std::move(space), std::move(stateOf), std::make_shared<ompl::NearestNeighborsGNAT<T>>())
+        {
+        }
+
+        /** \brief … with elements of other spaces going to \e other, which must be empty and not null */
+        PlannerKdTree(ompl::base::StateSpacePtr space, StateFunction stateOf,
+                      std::shared_ptr<ompl::NearestNeighbors<T>> other)
+          : space_(std::move(space)), stateFunction_(std::move(stateOf)), gnat_(std::move(other))
         {
         }
 
