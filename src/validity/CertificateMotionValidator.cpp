@@ -95,14 +95,26 @@ namespace ompl_certificates
                                             " makes no certificates and so cannot check motions continuously");
     }
 
-    bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
+    bool CertificateMotionValidator::isFree(const ob::State *s1, const ob::State *s2) const
     {
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
-        const bool free = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_)
-                                            : ContinuousMotionCheck(check, *context, s1, s2).isFree();
+        return mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_)
+                                 : ContinuousMotionCheck(check, *context, s1, s2).isFree();
+    }
+
+    bool CertificateMotionValidator::isFree(const ob::State *s1, const ob::State *s2, double &free) const
+    {
+        const TeamCheck &check = checker_->getTeamCheck();
+        const TeamCheck::Scope context(check);
+        return mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
+                                 : isProved(check, *context, s1, s2, free);
+    }
+
+    bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
+    {
         double unused;
-        const bool valid = free && areSamplesValid(s1, s2, unused);
+        const bool valid = isFree(s1, s2) && areSamplesValid(s1, s2, unused);
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
@@ -166,11 +178,8 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {
-        const TeamCheck &check = checker_->getTeamCheck();
-        const TeamCheck::Scope context(check);
         double free = 1.0;
-        bool valid = mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
-                                       : isProved(check, *context, s1, s2, free);
+        bool valid = isFree(s1, s2, free);
         if (double most = 1.0; !areSamplesValid(s1, s2, most))
         {
             // How far a proof goes that ends earlier is not known.
@@ -183,7 +192,7 @@ namespace ompl_certificates
         {
             lastValid.second = free;
             if (lastValid.first)
-                check.getTeam().getStateSpace()->interpolate(s1, s2, free, lastValid.first);
+                checker_->getTeam().getStateSpace()->interpolate(s1, s2, free, lastValid.first);
         }
         return valid;
     }

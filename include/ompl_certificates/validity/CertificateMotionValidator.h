@@ -15,7 +15,8 @@ namespace ompl_certificates
         look at all samples, in the order of that class: those with a method without certificates, and those in a space
         that does not move the robots as their own spaces do (see Team::interpolatesRobots()).
 
-        changeObstacles() waits for the whole motion. A motion is counted and timed as a whole.
+        changeObstacles() waits for the whole motion, except while a checker of your own is asked. A motion is counted
+        and timed as a whole, without that.
 
         Continuous mode accepts a motion only if all of it is proved free, so no collision can hide between two samples.
         The verdict depends only on the obstacles, the motion and the resolution. It is the same for both overloads and
@@ -80,7 +81,11 @@ namespace ompl_certificates
         /** \brief The validity checker that knows more than this library: that of the space information, or the one this
             validator was made with, if its class is not one of this library's. Null if neither is. Where a motion is
             free, all its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
-            too. That costs what it costs, so let it look at what the certificates do not know, first. */
+            too. That costs what it costs, so let it look at what the certificates do not know, first.
+
+            Nothing is locked while it is asked: it may wait for other threads, hold the obstacles and change them. If
+            they change meanwhile, the certificates' verdict is about the world before, and it decides about each sample
+            when it is asked. holdObstacles() around checkMotion() keeps one world for both. */
         const ompl::base::StateValidityChecker *getFurtherChecker() const;
 
         /** \brief When a motion is valid, as given to the constructor */
@@ -90,6 +95,12 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Whether a motion is free as far as the certificates' checker knows. Its lock is released afterwards. */
+        bool isFree(const ompl::base::State *s1, const ompl::base::State *s2) const;
+
+        /** \brief The same; if it is not, \e free is set to the time up to which it is */
+        bool isFree(const ompl::base::State *s1, const ompl::base::State *s2, double &free) const;
+
         /** \brief Whether the further checker, if there is one, finds all samples valid after the first
             \param free set to the time of the last one before the first that is not */
         bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &free) const;
