@@ -8,6 +8,7 @@
 #include <ompl/control/PlannerData.h>
 #include <ompl/control/SpaceInformation.h>
 #include <ompl/util/Exception.h>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -15,7 +16,8 @@ namespace ompl_certificates
     namespace oc = ompl::control;
 
     Revalidation::Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
-                               CertificateMotionValidator::Mode mode)
+                               CertificateMotionValidator::Mode mode, StepProof isStepFree)
+      : isStepFree_(std::move(isStepFree))
     {
         if (!change.added)
             return;
@@ -43,11 +45,18 @@ namespace ompl_certificates
         const auto *si = dynamic_cast<const oc::SpaceInformation *>(checker_->getSpaceInformation());
         if (!si)
             throw ompl::Exception("Revalidation", "controls need a checker whose space information has them");
+        const bool isProved = validator_->getMode() == CertificateMotionValidator::CONTINUOUS;
+        if (isProved && !isStepFree_)
+            throw ompl::Exception("Revalidation",
+                                  "controls in continuous mode need a proof of their steps, such as "
+                                  "TeamPropagator::isStepFree()");
         ob::ScopedState<> state(si->getStateSpace());
         si->copyState(state.get(), from);
         const auto steps = std::lround(duration / si->getPropagationStepSize());
         for (long step = 0; step < steps; ++step)
         {
+            if (isProved && !isStepFree_(*checker_, state.get(), control, si->getPropagationStepSize()))
+                return false;
             si->propagate(state.get(), control, 1, state.get());
             if (!checker_->isValid(state.get()))
                 return false;

@@ -1,6 +1,9 @@
 #include "support/Checkers.h"
+#include "support/Message.h"
 #include "support/RandomClouds.h"
 
+#include "ompl_certificates/control/Integrator.h"
+#include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/obstacles/ObstacleSet.h"
 #include "ompl_certificates/obstacles/PointCloudSet.h"
 #include "ompl_certificates/validity/Revalidation.h"
@@ -13,6 +16,7 @@
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
 namespace ob = ompl::base;
+namespace oc = ompl::control;
 namespace og = ompl::geometric;
 
 namespace
@@ -198,6 +202,55 @@ TEST_F(Revalidating, KeepsToTheContinuousMode)
     EXPECT_TRUE(continuous.staysValid(from.get()));
     to = std::vector<double>{-1.0, 1.0};
     EXPECT_TRUE(continuous.staysValid(from.get(), to.get()));
+}
+
+TEST_F(Revalidating, ProvesStepsOfControlsInContinuousMode)
+{
+    // A fast disc jumps over a thin new wall in one step, and then moves on beside it.
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(Integrator::firstOrder(RigidRobot::disc("disc", 0.05, cubeBounds(2, HALF)), cubeBounds(2, HALF)));
+    const auto continuous = CertificateMotionValidator::CONTINUOUS;
+    for (const auto mode : {CertificateMotionValidator::DISCRETE, continuous})
+    {
+        ObstacleSet set(2);
+        TeamControlSetup setup(team, set.takeChange().after, Method::SHARED_PROJECTION, mode);
+        const auto &si = setup.getSpaceInformation();
+        si->setup();
+        oc::PathControl path(si);
+        ob::ScopedState<> at(team);
+        oc::Control *control = si->allocControl();
+        at = std::vector<double>{-0.25, 0.0};
+        path.append(at.get());
+        for (const double y : {0.0, 2.0})
+        {
+            auto *values = control->as<oc::RealVectorControlSpace::ControlType>()->values;
+            values[0] = y > 0.0 ? 0.0 : 5.0;
+            values[1] = y;
+            at = std::vector<double>{0.25, 0.1 * y};
+            path.append(at.get(), control, si->getPropagationStepSize());
+        }
+        si->freeControl(control);
+        ASSERT_TRUE(path.check());
+
+        set.add({Body::box(0.02, 2.0), planarPose(0.0, 0.0)});
+        const ObstacleChange change = set.takeChange();
+        const auto &propagator = static_cast<const TeamPropagator &>(*si->getStatePropagator());
+        const auto isStepFree =
+            [&](const TeamValidityChecker &added, const ob::State *from, const oc::Control *held, double duration)
+        { return propagator.isStepFree(added, from, held, duration, from); };
+        const auto findInvalid = [&]
+        { return Revalidation(*setup.getTeamChecker(), change, continuous, isStepFree).findInvalidEdges(path); };
+        EXPECT_EQ(findInvalid(), std::vector<std::size_t>{0});
+        if (mode != continuous)
+        {
+            EXPECT_TRUE(Revalidation(*setup.getTeamChecker(), change).findInvalidEdges(path).empty());
+        }
+        EXPECT_NE(messageOf([&] { Revalidation(*setup.getTeamChecker(), change, continuous).findInvalidEdges(path); })
+                      .find("need a proof"),
+                  std::string::npos);
+        setup.getTeamChecker()->changeObstacles(change);
+        EXPECT_EQ(findInvalid(), std::vector<std::size_t>{0});
+    }
 }
 
 TEST_F(Revalidating, RefusesObstaclesThatDoNotFit)

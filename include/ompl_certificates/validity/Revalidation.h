@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
+#include <functional>
 #include <memory>
 #include <ompl/base/PlannerData.h>
 #include <ompl/control/PathControl.h>
@@ -27,15 +28,30 @@ namespace ompl_certificates
         @endcode
         In discrete mode the answers are those of a new check of all. In continuous mode a motion stays valid if it is
         proved free of what was added. A motion for which that fails may still be provable by
-        CertificateMotionValidator, which then takes other steps. May be used by many threads at once. */
+        CertificateMotionValidator, which then takes other steps. Steps of controls are proved if it is told how:
+        @code
+        const auto &propagator = static_cast<const TeamPropagator &>(*si->getStatePropagator());
+        const Revalidation revalidation(*checker, change, CertificateMotionValidator::CONTINUOUS,
+                                        [&](const TeamValidityChecker &added, const State *from, const Control *control,
+                                            double duration)
+                                        { return propagator.isStepFree(added, from, control, duration, from); });
+        @endcode
+        May be used by many threads at once. */
     class Revalidation
     {
     public:
+        /** \brief Whether all of a step is proved free by a checker, when a control is held for so many seconds from
+            a state on. TeamPropagator::isStepFree() tells that. */
+        using StepProof = std::function<bool(const TeamValidityChecker &, const ompl::base::State *,
+                                             const ompl::control::Control *, double)>;
+
         /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker.
             \param mode the mode of the motion validator
+            \param isStepFree for controls in continuous mode; in discrete mode the ends of steps are checked
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
-                     CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
+                     CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE,
+                     StepProof isStepFree = nullptr);
 
         /** \brief Whether a state is still valid that was valid before. Cost: mostly a search for a certificate for
             each body. */
@@ -57,7 +73,8 @@ namespace ompl_certificates
 
         /** \brief Which vertices and edges of \e data, all valid before, are no longer valid. Edges of planners with
             controls are propagated again, in the steps of the space information of the checker.
-            \throws ompl::Exception if \e data has controls, and that space information has none */
+            \throws ompl::Exception if \e data has controls, and that space information has none. Also in continuous
+            mode, if no StepProof was given. */
         Invalid findInvalid(const ompl::base::PlannerData &data) const;
 
         /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to
@@ -76,12 +93,14 @@ namespace ompl_certificates
 
     private:
         /** \brief Whether the way that a control leads along stays valid, after its start
-            \throws ompl::Exception if the checker's space information has no controls */
+            \throws ompl::Exception if the checker's space information has no controls, or nothing proves its steps in
+            continuous mode */
         bool staysValid(const ompl::base::State *from, const ompl::control::Control *control, double duration) const;
 
         /** \brief Null if nothing was added */
         std::shared_ptr<TeamValidityChecker> checker_;
         std::optional<CertificateMotionValidator> validator_;
+        StepProof isStepFree_;
     };
 }
 
