@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -29,6 +28,16 @@ namespace ompl_certificates
             return objective.isCostBetterThan(cost, old) &&
                    std::abs(cost.value() - old.value()) > part * std::abs(old.value());
         }
+
+        /** The team of a checker, which may read other spaces, too; else that of the space */
+        Team teamOf(const ob::SpaceInformation &si)
+        {
+            if (const auto *checker = dynamic_cast<const TeamValidityChecker *>(si.getStateValidityChecker().get()))
+                return checker->getTeam();
+            if (const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si.getMotionValidator().get()))
+                return validator->getChecker().getTeam();
+            return Team(si.getStateSpace());
+        }
     }
 
     /** A path, and the changes that are tried on it */
@@ -39,7 +48,7 @@ namespace ompl_certificates
                      const ob::PlannerTerminationCondition &condition)
           : si_(*simplifier.si_)
           , objective_(*simplifier.objective_)
-          , team_(simplifier.checker_->getTeam())
+          , team_(simplifier.team_)
           , random_(simplifier.random_)
           , condition_(condition)
           , paths_(team_, path)
@@ -291,15 +300,8 @@ namespace ompl_certificates
     };
 
     TeamPathSimplifier::TeamPathSimplifier(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective)
-      : si_(std::move(si))
-      , objective_(std::move(objective))
-      , checker_(std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker()))
+      : si_(std::move(si)), objective_(std::move(objective)), team_(teamOf(*si_))
     {
-        const auto validator = std::dynamic_pointer_cast<const CertificateMotionValidator>(si_->getMotionValidator());
-        if (!checker_ && validator)
-            checker_ = {validator, &validator->getChecker()};
-        if (!checker_)
-            throw ompl::Exception("A TeamPathSimplifier needs a TeamValidityChecker");
     }
 
     bool TeamPathSimplifier::simplify(og::PathGeometric &path, std::uint64_t attempts,
@@ -322,7 +324,7 @@ namespace ompl_certificates
         ob::Cost cost = first;
         while (!condition)
         {
-            simplify(path, ATTEMPTS_PER_CORNER * path.getStateCount() * checker_->getTeam().getRobotCount(), condition);
+            simplify(path, ATTEMPTS_PER_CORNER * path.getStateCount() * team_.getRobotCount(), condition);
             const ob::Cost before = std::exchange(cost, path.cost(objective_));
             if (!isBetterBy(LEAST_PROGRESS, *objective_, cost, before))
                 break;

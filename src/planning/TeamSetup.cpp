@@ -17,6 +17,18 @@ namespace ompl_certificates
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
 
+    namespace
+    {
+        /** Whether the checkers know what this library's do, and no more, so that DRRTstar may ask for single robots */
+        bool isAskedByRobots(const ob::SpaceInformation &si)
+        {
+            const auto checker = std::dynamic_pointer_cast<const TeamValidityChecker>(si.getStateValidityChecker());
+            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si.getMotionValidator().get());
+            return checker && !CertificateMotionValidator(checker).getFurtherChecker() &&
+                   !(validator && validator->getFurtherChecker());
+        }
+    }
+
     TeamSetup::TeamSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                          CertificateMotionValidator::Mode mode)
       : SimpleSetup(team), checker_(std::make_shared<TeamValidityChecker>(si_, obstacles, method))
@@ -103,8 +115,7 @@ namespace ompl_certificates
         // Other goals are left to OMPL's choice.
         if (planner_ || pa_ || !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
             return;
-        const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si_->getMotionValidator().get());
-        if (getTeam().getRobotCount() > 1 && !(validator && validator->getFurtherChecker()))
+        if (getTeam().getRobotCount() > 1 && isAskedByRobots(*si_))
             planner_ = std::make_shared<DRRTstar>(si_);
         else
             planner_ = std::make_shared<og::RRTConnect>(si_);

@@ -3,6 +3,7 @@
 #include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/team/TeamPathLength.h"
 #include "ompl_certificates/validity/SharedProjection.h"
 
 #include <cmath>
@@ -142,6 +143,27 @@ TEST_P(FurtherChecker, IsHeededInPlansAndSimplerPaths)
     setup->setPlanner(std::make_shared<DRRTstar>(setup->getSpaceInformation()));
     EXPECT_NE(messageOf([&] { setup->solve(0.1); }).find(GetParam() ? "of your own" : "needs a TeamValidityChecker"),
               std::string::npos);
+}
+
+TEST_P(FurtherChecker, PlansWithOmplsValidator)
+{
+    ompl::RNG::setSeed(4);
+    const auto setup = makeSetup(4, CertificateMotionValidator::DISCRETE, 0);
+    const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+    si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+    ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+    start = std::vector<double>{-3.0, 0.1, -3.0, 3.0, 0.0, 3.5, -3.5};
+    goal = std::vector<double>{3.0, 0.1, 3.0, 3.0, 0.0, 3.5, 3.5};
+    setup->setStartAndGoalStates(start, goal);
+    ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(setup->getPlanner()->getName(), "RRTConnect");
+    setup->simplifySolution(2.0);
+    og::PathGeometric path = setup->getSolutionPath();
+    EXPECT_TRUE(path.check());
+    for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        EXPECT_TRUE(keepsOut(path.getState(i)));
+    // Two go straight, and the first one goes around the zone.
+    EXPECT_LT(path.length(), 1.1 * TeamPathLength(si).motionCost(start.get(), goal.get()).value());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FurtherChecker, testing::Bool());

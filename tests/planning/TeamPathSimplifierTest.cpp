@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalState.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -76,9 +77,18 @@ TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)
     }
     TeamPathSimplifier simplifier(setup.getSpaceInformation(),
                                   std::make_shared<TeamPathLength>(setup.getSpaceInformation()));
+    const og::PathGeometric given = path;
     EXPECT_TRUE(simplifier.simplify(path, ob::plannerNonTerminatingCondition()));
     EXPECT_NEAR(path.length(), std::sqrt(2.0 * (64.0 + 9.0)), 0.02);
     EXPECT_FALSE(simplifier.simplify(path, 0, ob::plannerNonTerminatingCondition()));
+
+    // OMPL's own validity checker and motion validator will do.
+    const auto stock = std::make_shared<ob::SpaceInformation>(team);
+    stock->setup();
+    path = given;
+    EXPECT_TRUE(TeamPathSimplifier(stock, std::make_shared<TeamPathLength>(stock))
+                    .simplify(path, ob::plannerNonTerminatingCondition()));
+    EXPECT_NEAR(path.length(), std::sqrt(2.0 * (64.0 + 9.0)), 0.02);
 }
 
 TEST_F(TeamPathSimplifierTest, LeavesPathsAloneThatItCannotShorten)
@@ -92,8 +102,8 @@ TEST_F(TeamPathSimplifierTest, LeavesPathsAloneThatItCannotShorten)
     EXPECT_FALSE(simplifier.simplify(path, 100, ob::plannerNonTerminatingCondition()));
     EXPECT_EQ(path.getStateCount(), 1U);
 
-    const auto stock = std::make_shared<ob::SpaceInformation>(setup->getStateSpace());
-    EXPECT_THROW(TeamPathSimplifier(stock, objectiveOf(*setup, "length")), ompl::Exception);
+    const auto noTeam = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
+    EXPECT_THROW(TeamPathSimplifier(noTeam, objectiveOf(*setup, "length")), ompl::Exception);
 }
 
 TEST_F(TeamPathSimplifierTest, IsPartOfATeamSetupsSimplifier)

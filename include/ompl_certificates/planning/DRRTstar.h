@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PLANNING_DRRTSTAR_
 
 #include "ompl_certificates/planning/TeamPathSimplifier.h"
+#include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <atomic>
 #include <memory>

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PLANNING_TEAM_PATH_SIMPLIFIER_
 #define OMPL_CERTIFICATES_PLANNING_TEAM_PATH_SIMPLIFIER_
 
-#include "ompl_certificates/validity/TeamValidityChecker.h"
+#include "ompl_certificates/team/Team.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/PlannerTerminationCondition.h>
@@ -14,17 +14,18 @@ namespace ompl_certificates
 
         ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free
         for many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
-        A change is kept if it lowers the cost and the motion validator accepts the motions that change. The cost of a
-        path must be the sum of its motions' costs, as of all objectives of this library; that of the rest is not looked
-        at.
+        A change is kept if it lowers the cost and the motion validator, of any class, accepts the motions that change.
+        The cost of a path must be the sum of its motions' costs, as of all objectives of this library; that of the rest
+        is not looked at.
 
         @par External documentation
         R. Geraerts, M. Overmars, Creating high-quality paths for motion planning, 2007 (partial shortcuts). */
     class TeamPathSimplifier
     {
     public:
-        /** \brief A simplifier for paths of \e si's space, whose validity checker is a TeamValidityChecker
-            \throws ompl::Exception if it is another one */
+        /** \brief A simplifier for paths of \e si's space. The robots are those of a TeamValidityChecker in \e si, if it
+            or the motion validator has one; else those of the space.
+            \throws ompl::Exception as Team::Team() if there are none */
         TeamPathSimplifier(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
 
         /** \brief Try \e attempts changes of a valid path; fewer if \e condition becomes true
@@ -42,7 +43,7 @@ namespace ompl_certificates
 
         const ompl::base::SpaceInformationPtr si_;
         const ompl::base::OptimizationObjectivePtr objective_;
-        std::shared_ptr<const TeamValidityChecker> checker_;
+        const Team team_;
         ompl::RNG random_;
     };
 }
