@@ -4,6 +4,7 @@
 #include "geometry/Infinity.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
@@ -146,9 +147,12 @@ namespace ompl_certificates
         verdict.by = SettledBy::CLEARANCES;
         if (query.isProofOnly())
         {
-            settleByClearances(query, question == Question::CERTIFICATES, verdict, counts);
-            if (!verdict.free && query.standsStill())
+            if (settleByClearances(query, question == Question::CERTIFICATES, verdict, counts))
+                return verdict;
+            if (query.standsStill())
                 collide(query, verdict, counts);
+            else
+                settleNearby(query, verdict, counts);
             return verdict;
         }
         // Unless it also settles other samples, a gap is worth no more than the contact test, and costs more.
@@ -178,6 +182,18 @@ namespace ompl_certificates
             collide(query, verdict, counts);
         settling.noteExact();
         return verdict;
+    }
+
+    void CertifiedEnvironment::settleNearby(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const
+    {
+        // Of a ball the clearance says as much.
+        if (query.body.isBall())
+            return;
+        ++counts.contactTests;
+        verdict.by = SettledBy::CONTACT;
+        const double distance = query.requiredInterval * query.motionBound->at(query.body.getBoundingRadius());
+        verdict.free = std::isfinite(distance) && obstacles_->staysFree(query.body, query.pose, distance);
+        verdict.validInterval = verdict.free ? query.requiredInterval : 0.0;
     }
 
     void CertifiedEnvironment::collide(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const

@@ -170,6 +170,10 @@ namespace ompl_certificates
             \return whether it is settled */
         bool settleByClearances(const PoseQuery &query, bool learn, PoseVerdict &verdict, CheckCounts &counts) const;
 
+        /** \brief Tries to prove that a body near obstacles stays free for PoseQuery::requiredInterval, by a contact test
+            with as much room; updates \e verdict and \e counts */
+        void settleNearby(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const;
+
         /** \brief Settles \e query by the contact test, and by the exact check if needed */
         void collide(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const;
 

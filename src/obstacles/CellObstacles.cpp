@@ -261,6 +261,14 @@ namespace ompl_certificates
         return cellSize_ * forest_->gap(bounds, inCells, needed / cellSize_, wanted / cellSize_);
     }
 
+    bool CellObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
+    {
+        bool isApart = true;
+        visitTouched(body, pose, marginOf(body) + distance,
+                     [&](ObstaclePart /*box*/, Touching /*answer*/) { return !(isApart = false); });
+        return isApart;
+    }
+
     std::uint64_t CellObstacles::getFingerprint() const
     {
         std::uint64_t sum = fingerprintOf({double(dimension_), cellSize_});

@@ -25,9 +25,8 @@ namespace ompl_certificates
     {
     }
 
-    Touching ContactTest::touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+    Touching ContactTest::test(const Body &body, const Pose &pose, double margin, ObstaclePart *hit) const
     {
-        const double margin = marginOf(body);
         Touching all = Touching::NO;
         // Whether this answer settles the matter
         const auto note = [&all](Touching answer)

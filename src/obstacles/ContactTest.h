@@ -17,10 +17,19 @@ namespace ompl_certificates
                     double tolerance);
 
         /** \brief See FclObstacles::touches() */
-        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const;
+        Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit) const
+        {
+            return test(body, pose, marginOf(body), hit);
+        }
 
         /** \brief See FclObstacles::mayTouch() */
         BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const;
+
+        /** \brief See FclObstacles::staysFree() */
+        bool staysFree(const Body &body, const Pose &pose, double distance) const
+        {
+            return test(body, pose, marginOf(body) + distance, nullptr) == Touching::NO;
+        }
 
         /** \brief See FclObstacles::gap() */
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const;
@@ -34,6 +43,10 @@ namespace ompl_certificates
         {
             return tolerance_ + exactCheckTolerance(body.getBoundingRadius());
         }
+
+        /** \brief Whether a body touches the obstacles. YES and NO stay true if no point of it moves by more than
+            \e margin. */
+        Touching test(const Body &body, const Pose &pose, double margin, ObstaclePart *hit) const;
 
         /** \brief gap() of one shape, whose cover is given in the body's frame */
         double gapOfCover(const ConvexCover &cover, const Pose &pose, double needed, double wanted) const;

@@ -152,6 +152,11 @@ namespace ompl_certificates
         return surface_->isEmpty() && primitives_->size() <= MANY_PRIMITIVES;
     }
 
+    bool FclObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
+    {
+        return contactTest_->staysFree(body, pose, distance);
+    }
+
     bool FclObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const
     {
         return contactTest_->certainlyHits(body, pose, part);

@@ -108,6 +108,12 @@ namespace ompl_certificates
         return least;
     }
 
+    bool MixedObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
+    {
+        return std::all_of(members_.begin(), members_.end(),
+                           [&](const ObstaclesPtr &member) { return member->staysFree(body, pose, distance); });
+    }
+
     bool MixedObstacles::hasGap() const
     {
         return std::all_of(members_.begin(), members_.end(),
@@ -170,6 +176,27 @@ namespace ompl_certificates
             return members.empty() && !needsAll ? nullptr : std::make_shared<MixedObstacles>(std::move(members));
         };
         return {mixed(&ObstacleChange::after, true), mixed(&ObstacleChange::added, false),
-                mixed(&ObstacleChange::removed, false)};
+                mixed(&ObstacleChange::removed, false), changes};
+    }
+
+    ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before)
+    {
+        if (change.members.empty())
+        {
+            if (change.added || change.removed || change.after == before)
+                return change;
+            const std::uint64_t fingerprint = change.after->getFingerprint();
+            const bool isSame = fingerprint != 0 && fingerprint == before->getFingerprint();
+            return isSame ? change : ObstacleChange::replacing(before, change.after);
+        }
+        const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
+        if (!mixed || mixed->getMembers().size() != change.members.size())
+            return ObstacleChange::replacing(before, change.after);
+        std::vector<ObstacleChange> members;
+        for (std::size_t i = 0; i < change.members.size(); ++i)
+            members.push_back(namingReplaced(change.members[i], mixed->getMembers()[i]));
+        ObstacleChange whole = mixedChange(members);
+        whole.after = change.after;
+        return whole;
     }
 }

@@ -95,13 +95,15 @@ namespace ompl_certificates
         return shape.getMesh()->getTree().distance(point, radius + tolerance_ + DISTANCE_ROUNDING) <= radius;
     }
 
-    ObstaclePart PointCloudObstacles::findHit(const Shape &shape, const Pose &pose) const
+    ObstaclePart PointCloudObstacles::findHit(const Shape &shape, const Pose &pose, double within) const
     {
         const Pose toShape = pose.inverse();
         Eigen::AlignedBox3d bounds = shape.getBounds();
         // A planar mesh is above or below the points.
         if (dimension_ == 2 && shape.getMesh())
             bounds.min().z() = bounds.max().z() = toShape.translation().z();
+        bounds.min().array() -= within;
+        bounds.max().array() += within;
         // No rounding may hide what hits() finds.
         const double slack =
             tolerance_ + DISTANCE_ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
@@ -109,7 +111,7 @@ namespace ompl_certificates
         {
             const Eigen::Vector3d point = toShape * center;
             const double reach = radius + slack;
-            return bounds.squaredExteriorDistance(point) <= reach * reach && hits(shape, point, radius);
+            return bounds.squaredExteriorDistance(point) <= reach * reach && hits(shape, point, radius + within);
         };
         const std::uint32_t hit = forest_->findNear(bounds, pose, isHit);
         return hit == PointTree::NONE ? NO_PART : hit;
@@ -130,6 +132,14 @@ namespace ompl_certificates
                 return Touching::YES;
             }
         return Touching::NO;
+    }
+
+    bool PointCloudObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
+    {
+        const double within = distance + tolerance_ + exactCheckTolerance(body.getBoundingRadius());
+        return std::none_of(body.getParts().begin(), body.getParts().end(),
+                            [&](const Body::Part &part)
+                            { return findHit(part.shape, pose * part.pose, within) != NO_PART; });
     }
 
     bool PointCloudObstacles::certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const

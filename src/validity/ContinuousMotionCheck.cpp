@@ -50,13 +50,21 @@ namespace ompl_certificates
             std::swap(context_.from, context_.to);
     }
 
-    bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, int &around)
+    bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, Cells &proved)
     {
-        const int counted = reversed_ ? cells_ - 1 - cell : cell;
-        const SubjectVerdict verdict =
-            settle(subject, (counted + 0.5) / cells_, 0.5 / cells_, cell == cells_ - 1 ? 0.0 : 1.0);
-        const double interval = std::min({verdict.before, verdict.after, 1.0}) * (1.0 - OVERLAP);
-        around = std::max(0, static_cast<int>(interval * cells_ - 0.5));
+        // A whole segment first: near obstacles, one contact test is less than one for each of its cells.
+        const int first = cell - cell % CELLS;
+        return settleCells(subject, {first, first + CELLS - 1}, proved) || settleCells(subject, {cell, cell}, proved);
+    }
+
+    bool ContinuousMotionCheck::settleCells(unsigned int subject, Cells cells, Cells &proved)
+    {
+        const double middle = 0.5 * (cells.first + cells.last + 1), half = 0.5 * (cells.last + 1 - cells.first);
+        const SubjectVerdict verdict = settle(subject, (reversed_ ? cells_ - middle : middle) / cells_, half / cells_,
+                                              cells.last == cells_ - 1 ? 0.0 : 1.0);
+        const double interval = std::min({verdict.before, verdict.after, 1.0}) * (1.0 - OVERLAP) * cells_;
+        proved = {std::min(cells.first, static_cast<int>(std::ceil(middle - interval))),
+                  std::max(cells.last, static_cast<int>(std::floor(middle + interval)) - 1)};
         return verdict.free;
     }
 
@@ -70,15 +78,15 @@ namespace ompl_certificates
         context_.open.clear();
         // The second state's own references are the best hints. If it has none yet, it is near the first state.
         takeReferences(s2_, s1_);
-        int around;
+        Cells proved;
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
-            const bool free = settleCell(subject, cells_ - 1, around);
+            const bool free = settleCell(subject, cells_ - 1, proved);
             countEnds();
             if (!free)
                 return false;
-            if (around < cells_ - 1)
-                context_.open.push_back({subject, 0, cells_ - 2 - around});
+            if (proved.first > 0)
+                context_.open.push_back({subject, 0, proved.first - 1});
         }
         giveReferences(s2_);
         return true;
@@ -89,10 +97,10 @@ namespace ompl_certificates
         takeReferences(s1_, s2_);
         for (OpenInterval &open : context_.open)
         {
-            int around;
-            if (!settleCell(open.subject, 0, around))
+            Cells proved;
+            if (!settleCell(open.subject, 0, proved))
                 return false;
-            open.first = 1 + around;
+            open.first = proved.last + 1;
         }
         return true;
     }
@@ -107,11 +115,11 @@ namespace ompl_certificates
             if (first > last)
                 continue;
             const int middle = first + (last - first) / 2;
-            int around;
-            if (!settleCell(subject, middle, around))
+            Cells proved;
+            if (!settleCell(subject, middle, proved))
                 return false;
-            queue.push_back({subject, first, middle - 1 - around});
-            queue.push_back({subject, middle + 1 + around, last});
+            queue.push_back({subject, first, proved.first - 1});
+            queue.push_back({subject, proved.last + 1, last});
         }
         return true;
     }
@@ -124,9 +132,9 @@ namespace ompl_certificates
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
             for (int cell = 0; cell < unproved;)
             {
-                int around;
-                if (settleCell(subject, cell, around))
-                    cell += 1 + around;
+                Cells proved;
+                if (settleCell(subject, cell, proved))
+                    cell = proved.last + 1;
                 else
                     unproved = cell;
             }

@@ -8,8 +8,9 @@ namespace ompl_certificates
     /** \brief Checks whether all of a motion is proved free.
 
         The motion's time is divided into cells of equal length, 16 for each segment of a discrete check. The motion is
-        free if each subject is free in each cell. For this, clearances at the middle of the cell must prove the subject
-        free up to both ends of the cell. So the verdict depends only on the obstacles, the motion and the resolution.
+        free if each subject is free in each cell. For this, it must be proved free from the middle of the cell up to
+        both of its ends, or from the middle of the segment up to the ends of that: by clearances, or near obstacles by
+        a contact test with as much room. So the verdict depends only on the obstacles, the motion and the resolution.
 
         Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
         also prove, by a small margin. Where Team::isSymmetric(), both directions of a motion are one.
@@ -45,10 +46,19 @@ namespace ompl_certificates
         /** \brief Chooses the state from which time runs */
         void orient();
 
+        /** \brief Cells from a first to a last one */
+        struct Cells
+        {
+            int first, last;
+        };
+
         /** \brief Settles a subject in a cell; cells are counted from \e s1, wherever time runs from
-            \param around set to the number of neighboring cells on either side that are proved free, too
+            \param proved set to all cells that are proved free with it
             \return whether the cell is proved free */
-        bool settleCell(unsigned int subject, int cell, int &around);
+        bool settleCell(unsigned int subject, int cell, Cells &proved);
+
+        /** \brief Settles a subject in all of some cells at once; see settleCell() */
+        bool settleCells(unsigned int subject, Cells cells, Cells &proved);
 
         /** \brief Settle the last cell, then the first one, then the rest. They return false if a cell is not proved
             free. */

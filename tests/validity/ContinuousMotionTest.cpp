@@ -186,6 +186,32 @@ TEST(ContinuousMotion, AcceptsWhatIsClearlyFree)
     }
 }
 
+TEST(ContinuousMotion, AcceptsFlatBodiesNearAFloor)
+{
+    const auto floor = std::make_shared<FclObstacles>(
+        std::vector<PlacedBody>{{Body::box(6.0, 6.0, 0.1), poseAt({0.0, 0.0, -0.05})}}, 3);
+    for (const Body &body :
+         {Body::box(1.0, 1.0, 0.05), Body::cylinder(0.5, 0.05), meshBody(3, boxMesh({1.0, 1.0, 0.05}))})
+    {
+        const auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::inR3("plate", body, cubeBounds(3, 3.0)));
+        team->addRobot(RigidRobot::inR3("other", body, cubeBounds(3, 3.0)));
+        const auto setup = continuousSetup(team, floor, Method::SHARED_PROJECTION, 0.01);
+        const auto &validator = *setup->getSpaceInformation()->getMotionValidator();
+        const auto slides = [&](double gap, double apart)
+        {
+            ob::ScopedState<> from(team), to(team);
+            from = std::vector<double>{-2.0, -2.0, 0.025 + gap, -2.0, -1.0 + apart, 0.025 + gap};
+            to = std::vector<double>{2.0, -1.5, 0.025 + gap, 2.0, -0.5 + apart, 0.025 + gap};
+            return validator.checkMotion(from.get(), to.get());
+        };
+        // The bounding sphere of a plate reaches half a unit below it. A small part of a segment is 3 mm.
+        EXPECT_TRUE(slides(0.02, 0.02));
+        EXPECT_FALSE(slides(-0.001, 0.02));
+        EXPECT_FALSE(slides(0.02, -0.05));
+    }
+}
+
 TEST(ContinuousMotion, IsNotForTheStandardMethod)
 {
     const auto none = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);

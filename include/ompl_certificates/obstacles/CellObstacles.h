@@ -61,6 +61,9 @@ namespace ompl_certificates
         /** \brief The distance of a box around the body to the nearest cell, or less */
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
 
+        /** \brief By the test of touches() with a margin */
+        bool staysFree(const Body &body, const Pose &pose, double distance) const override;
+
         /** \brief True: it is one walk down the tree, as a clearance is */
         bool isGapCheap() const override
         {

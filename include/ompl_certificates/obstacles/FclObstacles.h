@@ -84,6 +84,9 @@ namespace ompl_certificates
 
         bool hasGap() const override;
 
+        /** \brief By the test of touches() with a margin */
+        bool staysFree(const Body &body, const Pose &pose, double distance) const override;
+
         /** \brief Looks for a part of the body that crosses a triangle or a primitive of the obstacles, \e part. Takes
             0.05 to 1 µs. */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;

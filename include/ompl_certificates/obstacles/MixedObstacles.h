@@ -40,6 +40,8 @@ namespace ompl_certificates
 
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override;
 
+        bool staysFree(const Body &body, const Pose &pose, double distance) const override;
+
         /** \brief True if all members have a gap */
         bool hasGap() const override;
 
@@ -77,6 +79,14 @@ namespace ompl_certificates
         and an OctomapSet, say. A member without changes is one with nothing added and removed.
         \throws ompl::Exception as MixedObstacles::MixedObstacles() */
     ObstacleChange mixedChange(const std::vector<ObstacleChange> &changes);
+
+    /** \brief A change of the obstacles \e before, where what names nothing added or removed, but is other obstacles,
+        counts as ObstacleChange::replacing(): all of it, or members in a mixedChange(). Whether they are others, their
+        fingerprints tell. If \e before has not as many members, all of it counts as replaced.
+
+        TeamValidityChecker::changeObstacles() does this. Cost: two fingerprints of those that name nothing and are not
+        the same objects as before. */
+    ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before);
 }
 
 #endif

@@ -19,6 +19,17 @@ namespace ompl_certificates
     /** \brief No part, or an unknown one */
     constexpr ObstaclePart NO_PART = std::numeric_limits<ObstaclePart>::max();
 
+    /** \brief The tolerance of FCL's checks of two shapes, relative to their sizes. Its solvers iterate, and its
+        box-box test enlarges the boxes by about a millionth. */
+    constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
+
+    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones. It is relative; for sizes
+        above 10^5 it grows with the square, as FCL enlarges large boxes. */
+    constexpr double exactCheckTolerance(double size)
+    {
+        return (EXACT_CHECK_TOLERANCE + 4e-11 * size) * size;
+    }
+
     /** \brief What the robots must not touch: an exact check for bodies, and the clearance of points.
 
         Derive from this class to plan among obstacles of another kind, such as a distance field. All methods are called
@@ -102,6 +113,17 @@ namespace ompl_certificates
             return false;
         }
 
+        /** \brief Whether \e body is certain not to collide(), whatever pose it has, as long as no point of it is
+            farther than \e distance from where it is at \e pose. False if unknown. Continuous mode asks it near
+            obstacles, where clearances of points do not prove a motion free. By default the gap() or the clearance()
+            of the bounding sphere tells. */
+        virtual bool staysFree(const Body &body, const Pose &pose, double distance) const
+        {
+            const double needed = getTolerance() + exactCheckTolerance(body.getBoundingRadius()) + distance;
+            const Ball &ball = body.getSphereTree().getRoot();
+            return gap(body, pose, needed, needed) > needed || clearance(pose * ball.center) > ball.radius + needed;
+        }
+
         /** \brief Whether \e body at \e pose is certain to collide() because of \e part alone, such as one that it
             touched nearby. Cheaper than touches(). False if unknown. */
         virtual bool certainlyHits(const Body & /*body*/, const Pose & /*pose*/, ObstaclePart /*part*/) const
@@ -138,17 +160,6 @@ namespace ompl_certificates
 
     /** \brief A shared pointer to obstacles */
     using ObstaclesPtr = std::shared_ptr<const Obstacles>;
-
-    /** \brief The tolerance of FCL's checks of two shapes, relative to their sizes. Its solvers iterate, and its
-        box-box test enlarges the boxes by about a millionth. */
-    constexpr double EXACT_CHECK_TOLERANCE = 4e-6;
-
-    /** \brief The tolerance of FCL's checks of a shape of this \e size with smaller ones. It is relative; for sizes
-        above 10^5 it grows with the square, as FCL enlarges large boxes. */
-    constexpr double exactCheckTolerance(double size)
-    {
-        return (EXACT_CHECK_TOLERANCE + 4e-11 * size) * size;
-    }
 }
 
 #endif

@@ -57,6 +57,9 @@ namespace ompl_certificates
         /** \brief The answer of collides(), always */
         Touching touches(const Body &body, const Pose &pose, ObstaclePart *hit = nullptr) const override;
 
+        /** \brief By the test of touches(), with all points so much larger */
+        bool staysFree(const Body &body, const Pose &pose, double distance) const override;
+
         /** \brief Tests that one point */
         bool certainlyHits(const Body &body, const Pose &pose, ObstaclePart part) const override;
 
@@ -83,8 +86,8 @@ namespace ompl_certificates
 
         PointCloudObstacles(std::unique_ptr<const PointForest> forest, double largestRadius, unsigned int dimension);
 
-        /** \brief The first point found that a shape touches, or NO_PART */
-        ObstaclePart findHit(const Shape &shape, const Pose &pose) const;
+        /** \brief The first point found that a shape touches, or is within some distance of; else NO_PART */
+        ObstaclePart findHit(const Shape &shape, const Pose &pose, double within = 0.0) const;
 
         /** \brief Whether a shape touches a point
             \param point in the shape's frame */

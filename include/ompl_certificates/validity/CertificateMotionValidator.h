@@ -27,8 +27,9 @@ namespace ompl_certificates
 
         - A part of an accepted motion may be refused where it passes close to obstacles, since it is proved in other
           steps.
-        - A robot that passes an obstacle closer than the leaves of its sphere tree and the tolerance allow is taken to
-          collide.
+        - A robot is taken to collide where it comes nearer to an obstacle than it moves in 1/32 of a segment of the
+          discrete check; near meshes and edges, than in a few times that. So a finer resolution accepts more. A ball
+          only needs to be farther than the tolerance and that.
         - So is a robot in SE(3) that turns, but by less than 2e-4 rad, unless it is a ball about its origin. OMPL's
           interpolation makes such a turn in one jump.
 
