@@ -16,6 +16,9 @@ namespace ompl_certificates
         /** Pays for numeric integration, relative to distances */
         constexpr double STEP_ROUNDING = 1e-6;
 
+        /** The rounding error of points, relative to their coordinates */
+        constexpr double POINT_ROUNDING = 1e-13;
+
         class StepTrial
         {
         public:
@@ -96,7 +99,7 @@ namespace ompl_certificates
                     for (int axis = 0; axis < static_cast<int>(robot_.getWorkspaceDimension()); ++axis)
                         for (const double side : {-radius, radius})
                             points.emplace_back(side * Eigen::Vector3d::Unit(axis));
-                    const double slack = STEP_ROUNDING * 1e-3 * (1.0 + radius + before[body].translation().norm());
+                    const double slack = POINT_ROUNDING * (1.0 + radius + before[body].translation().norm());
                     for (const Eigen::Vector3d &point : points)
                     {
                         const double distance = (after[body] * point - before[body] * point).norm(),

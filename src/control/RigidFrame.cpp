@@ -15,10 +15,13 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr int FRAMES_TRIED = 20;
+        constexpr int FRAMES_TRIED = 40;
 
         /** The rounding error of poses, relative to their size */
-        constexpr double FRAME_ROUNDING = 1e-9;
+        constexpr double FRAME_ROUNDING = 1e-13;
+
+        /** A body nearer to the frame, relative to its radius, turns about its own origin. */
+        constexpr double SAME_ORIGIN = 1e-12;
 
         /** Numbers from 0 to 1 that are spread evenly, another for each axis */
         double spread(int number, unsigned int axis)
@@ -27,11 +30,17 @@ namespace ompl_certificates
             return std::fmod(number * steps[axis], 1.0);
         }
 
-        /** Write a state, and return its frame */
+        /** Write a state, and return its frame. The first is the one within bounds that is nearest to the origin, where
+            rounding hides least. The others are ever farther from it, at last anywhere. */
         Pose placeFrame(const ob::StateSpace &space, int number, ob::State *state)
         {
-            const auto within = [number](const ob::RealVectorBounds &bounds, unsigned int axis)
-            { return bounds.low[axis] + spread(number, axis) * (bounds.high[axis] - bounds.low[axis]); };
+            const double part = number == 0 ? 0.0 : std::ldexp(1.0, number + 1 - FRAMES_TRIED);
+            const auto within = [=](const ob::RealVectorBounds &bounds, unsigned int axis)
+            {
+                const double low = bounds.low[axis], high = bounds.high[axis], share = spread(number, axis),
+                             nearest = std::max(low, std::min(0.0, high));
+                return (1.0 - part) * nearest + part * ((1.0 - share) * low + share * high);
+            };
             if (space.getType() == ob::STATE_SPACE_SE2)
             {
                 const ob::RealVectorBounds &bounds = space.as<ob::SE2StateSpace>()->getBounds();
@@ -53,24 +62,29 @@ namespace ompl_certificates
     {
         ob::ScopedState<> state(robot.getStateSpace());
         std::vector<Pose> poses(robot.getBodies().size()), fixed;
-        std::vector<double> distances(poses.size());
+        std::vector<double> distances;
         for (int i = 0; i < FRAMES_TRIED; ++i)
         {
             const Pose frame = placeFrame(*robot.getStateSpace(), i, state.get());
-            const double rounding = FRAME_ROUNDING * (1.0 + frame.translation().norm());
             robot.placeBodies(state.get(), poses.data());
-            for (Pose &pose : poses)
-                pose = frame.inverse() * pose;
-            if (fixed.empty())
-                fixed = poses;
             for (std::size_t body = 0; body < poses.size(); ++body)
             {
-                if (!((poses[body].matrix() - fixed[body].matrix()).norm() <= rounding))
+                Pose &pose = poses[body];
+                // The difference comes first: it is exact for a body near its frame, wherever that is.
+                pose.translation() = frame.linear().transpose() * (pose.translation() - frame.translation());
+                pose.linear() = frame.linear().transpose() * pose.linear();
+                const double distance = pose.translation().norm(),
+                             rounding = FRAME_ROUNDING * (1.0 + distance + frame.translation().norm());
+                if (i == 0)
+                    distances.push_back(distance <= SAME_ORIGIN * robot.getBodies()[body].getBoundingRadius()
+                                            ? 0.0
+                                            : distance + rounding);
+                else if (!((pose.matrix() - fixed[body].matrix()).norm() <= rounding))
                     throw ompl::Exception(robot.getName(), "its body " + std::to_string(body) +
                                                                " is not fixed to the frame of its state");
-                const double distance = poses[body].translation().norm();
-                distances[body] = std::max(distances[body], distance > rounding ? distance + rounding : 0.0);
             }
+            if (i == 0)
+                fixed = poses;
         }
         return distances;
     }
