@@ -21,7 +21,7 @@ namespace ompl_certificates
         double trailerAfter(double trailer, double yaw, double speed, double turnRate, double hitch, double duration)
         {
             const double turn = (std::abs(turnRate) + std::abs(speed) / hitch) * std::abs(duration);
-            const int pieces = 1 + static_cast<int>(std::min(turn / 0.1, 1e4));
+            const int pieces = 1 + static_cast<int>(std::min(1e4, turn / 0.1));
             const double h = duration / pieces;
             const auto rate = [&](double t, double heading)
             { return speed / hitch * std::sin(yaw + turnRate * t - heading); };

@@ -1,5 +1,6 @@
 #include "ompl_certificates/control/DynamicRobot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
@@ -62,7 +63,7 @@ namespace ompl_certificates
                makeSpace(shape, velocityNames, velocityBounds)),
               existing(shape)->getBodies(), existing(shape)->getBodyPairs())
       , shape_(shape)
-      , hasVelocities_(!velocityNames.empty())
+      , velocityCount_(velocityNames.size())
       , controlNames_(controlNames)
       , controlBounds_(controlBounds)
     {
@@ -70,17 +71,17 @@ namespace ompl_certificates
 
     const ob::State *DynamicRobot::poseOf(const ob::State *state) const
     {
-        return hasVelocities_ ? state->as<ob::CompoundState>()->components[0] : state;
+        return velocityCount_ > 0 ? state->as<ob::CompoundState>()->components[0] : state;
     }
 
     ob::State *DynamicRobot::poseOf(ob::State *state) const
     {
-        return hasVelocities_ ? state->as<ob::CompoundState>()->components[0] : state;
+        return velocityCount_ > 0 ? state->as<ob::CompoundState>()->components[0] : state;
     }
 
     double *DynamicRobot::velocitiesOf(const ob::State *state) const
     {
-        if (!hasVelocities_)
+        if (velocityCount_ == 0)
             return nullptr;
         return state->as<ob::CompoundState>()->components[1]->as<ob::RealVectorStateSpace::StateType>()->values;
     }
@@ -113,6 +114,9 @@ namespace ompl_certificates
 
     bool DynamicRobot::isWithinLimits(const ob::State *state) const
     {
-        return getStateSpace()->satisfiesBounds(state);
+        // OMPL takes NaN to be within any bounds.
+        const double *velocities = velocitiesOf(state);
+        return std::all_of(velocities, velocities + velocityCount_, [](double v) { return std::isfinite(v); }) &&
+               getStateSpace()->satisfiesBounds(state);
     }
 }

@@ -28,12 +28,13 @@ namespace ompl_certificates
             setAngle(*pose->as<ompl::base::SO2StateSpace::StateType>(1), yaw);
         }
 
+        /** \brief Write an angle within [-pi, pi); NaN stays NaN. */
         static void setAngle(ompl::base::SO2StateSpace::StateType &state, double angle)
         {
             constexpr double pi = 3.14159265358979323846;
             if (!(angle >= -pi && angle < pi))
                 angle = std::remainder(angle, 2.0 * pi);
-            state.value = angle < pi ? angle : -pi;
+            state.value = angle >= pi ? -pi : angle;
         }
 
         /** \brief Drive along an arc at steady speeds. The chord is exact for any turn, zero included. */

@@ -1,6 +1,7 @@
 #include "StepProof.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
@@ -8,6 +9,12 @@ namespace ompl_certificates
     {
         /** How often a piece of the step is halved */
         constexpr int MOST_HALVINGS = 4;
+
+        /** Whether a bound proves anything: neither number is negative, infinite or NaN */
+        bool isBound(const MotionBound &bound)
+        {
+            return bound.linear >= 0.0 && bound.angular >= 0.0 && std::isfinite(bound.linear + bound.angular);
+        }
     }
 
     StepProof::StepProof(const TeamCheck &check, CheckContext &context, const ompl::base::State *from,
@@ -25,6 +32,9 @@ namespace ompl_certificates
     {
         const Team &team = check_.getTeam();
         ++context_.counts.motions;
+        // Bounds are for steps forward. NaN is none, either.
+        if (!(duration_ >= 0.0))
+            return false;
         ++context_.motion;
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
         check_.takeReferences(from_, from_, context_);
@@ -37,7 +47,11 @@ namespace ompl_certificates
             // 0.
             constexpr double factor = 1.0 + 1e-6;
             for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
+            {
                 bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};
+                if (!isBound(bounds[body]))
+                    return false;
+            }
             // The bounds of a shape's own pairs are for interpolations; those of Robot add up, which always holds.
             robotAt(robot).Robot::computePairMotionBounds(from_, from_, bounds,
                                                           context_.pairMotionBounds[robot].data());

@@ -2,6 +2,7 @@
 
 #include "StepProof.h"
 
+#include <algorithm>
 #include <limits>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
@@ -61,11 +62,8 @@ namespace ompl_certificates
 
     void TeamPropagator::requireProof(const std::shared_ptr<const TeamValidityChecker> &checker)
     {
-        if (checker && !makesCertificates(checker->getMethod()))
-            throw ompl::Exception("Steps are proved free by certificates, which the method " +
-                                  nameOf(checker->getMethod()) + " does not have");
-        if (checker && checker->getTeam().getStateSpace() != space_)
-            throw ompl::Exception("Steps are proved free by a checker of the same space");
+        if (checker)
+            requireTeamOf(*checker);
         // A step that is not proved ends in a state that is none.
         if (checker && !space_->getValueAddressAtIndex(ob::ScopedState<>(space_).get(), 0))
             throw ompl::Exception(robots_[0]->getName(),
@@ -74,9 +72,21 @@ namespace ompl_certificates
         proof_ = checker;
     }
 
+    void TeamPropagator::requireTeamOf(const TeamValidityChecker &checker) const
+    {
+        if (!makesCertificates(checker.getMethod()))
+            throw ompl::Exception("Steps are proved free by certificates, which the method " +
+                                  nameOf(checker.getMethod()) + " does not have");
+        const auto &robots = checker.getTeam().getRobots();
+        if (checker.getTeam().getStateSpace() != space_ ||
+            !std::equal(robots.begin(), robots.end(), robots_.begin(), robots_.end()))
+            throw ompl::Exception("Steps are proved free by a checker of the same space and robots");
+    }
+
     bool TeamPropagator::isStepFree(const TeamValidityChecker &checker, const ob::State *state,
                                     const oc::Control *control, double duration, const ob::State *result) const
     {
+        requireTeamOf(checker);
         const TeamCheck &check = checker.getTeamCheck();
         const TeamCheck::Scope context(check);
         StepProof proof(check, *context, state, controlOf(control, 0), firstControl_, duration);
@@ -99,7 +109,9 @@ namespace ompl_certificates
         const std::size_t bodies = static_cast<const TeamStateSpace &>(*space_).getBodyCount();
         for (std::size_t body = 0; body < bodies; ++body)
             to->setReference(body, from->getReference(body));
-        if (!proved)
-            *space_->getValueAddressAtIndex(result, 0) = std::numeric_limits<double>::quiet_NaN();
+        // All numbers: the first may be one that places no body.
+        double *number = nullptr;
+        for (unsigned int i = 0; !proved && (number = space_->getValueAddressAtIndex(result, i)); ++i)
+            *number = std::numeric_limits<double>::quiet_NaN();
     }
 }

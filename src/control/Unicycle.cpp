@@ -46,7 +46,7 @@ namespace ompl_certificates
         // points on pieces of little turn.
         const double v = speeds[0], w = speeds[1], a = control[0], b = control[1];
         const double turn = (std::abs(w) + std::abs(b * duration)) * std::abs(duration);
-        const int pieces = 1 + static_cast<int>(std::min(turn / 0.25, 1e4));
+        const int pieces = 1 + static_cast<int>(std::min(1e4, turn / 0.25));
         const double length = duration / pieces, node = std::sqrt(0.6);
         for (int piece = 0; piece < pieces; ++piece)
             for (int i = -1; i <= 1; ++i)

@@ -128,6 +128,13 @@ TEST(DynamicRobotTest, LimitsHoldVelocitiesAndHinge)
     EXPECT_TRUE(robots[5]->isWithinLimits(train.get()));
     train[3] = -2.4;
     EXPECT_FALSE(robots[5]->isWithinLimits(train.get()));
+
+    const double none = std::nan(""), control[] = {0.1, 0.0};
+    fast[2] = none;
+    EXPECT_FALSE(robots[1]->isWithinLimits(fast.get()));
+    train[3] = none;
+    robots[5]->propagate(train.get(), control, 0.1, train.get());
+    EXPECT_TRUE(std::isnan(train[3])) << "a heading comes from none";
 }
 
 namespace
@@ -151,6 +158,8 @@ namespace
                 poses[body] = frame * places_[body];
             if (isLoose)
                 poses[places_.size() - 1].translation().x() *= 1.001;
+            if (swing > 0.0)
+                poses[0].translation().x() += swing * frame(0, 0);
         }
 
         void computeMotionBounds(const ob::State * /*from*/, const ob::State * /*to*/,
@@ -159,6 +168,8 @@ namespace
         }
 
         bool isLoose{false};
+        /** How far the first body swings as the frame turns */
+        double swing{0.0};
 
     private:
         const RobotPtr robot_;
@@ -169,8 +180,8 @@ namespace
     class Optimist : public DynamicRobot
     {
     public:
-        explicit Optimist(const std::shared_ptr<const DynamicRobot> &robot)
-          : DynamicRobot(RigidRobot::inSE2("optimist", Body::box(0.5, 0.25), within({3.0, 3.0})), {},
+        explicit Optimist(const std::shared_ptr<const DynamicRobot> &robot, double half = 3.0)
+          : DynamicRobot(RigidRobot::inSE2("optimist", Body::box(0.5, 0.25), within({half, half})), {},
                          ob::RealVectorBounds(0), robot->getControlNames(), robot->getControlBounds())
           , robot_(robot)
         {
@@ -223,6 +234,34 @@ TEST(DynamicRobotTest, BodiesMayLieBesideTheFrame)
     EXPECT_EQ(messageOf([&] { Integrator::firstOrder(straight, space); }), loose);
 }
 
+TEST(DynamicRobotTest, BodiesMayLieBesideTheFrameOnAnyFloor)
+{
+    const auto boundsOf = [](double low, double high, double beside, double swing)
+    {
+        ob::RealVectorBounds floor(2);
+        floor.setLow(low);
+        floor.setHigh(high);
+        const auto shape = std::make_shared<Moved>(RigidRobot::inSE2("disc", Body::disc(0.3), floor),
+                                                   std::vector<Pose>{planarPose(0.0, beside)});
+        shape->swing = swing;
+        const auto robot = Unicycle::firstOrder(shape, within({1.0, 7.0}));
+        ob::ScopedState<> state(robot->getStateSpace());
+        state = std::vector<double>{low, high, 0.0};
+        const double turn[] = {0.0, 6.0};
+        MotionBound bound;
+        robot->computeStepBounds(state.get(), turn, 1.0, &bound);
+        return bound;
+    };
+    EXPECT_GE(boundsOf(-1e9, 1e9, 0.1, 0.0).linear, 0.6);
+    EXPECT_GE(boundsOf(-1e7, 1e7, 1e-3, 0.0).linear, 6e-3);
+    EXPECT_GE(boundsOf(1e5, 1e5 + 10.0, 1e-4, 0.0).linear, 5.999e-4);
+    EXPECT_LE(boundsOf(1e5, 1e5 + 10.0, 1e-4, 0.0).linear, 6.01e-4);
+    EXPECT_EQ(boundsOf(-1e9, 1e9, 0.0, 0.0).linear, 0.0);
+    EXPECT_EQ(boundsOf(1e9, 2e9, 0.0, 0.0).linear, 0.0);
+    EXPECT_EQ(messageOf([&] { boundsOf(-1e9, 1e9, 0.0, 1e-3); }),
+              "moved: its body 0 is not fixed to the frame of its state");
+}
+
 TEST(DynamicRobotTest, TrialFindsWrongSteps)
 {
     for (const auto &robot : allKinds())
@@ -240,6 +279,10 @@ TEST(DynamicRobotTest, TrialFindsWrongSteps)
     EXPECT_NE(complaint([](Optimist &robot) { robot.fails = true; }).find("not finite"), std::string::npos);
     EXPECT_NE(complaint([](Optimist &robot) { robot.forgets = true; }).find("if both states are one"),
               std::string::npos);
+    Optimist wide(allKinds()[2], 1e11);
+    EXPECT_EQ(messageOf([&] { checkDynamicRobot(wide, 0.5); }), "");
+    wide.share = 0.0;
+    EXPECT_NE(messageOf([&] { checkDynamicRobot(wide, 0.5); }).find("of body 0 moves"), std::string::npos);
     EXPECT_EQ(messageOf([] { checkDynamicRobot(*allKinds()[0], 0.0); }),
               "single: the longest step must be positive, not 0 s");
 }

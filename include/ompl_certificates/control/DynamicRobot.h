@@ -47,13 +47,14 @@ namespace ompl_certificates
                                ompl::base::State *to) const = 0;
 
         /** \brief Write how far each body moves while \e control is held for \e duration seconds: one motion bound per
-            body, whose time runs from 0 to 1 within the step. A bound that is too small makes verdicts of the
-            continuous mode wrong. */
+            body, whose time runs from 0 to 1 within the step. \e duration is not negative: steps back are never proved
+            free. A bound that is too small makes verdicts of the continuous mode wrong; one that is negative, infinite
+            or NaN proves nothing. */
         virtual void computeStepBounds(const ompl::base::State *from, const double *control, double duration,
                                        MotionBound *bounds) const = 0;
 
-        /** \brief Whether position and velocities are within their bounds. As OMPL's validity checkers do not ask, a
-            LimitedValidityChecker does. */
+        /** \brief Whether position and velocities are numbers within their bounds. As OMPL's validity checkers do not
+            ask, a LimitedValidityChecker does. */
         virtual bool isWithinLimits(const ompl::base::State *state) const;
 
     protected:
@@ -82,7 +83,8 @@ namespace ompl_certificates
 
     private:
         const RobotPtr shape_;
-        const bool hasVelocities_;
+        /** \brief How many velocities the state has */
+        const std::size_t velocityCount_;
         const std::vector<std::string> controlNames_;
         const ompl::base::RealVectorBounds controlBounds_;
     };

@@ -37,12 +37,13 @@ namespace ompl_certificates
         static std::shared_ptr<ompl::control::RealVectorControlSpace> makeControlSpace(const TeamStateSpacePtr &team);
 
         /** \brief Prove each step free from now on; null to stop that. Not while others use the propagator.
-            \throws ompl::Exception if \e checker uses a method without certificates, or is of another space; and if
+            \throws ompl::Exception if \e checker uses a method without certificates, or is of another team; and if
             getValueAddressAtIndex() of the team's space, and so of the first robot's, tells no address */
         void requireProof(const std::shared_ptr<const TeamValidityChecker> &checker);
 
-        /** \brief Whether all of a step is proved free, both ends included. If so, \e result, the state at its end, is
-            given references to certificates. */
+        /** \brief Whether all of a step is proved free, both ends included; false for a step back, whose \e duration is
+            negative. If so, \e result, the state at its end, is given references to certificates.
+            \throws ompl::Exception if \e checker uses a method without certificates, or is of another team */
         bool isStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
                         const ompl::control::Control *control, double duration, const ompl::base::State *result) const;
 
@@ -59,6 +60,9 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief \throws ompl::Exception if \e checker cannot prove steps of this team */
+        void requireTeamOf(const TeamValidityChecker &checker) const;
+
         /** \brief The controls of one robot among those of the team */
         const double *controlOf(const ompl::control::Control *control, std::size_t robot) const
         {
