@@ -187,6 +187,8 @@ namespace ompl_certificates
                 blocks_[place] = std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_);
         }
         edited_.clear();
+        if (after_ && added.empty() && removed.empty())
+            return {after_, nullptr, nullptr};
         const auto obstaclesOf = [this](std::vector<CellBox> boxes) -> ObstaclesPtr
         {
             if (boxes.empty())
@@ -204,6 +206,7 @@ namespace ompl_certificates
             new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
         change.added = obstaclesOf(std::move(added));
         change.removed = obstaclesOf(std::move(removed));
+        after_ = change.after;
         return change;
     }
 }

@@ -70,6 +70,8 @@ namespace ompl_certificates
         for (const auto &[id, obstacle] : taken_)
             if (!isIn(obstacles_, id, obstacle.pose))
                 removed.push_back(obstacle);
+        if (after_ && added.empty() && removed.empty())
+            return {after_, nullptr, nullptr};
         std::map<Id, PlacedBody> taken = obstacles_;
         ObstacleChange change;
         change.after = make(all);
@@ -78,6 +80,7 @@ namespace ompl_certificates
         if (!removed.empty())
             change.removed = make(removed);
         taken_.swap(taken);
+        after_ = change.after;
         return change;
     }
 }

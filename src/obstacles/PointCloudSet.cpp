@@ -191,6 +191,8 @@ namespace ompl_certificates
 
     ObstacleChange PointCloudSet::takeChange()
     {
+        if (after_ && inserted_.empty() && removed_.empty())
+            return {after_, nullptr, nullptr};
         std::vector<PointForest::Layer> layers;
         for (Layer &layer : layers_)
         {
@@ -218,6 +220,7 @@ namespace ompl_certificates
         change.removed = obstaclesOf(std::move(removed));
         inserted_.clear();
         removed_.clear();
+        after_ = change.after;
         return change;
     }
 }

@@ -5,6 +5,8 @@
 #include "ExactMethod.h"
 #include "ProjectedMethod.h"
 
+#include "ompl_certificates/obstacles/MixedObstacles.h"
+
 #include <algorithm>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -303,14 +305,6 @@ namespace ompl_certificates
         return "";
     }
 
-    bool TeamCheck::mayReplaceAll(const ObstacleChange &change) const
-    {
-        if (change.added || change.removed || change.after == obstacles_)
-            return false;
-        const std::uint64_t fingerprint = change.after->getFingerprint();
-        return fingerprint == 0 || fingerprint != obstacles_->getFingerprint();
-    }
-
     void TeamCheck::change(const ObstacleChange &change)
     {
         for (const ObstaclesPtr &obstacles : {change.after, change.added, change.removed})
@@ -320,8 +314,7 @@ namespace ompl_certificates
         WorldLock::Change world(lock_);
         world.open();
         // Who tells of other obstacles alone may have taken the rest for optional.
-        const ObstacleChange whole =
-            mayReplaceAll(change) ? ObstacleChange::replacing(obstacles_, change.after) : change;
+        const ObstacleChange whole = namingReplaced(change, obstacles_);
         world.close();
         CertificateRepair repair(checkMethod_->getStores(), whole);
         world.open();

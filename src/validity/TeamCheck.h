@@ -205,10 +205,6 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::describeCollision() */
         std::string describeCollision(const ompl::base::State *state, CheckContext &context) const;
 
-        /** \brief Whether a change that names nothing added or removed has other obstacles than there are: those that
-            differ in fingerprint, or have none. Not within checks, but while no other change may begin. */
-        bool mayReplaceAll(const ObstacleChange &change) const;
-
         /** \brief See TeamValidityChecker::changeObstacles() */
         void change(const ObstacleChange &change);
 

@@ -270,6 +270,7 @@ TEST(CellSet, ForgetsCellsThatComeAndGoBetweenChanges)
     const ObstacleChange change = set.takeChange();
     EXPECT_EQ(change.added, nullptr);
     EXPECT_EQ(change.removed, nullptr);
+    EXPECT_EQ(change.after, set.takeChange().after);
     const auto boxes = dynamic_cast<const CellObstacles &>(*change.after).getBoxes();
     EXPECT_EQ(boxes, std::vector<CellBox>{here});
     set.remove({here});

@@ -155,6 +155,8 @@ TEST(MixedObstacles, ChangeAsTheirMembersDo)
 
     const ObstacleChange none = mixedChange({shapes.takeChange(), points.takeChange()});
     EXPECT_FALSE(none.added || none.removed);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(none.members[i].after, second.members[i].after);
     EXPECT_THROW(mixedChange({}), ompl::Exception);
     EXPECT_THROW(mixedChange({none, ObstacleChange()}), ompl::Exception);
 }

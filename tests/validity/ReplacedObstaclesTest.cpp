@@ -1,6 +1,7 @@
 #include "support/Checkers.h"
 
-#include "ompl_certificates/obstacles/ObstacleChange.h"
+#include "ompl_certificates/obstacles/MixedObstacles.h"
+#include "ompl_certificates/obstacles/ObstacleSet.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,32 @@ namespace
     {
         return std::make_shared<Kind>(bodies, 2U);
     }
+
+    /** Lets a checker learn certificates */
+    void learn(TeamValidityChecker &checker, std::vector<ob::ScopedState<>> &states)
+    {
+        Random random(7);
+        checker.setCertificatesAfter(0);
+        checker.setAdaptive(false);
+        for (int i = 0; i < 2000; ++i)
+        {
+            states.push_back(randomState(random, checker.getTeam().getStateSpace()));
+            checker.isValid(states.back().get());
+        }
+        ASSERT_GT(checker.getCertificateCount(), 50U);
+    }
+
+    /** What a checker says, and knows, is true of its obstacles. */
+    void expectTruth(const TeamStateSpacePtr &team, const TeamValidityChecker &checker, const ObstaclesPtr &obstacles,
+                     const std::vector<ob::ScopedState<>> &states)
+    {
+        TeamSetup fresh(team, obstacles, Method::FCL);
+        fresh.getSpaceInformation()->setup();
+        for (const auto &state : states)
+            ASSERT_EQ(checker.isValid(state.get()), fresh.getTeamChecker()->isValid(state.get()));
+        for (const Certificate &certificate : checker.getCertificates())
+            EXPECT_NEAR(certificate.clearance, obstacles->clearance(certificate.point), 1e-6);
+    }
 }
 
 TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
@@ -44,30 +71,49 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
     for (const auto &make : {makeObstacles<FclObstacles>, makeObstacles<Nameless>})
         for (const bool told : {false, true})
         {
-            Random random(7);
             const ObstaclesPtr before = make(worldOf(1)), after = make(worldOf(2));
             TeamSetup setup(team, before);
             setup.getSpaceInformation()->setup();
             const auto checker = setup.getTeamChecker();
-            checker->setCertificatesAfter(0);
-            checker->setAdaptive(false);
             std::vector<ob::ScopedState<>> states;
-            for (int i = 0; i < 2000; ++i)
-                states.push_back(randomState(random, team));
-            for (auto &state : states)
-                checker->isValid(state.get());
+            learn(*checker, states);
             const std::size_t known = checker->getCertificateCount();
-            ASSERT_GT(known, 50U);
             // The same obstacles once more: who has a fingerprint keeps what is known.
             checker->changeObstacles({make(worldOf(1)), {}, {}});
             EXPECT_EQ(checker->getCertificateCount(), known);
             checker->changeObstacles(told ? ObstacleChange::replacing(before, after)
                                           : ObstacleChange{after, nullptr, nullptr});
-            TeamSetup fresh(team, after, Method::FCL);
-            fresh.getSpaceInformation()->setup();
-            for (const auto &state : states)
-                ASSERT_EQ(checker->isValid(state.get()), fresh.getTeamChecker()->isValid(state.get()));
-            for (const Certificate &certificate : checker->getCertificates())
-                EXPECT_NEAR(certificate.clearance, after->clearance(certificate.point), 1e-6);
+            expectTruth(team, *checker, after, states);
         }
+}
+
+TEST(ReplacedObstacles, AmongMixedOnesAreFoundByTheirFingerprints)
+{
+    const TeamStateSpacePtr team = teamOfDiscs();
+    for (const auto &make : {makeObstacles<FclObstacles>, makeObstacles<Nameless>})
+    {
+        ObstacleSet set(2);
+        const ObstacleSet::Id box = set.add({Body::box(0.4, 0.4), planarPose(0.0, 0.0)});
+        const ObstacleChange first{set.takeChange().after, nullptr, nullptr};
+        TeamSetup setup(team, mixedChange({first, {make(worldOf(1)), nullptr, nullptr}}).after);
+        setup.getSpaceInformation()->setup();
+        const auto checker = setup.getTeamChecker();
+        std::vector<ob::ScopedState<>> states;
+        learn(*checker, states);
+        const std::size_t known = checker->getCertificateCount();
+        checker->changeObstacles(mixedChange({set.takeChange(), {make(worldOf(1)), nullptr, nullptr}}));
+        EXPECT_EQ(checker->getCertificateCount(), known);
+        // One member tells what has changed, the other one is another.
+        set.move(box, planarPose(1.0, 1.0));
+        const ObstacleChange change = mixedChange({set.takeChange(), {make(worldOf(2)), nullptr, nullptr}});
+        checker->changeObstacles(change);
+        expectTruth(team, *checker, change.after, states);
+        // Mixed ones within mixed ones; and one member more, of which nothing is said
+        const ObstacleChange inner = mixedChange({set.takeChange(), {make(worldOf(3)), nullptr, nullptr}});
+        for (const ObstacleChange &next : {mixedChange({inner, first}), mixedChange({inner, first, inner})})
+        {
+            checker->changeObstacles(next);
+            expectTruth(team, *checker, next.after, states);
+        }
+    }
 }

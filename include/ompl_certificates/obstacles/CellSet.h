@@ -61,8 +61,9 @@ namespace ompl_certificates
         std::size_t size() const;
 
         /** \brief The obstacles now, and what was added and removed since the last call: the boxes that cells are
-            joined into, as far as they have changed. Cells that came and went between are in neither. Cost: some tens
-            of µs for each block in which a cell came or went, and some 0.1 µs for each other block. */
+            joined into, as far as they have changed. If none have, the same obstacles again. Cells that came and went
+            between are in neither. Cost: some tens of µs for each block in which a cell came or went, and some 0.1 µs
+            for each other block. */
         ObstacleChange takeChange();
 
     private:
@@ -95,6 +96,8 @@ namespace ompl_certificates
         std::map<Place, std::shared_ptr<const CellBlock>> blocks_;
         /** \brief The cells now of those blocks in which one may have come or gone since */
         std::map<Place, Cells> edited_;
+        /** \brief What the last takeChange() made */
+        ObstaclesPtr after_;
     };
 }
 

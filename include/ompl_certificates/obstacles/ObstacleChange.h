@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ompl_certificates
 {
@@ -27,6 +28,9 @@ namespace ompl_certificates
 
         /** \brief The obstacles that were removed; null if none */
         ObstaclesPtr removed;
+
+        /** \brief The changes of the members of \e after, if mixedChange() made this; else none */
+        std::vector<ObstacleChange> members{};
 
         /** \brief The new clearance of \e point, whose clearance was \e before. Asks all obstacles only where a removed
             one was nearest. */

@@ -52,8 +52,8 @@ namespace ompl_certificates
         /** \brief The obstacles now, in the order of their numbers. Cost: a copy of each. */
         std::vector<PlacedBody> getObstacles() const;
 
-        /** \brief The obstacles now, and what was added and removed since the last call. Cost: that of making
-            FclObstacles of all of them. */
+        /** \brief The obstacles now, and what was added and removed since the last call; if nothing was, the same
+            obstacles again. Cost: that of making FclObstacles of all of them. */
         ObstacleChange takeChange();
 
     private:
@@ -66,6 +66,8 @@ namespace ompl_certificates
 
         /** \brief The obstacles now, and at the last takeChange() */
         std::map<Id, PlacedBody> obstacles_, taken_;
+        /** \brief What the last takeChange() made */
+        ObstaclesPtr after_;
     };
 }
 

@@ -58,9 +58,9 @@ namespace ompl_certificates
         /** \brief The number of points */
         std::size_t size() const;
 
-        /** \brief The obstacles now, and what was added and removed since the last call. Points that came and went
-            between are in neither. Cost: as insert() for the points that came and went; and a copy of 1 bit for each
-            point of the trees from which some were removed. */
+        /** \brief The obstacles now, and what was added and removed since the last call; if no point came or went, the
+            same obstacles again. Points that came and went between are in neither. Cost: as insert() for the points
+            that came and went; and a copy of 1 bit for each point of the trees from which some were removed. */
         ObstacleChange takeChange();
 
     private:
@@ -78,6 +78,8 @@ namespace ompl_certificates
         std::vector<Layer> layers_;
         /** \brief What came and went since the last takeChange() */
         std::vector<Eigen::Vector3d> inserted_, removed_;
+        /** \brief What the last takeChange() made */
+        ObstaclesPtr after_;
     };
 }
 

@@ -16,7 +16,8 @@ namespace ompl_certificates
 {
     /** \brief Tells which states and motions a change of the obstacles makes invalid.
 
-        What was valid stays so unless it meets what was added. So this checks among the added obstacles alone, with
+        What was valid stays so unless it meets what was added. A change must name that: obstacles that are new
+        altogether are added by ObstacleChange::replacing(). So this checks among the added obstacles alone, with
         certificates of its own: where nothing was added nearby, a few of these settle whole motions. Robots are not
         checked against each other.
         @code
