@@ -18,10 +18,12 @@ namespace ompl_certificates
 
         With requireProof() a step is also proved free between its ends. A step that is not proved ends in coordinates
         that are not numbers, which every TeamValidityChecker calls invalid; so no planner of OMPL goes on from there.
-        The step's way is proved in pieces: each is free if clearances at its middle exceed how far the bodies can move
-        in half of its time. A piece that is not proved is halved, at most four times. So a step is refused if a body
-        passes an obstacle or another robot closer than the motion of 1/32 of the step; the tolerance and the leaves of
-        the sphere trees add to that. The verdict depends only on the obstacles, the state and the control.
+        The step's way is proved in pieces: each is free if at its middle there is more room than the bodies can move in
+        half of its time, by clearances or a contact test. A piece that is not proved is halved, at most four times. So
+        a step is refused if a body passes an obstacle or another robot closer than the motion of 1/32 of the step, near
+        meshes and edges a few times that; the tolerance adds to it. Obstacles of your own without gap() and staysFree()
+        need room for the leaves of the sphere trees, too. The verdict depends only on the obstacles, the state and the
+        control.
 
         May be used by many threads at once. */
     class TeamPropagator : public ompl::control::StatePropagator
