@@ -221,7 +221,18 @@ namespace ompl_certificates_python
         requireState(state, "state");
         if (std::any_of(state.data(), state.data() + state.size(), [](double value) { return !std::isfinite(value); }))
             return "a number is not finite";
-        return setup_->getTeamChecker()->describeCollision(toState(state, "state").get());
+        return describeCollision(toState(state, "state").get());
+    }
+
+    std::string Checker::describeCollision(const ob::State *state) const
+    {
+        const std::string collision = setup_->getTeamChecker()->describeCollision(state);
+        if (collision.empty())
+            return collision;
+        const std::string named = getScene(nullptr).describeCollision(
+            std::static_pointer_cast<TeamStateSpace>(setup_->getStateSpace()), state);
+        // Another thread may have moved what was in the way.
+        return named.empty() ? collision : named;
     }
 
     Scene Checker::getScene(const ob::State *goal) const
@@ -234,7 +245,8 @@ namespace ompl_certificates_python
         std::size_t i = 0;
         for (Scene::Member member : scene_.getMembers())
         {
-            member.robot->getStateSpace()->copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i++]);
+            if (goal)
+                member.robot->getStateSpace()->copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i++]);
             now.addMember(member);
         }
         return now;

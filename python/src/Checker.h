@@ -41,8 +41,11 @@ namespace ompl_certificates_python
             not checked here in the discrete mode. */
         py::array_t<bool> checkMotions(const Doubles &starts, const Doubles &ends) const;
 
-        /** \brief What collides in a state, in one line; empty if it is valid */
+        /** \brief What collides in a state, in one line that names the obstacle; empty if it is valid */
         std::string describeCollision(const Doubles &state) const;
+
+        /** \brief The same, of a state of the team */
+        std::string describeCollision(const ompl::base::State *state) const;
 
         /** \brief Change the obstacles that are bodies, and return the numbers of those that are added. Waits for
             running checks of other threads, which see all of the change or nothing, here and below.
@@ -71,7 +74,7 @@ namespace ompl_certificates_python
         ompl::base::ScopedState<> toState(const Doubles &values, const char *what) const;
 
         /** \brief The scene with the obstacles there are now, and a goal
-            \param goal a state of the team */
+            \param goal a state of the team; null for the scene's own */
         Scene getScene(const ompl::base::State *goal) const;
 
         /** \brief The setup, for planning; see beginPlanning() */

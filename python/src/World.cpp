@@ -27,11 +27,11 @@ namespace ompl_certificates_python
     World::World(const Scene &scene)
       : dimension_(scene.getDimension()), heights_(scene.getZInterval()), bodies_(dimension_, heights_)
     {
-        for (const PlacedBody &obstacle : scene.getObstacles())
-            bodies_.add(obstacle);
+        for (std::size_t i = 0; i < scene.getObstacles().size(); ++i)
+            titles_[bodies_.add(scene.getObstacles()[i])] = scene.getObstacleTitles()[i];
         bodiesNow_ = bodies_.takeChange().after;
-        for (const ObstaclesPtr &obstacles : scene.getSensedObstacles())
-            sensed_.push_back({obstacles});
+        for (std::size_t i = 0; i < scene.getSensedObstacles().size(); ++i)
+            sensed_.push_back({scene.getSensedObstacles()[i], scene.getSensedTitles()[i]});
     }
 
     ObstaclesPtr World::getObstacles() const
@@ -46,10 +46,12 @@ namespace ompl_certificates_python
 
     void World::addTo(Scene &scene) const
     {
-        for (const PlacedBody &obstacle : bodies_.getObstacles())
-            scene.addObstacle(obstacle);
+        const std::vector<PlacedBody> bodies = bodies_.getObstacles();
+        auto body = bodies.begin();
+        for (const auto &[number, title] : titles_)
+            scene.addObstacle(*body++, title);
         for (const Sensed &sensed : sensed_)
-            scene.addSensedObstacles(sensed.obstacles, "");
+            scene.addSensedObstacles(sensed.obstacles, sensed.title);
     }
 
     ObstacleChange World::changeBodies(const BodyChange &change, std::vector<ObstacleSet::Id> &numbers)
@@ -63,6 +65,10 @@ namespace ompl_certificates_python
             numbers.push_back(bodies.add(body));
         ObstacleChange result = bodies.takeChange();
         bodies_ = std::move(bodies);
+        for (const ObstacleSet::Id number : change.removed)
+            titles_.erase(number);
+        for (const ObstacleSet::Id number : numbers)
+            titles_[number] = "added obstacle " + std::to_string(number);
         bodiesNow_ = result.after;
         result.after = getObstacles();
         return result;
@@ -73,7 +79,7 @@ namespace ompl_certificates_python
         PointCloudSet set(radius, dimension_);
         set.insert(placed(std::move(points), radius, "points"));
         ObstacleChange change = set.takeChange();
-        sensed_.push_back({change.after, radius, std::move(set), {}});
+        sensed_.push_back({change.after, "added cloud " + std::to_string(sensed_.size()), radius, std::move(set)});
         change.after = getObstacles();
         return change;
     }
@@ -99,7 +105,7 @@ namespace ompl_certificates_python
         CellSet cells(size, dimension_);
         cells.insert(occupied);
         ObstacleChange change = cells.takeChange();
-        sensed_.push_back({change.after, {}, {}, std::move(cells)});
+        sensed_.push_back({change.after, "added grid " + std::to_string(sensed_.size()), {}, {}, std::move(cells)});
         change.after = getObstacles();
         return change;
     }

@@ -56,7 +56,8 @@ namespace ompl_certificates_python
     class World
     {
     public:
-        /** \brief The obstacles of \e scene. Its bodies and clouds have the numbers of their order, from 0 on. */
+        /** \brief The obstacles of \e scene. Its bodies and clouds have the numbers of their order, from 0 on, and
+            its titles. */
         explicit World(const ompl_certificates::Scene &scene);
 
         /** \brief All obstacles, as of Scene::makeObstacles() */
@@ -108,6 +109,7 @@ namespace ompl_certificates_python
         struct Sensed
         {
             ompl_certificates::ObstaclesPtr obstacles;
+            std::string title;
             std::optional<double> radius{};
             std::optional<ompl_certificates::PointCloudSet> set{};
             std::optional<ompl_certificates::CellSet> cells{};
@@ -129,6 +131,8 @@ namespace ompl_certificates_python
         ompl_certificates::ZInterval heights_;
         ompl_certificates::ObstacleSet bodies_;
         ompl_certificates::ObstaclesPtr bodiesNow_;
+        /** \brief What messages call the bodies */
+        std::map<ompl_certificates::ObstacleSet::Id, std::string> titles_;
         std::vector<Sensed> sensed_;
     };
 }

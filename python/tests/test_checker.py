@@ -29,7 +29,8 @@ def test_one_state_gives_one_bool(room: oc.Scene) -> None:
     assert checker.is_valid(room.start) is True
     assert checker.is_valid([5, 5, 1, 1]) is False
     assert checker.is_valid([math.nan, 5, 1, 1]) is False
-    assert "left" in checker.describe_collision([5, 5, 1, 1])
+    assert checker.describe_collision([5, 5, 1, 1]) == "robot 'left' touches environment.obstacles[0]"
+    assert checker.describe_collision([1, 1, 1, 1.5]) == "robots 'left' and 'right' touch each other"
     assert checker.describe_collision(room.start) == ""
     assert checker.describe_collision([math.nan, 5, 1, 1]) == "a number is not finite"
 
@@ -284,3 +285,21 @@ def test_interrupt_ends_a_batch(room: oc.Scene, question: str) -> None:
     assert time.monotonic() - sent < 0.5
     timer.join()
     assert len(getattr(checker, question)(*(argument[:5] for argument in arguments))) == 5
+
+
+def test_collisions_name_what_is_added_and_what_is_left(room: oc.Scene) -> None:
+    room.add_grid(np.ones((1, 1), dtype=bool), size=1.0, first=(8, 8))
+    checker = oc.Checker(room)
+    assert checker.describe_collision([8.5, 8.5, 1, 1]) == "robot 'left' touches grids[0]"
+    disc = checker.add_obstacle(oc.Body.disc(0.5), (2, 8))
+    checker.remove_obstacle(0)
+    assert checker.describe_collision([5, 5, 1, 1]) == ""
+    assert checker.describe_collision([2, 8, 1, 1]) == f"robot 'left' touches added obstacle {disc}"
+    checker.move_obstacle(disc, (2, 6))
+    other = checker.add_obstacle(oc.Body.disc(0.5), (2, 8))
+    assert checker.describe_collision([1, 1, 2, 8]) == f"robot 'right' touches added obstacle {other}"
+    cloud = checker.add_cloud([[5, 8]], radius=0.1)
+    assert checker.describe_collision([5, 8, 1, 1]) == f"robot 'left' touches added cloud {cloud}"
+    grid = checker.add_grid(np.ones((1, 1), dtype=bool), size=1.0, first=(8, 1))
+    with pytest.raises(oc.Error, match=f"^room: goal: robot 'right' touches added grid {grid}$"):
+        oc.plan(checker, time=1, goal=[1, 1, 8.5, 1.5])

@@ -72,10 +72,22 @@ namespace ompl_certificates
             return obstacles_;
         }
 
+        /** \brief What messages call these */
+        const std::vector<std::string> &getObstacleTitles() const
+        {
+            return obstacleTitles_;
+        }
+
         /** \brief Further obstacles that are no bodies, such as point clouds */
         const std::vector<ObstaclesPtr> &getSensedObstacles() const
         {
             return sensed_;
+        }
+
+        /** \brief What messages call these */
+        const std::vector<std::string> &getSensedTitles() const
+        {
+            return sensedTitles_;
         }
 
         /** \brief The robots, in the order of the team's components */
@@ -155,9 +167,23 @@ namespace ompl_certificates
             goal is outside the bounds, touches an obstacle or overlaps another one's */
         void validate() const;
 
+        /** \brief What collides in \e state, in one line that names robots, their links or bodies, and obstacles; empty
+            if nothing does. For messages: it takes longer than a check.
+            \param state of \e team, which makeTeam() made */
+        std::string describeCollision(const TeamStateSpacePtr &team, const ompl::base::State *state) const;
+
     private:
         ompl::base::ScopedState<> makeState(const TeamStateSpacePtr &team,
                                             std::vector<double> Member::*coordinates) const;
+
+        /** \brief Where the bodies of all robots are */
+        static std::vector<std::vector<Pose>> placeRobots(const TeamStateSpace &team, const ompl::base::State *state);
+
+        /** \brief What the robot touches at \e poses, such as "touches environment.obstacles[0] with link 'hand'"; empty
+            if nothing
+            \param obstacles all of them */
+        std::string describeTouch(const Robot &robot, const std::vector<Pose> &poses, const Obstacles &obstacles,
+                                  const ZInterval &zInterval) const;
 
         /** \brief validate() for the starts or for the goals, which \e key tells */
         void validate(const std::string &key, std::vector<double> Member::*coordinates) const;
