@@ -95,6 +95,8 @@ namespace
             setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
+            if (!report.solved)
+                report.reason = reasonOf(status, *setup.getProblemDefinition());
         }
         report.totalSeconds = setup.getLastPlanComputationTime();
         report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
@@ -232,8 +234,11 @@ namespace
         const bool stopped = demos::takeInterrupt();
         ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         ob::PlannerData tree(setup->getSpaceInformation());
-        setup->getPlanner()->getPlannerData(tree);
-        report.setTree(tree);
+        if (demos::needsTree(options))
+        {
+            setup->getPlanner()->getPlannerData(tree);
+            report.setTree(tree);
+        }
         if (options.simplify)
             simplify(*setup, options, report);
 

@@ -35,6 +35,8 @@ namespace demos
             const ob::PlannerStatus status = setup.solve(limit.condition());
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
+            if (!report.solved)
+                report.reason = reasonOf(status, *setup.getProblemDefinition());
             report.totalSeconds = setup.getLastPlanComputationTime();
             report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
             report.checks = setup.getStatistics().getCounts();
@@ -52,13 +54,9 @@ namespace demos
             if (report.solved)
                 std::printf("  solved        %.6g s, %zu controls\n", report.cost,
                             setup.getSolutionPath().getControlCount());
-            else if (report.approximate)
-                std::printf("  not solved    an approximate solution ends %.6g from the goal\n",
-                            setup.getProblemDefinition()->getSolutionDifference());
             else
-                std::puts("  not solved");
-            std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
-                        number(report.treeEdges), number(report.iterations));
+                std::printf("  not solved    %s\n", report.reason.c_str());
+            printTree(report);
             std::printf(
                 "  robot poses   %llu: certified %llu, by clearances %llu, by the contact test %llu, by FCL %llu\n",
                 number(report.checks.robotPoses),
@@ -137,8 +135,11 @@ namespace demos
         report.seed = options.seed;
         solve(setup, options, report);
         ob::PlannerData tree(setup.getSpaceInformation());
-        setup.getPlanner()->getPlannerData(tree);
-        report.setTree(tree);
+        if (needsTree(options))
+        {
+            setup.getPlanner()->getPlannerData(tree);
+            report.setTree(tree);
+        }
         if (!options.quiet)
         {
             print(report, setup);

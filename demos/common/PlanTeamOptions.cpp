@@ -117,6 +117,11 @@ namespace demos
                 {"--report", options.report},   {"--save-certificates", options.savedCertificates}};
     }
 
+    bool needsTree(const PlanTeamOptions &options)
+    {
+        return options.pictureTree || !options.view.empty() || !options.report.empty();
+    }
+
     void setParameters(const PlanTeamOptions &options, ompl::base::Planner &planner)
     {
         const auto set = [&planner](const std::string &option, const std::string &key, const std::string &value)

@@ -40,6 +40,9 @@ namespace demos
     /** \brief The options that name files to be written, and the files */
     std::vector<std::pair<std::string, std::string>> outputsOf(const PlanTeamOptions &options);
 
+    /** \brief Whether a file shows the planner's tree, which may take longer to copy than the plan took */
+    bool needsTree(const PlanTeamOptions &options);
+
     /** \brief Set the parameters of \e planner
         \throws ompl::Exception that names the option */
     void setParameters(const PlanTeamOptions &options, ompl::base::Planner &planner);

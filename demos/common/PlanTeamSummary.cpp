@@ -15,6 +15,15 @@ namespace demos
         }
     }
 
+    void printTree(const PlanReport &report)
+    {
+        const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+        std::printf("  iterations    %llu\n", number(report.iterations));
+        if (!report.digest.empty())
+            std::printf("  tree          %llu states, %llu edges\n", number(report.treeStates),
+                        number(report.treeEdges));
+    }
+
     void printNotes(const Scene &scene)
     {
         for (const std::string &note : scene.getNotes())
@@ -34,15 +43,11 @@ namespace demos
         else if (report.solved)
             std::printf("  solved        cost %.6g, %zu states\n", report.cost,
                         setup.getSolutionPath().getStateCount());
-        else if (report.approximate)
-            std::printf("  not solved    an approximate solution ends %.6g from the goal\n",
-                        setup.getProblemDefinition()->getSolutionDifference());
         else
-            std::printf("  not solved\n");
+            std::printf("  not solved    %s\n", report.reason.c_str());
         if (report.firstSolutionSeconds >= 0.0)
             std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
-        std::printf("  tree          %llu states, %llu edges, after %llu iterations\n", number(report.treeStates),
-                    number(report.treeEdges), number(report.iterations));
+        printTree(report);
         std::printf("  robot poses   %llu:", number(checks.robotPoses));
         printShare(" certified free ", checks.certifiedFree, checks.robotPoses);
         printShare(", certified colliding ", checks.certifiedColliding, checks.robotPoses);

@@ -80,7 +80,7 @@ def plan(
         the planner does not tell it. The plan ends when it returns what Python takes for true; what it raises is
         raised by plan().
     objective: length, sum, makespan or arrival
-    iterations: end after that many evaluations of the termination condition, too
+    iterations: end after that many evaluations of the termination condition, too; at least 1
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
@@ -88,9 +88,9 @@ def plan(
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.
     """
-    for name, number, least, most in (("iterations", iterations or 0, 0, 2**64 - 1), ("seed", seed, 1, 2**32 - 1)):
-        if not least <= number <= most:
-            raise Error(f"{name}: must be from {least} to {most}, not {number}")
+    for name, number, most in (("iterations", iterations, 2**64 - 1), ("seed", seed, 2**32 - 1)):
+        if number is not None and not 1 <= number <= most:
+            raise Error(f"{name}: must be from 1 to {most}, not {number}")
     if isinstance(scene, Checker):
         for name, value in (("method", method), ("motion", motion)):
             if value is not None:

@@ -78,9 +78,12 @@ class Robot:
         name: Optional[str] = None,
         base: Optional[ArrayLike] = None,
         joint_values: Mapping[str, float] = ...,
+        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
-        pose of its root link. A state has the values of the group's joints, in radians or meters."""
+        pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
+        the group needs bounds of its position, (low, high), of 2 or 3 numbers. A state has the values of the group's
+        joints, in radians or meters."""
     @property
     def name(self) -> str:
         """The robot's name, unique in its team"""
@@ -168,7 +171,7 @@ class Scene:
     def validate(self) -> None:
         """Raise an Error unless the team can stand at its start and goal."""
     def save_picture(self, file: Path) -> None:
-        """Write a picture of the scene, as SVG."""
+        """Write a picture of the scene, as SVG. The name must end in .svg."""
 
 class Checker:
     """Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of the scene
@@ -186,7 +189,9 @@ class Checker:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""
     def describe_collision(self, state: ArrayLike) -> str:
-        """What collides in a state, in one line; empty if it is valid"""
+        """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
+        of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,
+        by their numbers."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
     def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:
@@ -251,6 +256,9 @@ class Plan:
     def solved(self) -> bool:
         """Whether a solution was found"""
     @property
+    def reason(self) -> Optional[str]:
+        """Why there is no solution, in a few words; None if there is one"""
+    @property
     def cost(self) -> float:
         """The cost of the path, by the objective; infinite without a solution"""
     @property
@@ -264,7 +272,8 @@ class Plan:
         """The names of the columns of path, such as scout.x"""
     @property
     def report(self) -> Dict[str, Any]:
-        """Costs, counts and times (docs/plan-team.md), as a dict"""
+        """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
+        the planner's tree: some seconds for a hundred thousand states."""
     def save(self, file: Path) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md)."""
     def save_report(self, file: Path) -> None:
@@ -273,8 +282,9 @@ class Plan:
         """Where the team is at some times, of shape (n, coordinates), or for one time (coordinates,). Between two
         states of the path all robots move steadily, as OMPL interpolates; before the first and after the last they
         rest."""
-    def save_picture(self, file: Path) -> None:
-        """Write a picture of the path and of the planner's tree, as SVG."""
+    def save_picture(self, file: Path, *, tree: bool = False, certificates: bool = False) -> None:
+        """Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if asked. The
+        name must end in .svg."""
     def view(self, path: Optional[Path] = None) -> View:
         """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
         too."""

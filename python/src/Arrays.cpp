@@ -77,11 +77,24 @@ namespace ompl_certificates_python
 
     Doubles toDoubles(const py::object &object, const std::string &what)
     {
-        // It clears Python's error.
-        auto array = Doubles::ensure(object);
-        if (!array)
+        if (object.is_none())
+            throw ompl::Exception(what, "must be numbers, not None");
+        // It clears Python's error, here and below.
+        const auto given = py::array::ensure(object);
+        if (given && given.dtype().kind() == 'c')
+            throw ompl::Exception(what, "must be real numbers, not complex ones");
+        auto array = given ? Doubles::ensure(given) : Doubles();
+        if (!given || !array)
             throw ompl::Exception(what, "must be numbers");
         return array;
+    }
+
+    std::vector<double> toNumbers(const py::object &object, const std::string &what)
+    {
+        const Doubles array = toDoubles(object, what);
+        if (array.ndim() != 1)
+            throw ompl::Exception(what, "must be a list of numbers, not an array of shape " + shapeOf(array));
+        return {array.data(), array.data() + array.size()};
     }
 
     std::vector<Eigen::Vector2d> toPoints2(const Doubles &array, const std::string &what)
@@ -202,13 +215,16 @@ namespace ompl_certificates_python
             throw ompl::Exception("bounds", "low and high must both have 2 or 3 numbers, not " +
                                                 std::to_string(low.size()) + " and " + std::to_string(high.size()));
         for (std::size_t i = 0; i < low.size(); ++i)
+        {
+            const std::string ends = "from " + std::to_string(low[i]) + " to " + std::to_string(high[i]);
             if (!std::isfinite(low[i]) || !std::isfinite(high[i]))
-                throw ompl::Exception("bounds", "must be finite, not from " + std::to_string(low[i]) + " to " +
-                                                    std::to_string(high[i]));
+                throw ompl::Exception("bounds", "must be finite, not " + ends);
+            if (!(low[i] < high[i]))
+                throw ompl::Exception("bounds", "high must be above low, not " + ends);
+        }
         ompl::base::RealVectorBounds bounds(static_cast<unsigned int>(low.size()));
         bounds.low = low;
         bounds.high = high;
-        bounds.check();
         return bounds;
     }
 }

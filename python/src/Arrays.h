@@ -18,8 +18,12 @@ namespace ompl_certificates_python
     using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
     /** \brief An array of numbers, from anything that numpy makes one of
-        \throws ompl::Exception that names \e what if it is none */
+        \throws ompl::Exception that names \e what if it is none, or complex */
     Doubles toDoubles(const py::object &object, const std::string &what);
+
+    /** \brief A list of numbers, from an array of one dimension
+        \throws ompl::Exception that names \e what if it is none */
+    std::vector<double> toNumbers(const py::object &object, const std::string &what);
 
     /** \brief Points of the plane, from an array of shape (n, 2)
         \throws ompl::Exception that names \e what for another shape */
@@ -48,7 +52,8 @@ namespace ompl_certificates_python
     ompl_certificates::Pose toPose(const py::object &object, unsigned int dimension);
 
     /** \brief Bounds from their lower and upper ends
-        \throws ompl::Exception if these differ in length, or if there are not 2 or 3 of them */
+        \throws ompl::Exception if these differ in length, if there are not 2 or 3 of them, or if one is not above the
+        other */
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
 
     /** \brief The shape of an array as Python writes it, such as (3, 2) */

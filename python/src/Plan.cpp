@@ -32,15 +32,16 @@ namespace ompl_certificates_python
         std::string describe(const Plan &plan)
         {
             if (!plan.report.solved)
-                return "<Plan: not solved>";
+                return "<Plan: not solved: " + plan.report.reason + ">";
             std::ostringstream text;
             text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states>";
             return text.str();
         }
 
         /** Where the team is at some times: one row for each */
-        Doubles statesAt(const Plan &plan, const Doubles &times)
+        Doubles statesAt(const Plan &plan, const py::object &object)
         {
+            const Doubles times = toDoubles(object, "times");
             if (!plan.solution)
                 throw ompl::Exception("at", "there is no path");
             const ob::StateSpacePtr &space = plan.solution->getSpaceInformation()->getStateSpace();
@@ -70,19 +71,26 @@ namespace ompl_certificates_python
             return times.ndim() == 0 ? Doubles(result.squeeze()) : result;
         }
 
-        void savePicture(const Plan &plan, const std::filesystem::path &file)
+        void savePicture(Plan &plan, const std::filesystem::path &file, bool tree, bool certificates)
         {
+            requireSvg(file);
             ScenePicture picture(*plan.scene);
-            picture.setTree(*plan.tree);
-            picture.setCertificates(plan.certificates);
+            if (tree)
+            {
+                takeTree(plan);
+                picture.setTree(*plan.tree);
+            }
+            if (certificates)
+                picture.setCertificates(plan.certificates);
             if (plan.solution)
                 picture.setPath(*plan.solution);
             picture.write(file.string());
         }
 
-        py::object view(const Plan &plan, const py::object &path)
+        py::object view(Plan &plan, const py::object &path)
         {
             std::string html;
+            takeTree(plan);
             {
                 const py::gil_scoped_release release;
                 PlanViewer viewer(*plan.scene);
@@ -99,12 +107,34 @@ namespace ompl_certificates_python
             return page;
         }
 
+        const PlanReport &reportOf(Plan &plan)
+        {
+            takeTree(plan);
+            return plan.report;
+        }
+
         void savePath(const Plan &plan, const std::filesystem::path &file)
         {
             if (!plan.solution)
                 throw ompl::Exception(file, "there is no path to be written");
             py::cast(file).attr("write_text")(toCsv(*plan.solution), py::arg("encoding") = "utf-8");
         }
+    }
+
+    void requireSvg(const std::filesystem::path &file)
+    {
+        if (file.extension() != ".svg")
+            throw ompl::Exception(file, "pictures are SVG: the name must end in .svg");
+    }
+
+    void takeTree(Plan &plan)
+    {
+        if (plan.tree)
+            return;
+        const auto tree = std::make_shared<ob::PlannerData>(plan.planner->getSpaceInformation());
+        plan.planner->getPlannerData(*tree);
+        plan.report.setTree(*tree);
+        plan.tree = tree;
     }
 
     void setSolution(Plan &plan, const ompl::geometric::PathGeometric &path)
@@ -129,6 +159,11 @@ namespace ompl_certificates_python
         py::class_<Plan>(module, "Plan", "What came of a plan")
             .def_property_readonly(
                 "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
+            .def_property_readonly(
+                "reason",
+                [](const Plan &plan)
+                { return plan.report.reason.empty() ? py::object(py::none()) : py::str(plan.report.reason); },
+                "Why there is no solution, in a few words; None if there is one")
             .def("__repr__", &describe)
             .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
                                    "The cost of the path, by the objective; infinite without a solution")
@@ -137,20 +172,23 @@ namespace ompl_certificates_python
                           "When the team is at each state if no robot is faster than 1, of shape (n,)")
             .def_readonly("coordinates", &Plan::coordinates, "The names of the columns of path, such as scout.x")
             .def_property_readonly(
-                "report", [](const Plan &plan) { return toDict(plan.report); },
-                "Costs, counts and times (docs/plan-team.md), as a dict")
+                "report", [](Plan &plan) { return toDict(reportOf(plan)); },
+                "Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree "
+                "copies the planner's tree: some seconds for a hundred thousand states.")
             .def("save", &savePath, py::arg("file"),
                  "Write the path as a table of comma-separated values (docs/plan-team.md).")
             .def(
-                "save_report", [](const Plan &plan, const std::filesystem::path &file) { plan.report.write(file); },
+                "save_report", [](Plan &plan, const std::filesystem::path &file) { reportOf(plan).write(file); },
                 py::arg("file"), "Write the report as JSON.")
             .def(
                 "at", &statesAt, py::arg("times"),
                 "Where the team is at some times, of shape (n, coordinates), or for one time (coordinates,). Between two "
                 "states of the path all robots move steadily, as OMPL interpolates; before the first and after the last "
                 "they rest.")
-            .def("save_picture", &savePicture, py::arg("file"),
-                 "Write a picture of the path and of the planner's tree, as SVG.")
+            .def("save_picture", &savePicture, py::arg("file"), py::kw_only(), py::arg("tree") = false,
+                 py::arg("certificates") = false,
+                 "Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if "
+                 "asked. The name must end in .svg.")
             .def("view", &view, py::arg("path") = py::none(),
                  "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "
                  "file, too.")

@@ -128,7 +128,7 @@ namespace ompl_certificates_python
                         throw ompl::Exception(checker.getSceneName(),
                                               key + ": robot '" + robot.getName() + "' is outside the bounds");
                 }
-                const std::string collision = setup.getTeamChecker()->describeCollision(state);
+                const std::string collision = checker.describeCollision(state);
                 if (!collision.empty())
                     throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
             }
@@ -164,6 +164,8 @@ namespace ompl_certificates_python
                     const ob::PlannerStatus status = setup.solve(progress.condition());
                     setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
                     report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
+                    if (!report.solved)
+                        report.reason = reasonOf(status, *setup.getProblemDefinition());
                 });
             report.approximate = !report.solved && setup.haveSolutionPath();
             report.totalSeconds = setup.getLastPlanComputationTime();
@@ -184,23 +186,21 @@ namespace ompl_certificates_python
             report.simplifyingSeconds = setup.getLastSimplificationTime();
         }
 
-        /** Report the tree, and keep what a page shows of all this. */
-        void keepAll(Plan &plan, const Checker &checker)
+        /** Keep what a page shows of all this. */
+        void keepAll(Plan &plan, const std::shared_ptr<Checker> &checker)
         {
-            const TeamSetup &setup = checker.getSetup();
-            const auto tree = std::make_shared<ob::PlannerData>(setup.getSpaceInformation());
-            setup.getPlanner()->getPlannerData(*tree);
-            plan.report.setTree(*tree);
-            // The next plan frees the planner's states.
-            tree->decoupleFromPlanner();
-            plan.tree = tree;
+            const TeamSetup &setup = checker->getSetup();
+            plan.checker = checker;
+            plan.planner = setup.getPlanner();
             plan.scene =
-                std::make_shared<const Scene>(checker.getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
+                std::make_shared<const Scene>(checker->getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
             plan.certificates = setup.getTeamChecker()->getCertificates();
         }
 
-        Plan planWith(Checker &checker, const Options &options, const py::object &start, const py::object &goal)
+        Plan planWith(const std::shared_ptr<Checker> &owner, const Options &options, const py::object &start,
+                      const py::object &goal)
         {
+            Checker &checker = *owner;
             const auto planning = checker.beginPlanning();
             if (!(options.seconds > 0.0))
                 throw ompl::Exception("time", "must be positive, not " + std::to_string(options.seconds));
@@ -232,7 +232,7 @@ namespace ompl_certificates_python
                 simplify(setup, options, plan.report);
             if (plan.report.solved)
                 setSolution(plan, setup.getSolutionPath());
-            keepAll(plan, checker);
+            keepAll(plan, owner);
             return plan;
         }
 
@@ -262,9 +262,10 @@ namespace ompl_certificates_python
             "as texts such as 0.:1.:10000., which is from 0 in steps of 1 to 10000");
         module.def(
             "_plan",
-            [](Checker &checker, const std::string &planner, double time, std::uint64_t iterations, std::uint32_t seed,
-               const py::object &callback, const std::string &objective, bool simplified,
-               const std::map<std::string, py::object> &parameters, const py::object &start, const py::object &goal)
+            [](const std::shared_ptr<Checker> &checker, const std::string &planner, double time,
+               std::uint64_t iterations, std::uint32_t seed, const py::object &callback, const std::string &objective,
+               bool simplified, const std::map<std::string, py::object> &parameters, const py::object &start,
+               const py::object &goal)
             {
                 return planWith(checker, {planner, objective, time, iterations, seed, callback, simplified, parameters},
                                 start, goal);

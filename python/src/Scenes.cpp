@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "Plan.h"
 #include "World.h"
 
 #include <ompl_certificates/obstacles/CellObstacles.h>
@@ -99,9 +100,10 @@ namespace ompl_certificates_python
 #endif
         }
 
-        void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const std::vector<double> &start,
-                      const std::vector<double> &goal, double weight)
+        void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
+                      double weight)
         {
+            const std::vector<double> start = toNumbers(from, "start"), goal = toNumbers(to, "goal");
             const auto refuse = [&](const std::string &what, double value)
             {
                 throw ompl::Exception(scene.getSource(),
@@ -143,7 +145,9 @@ namespace ompl_certificates_python
             scene
                 .def(
                     "add_cloud",
-                    [](Scene &self, const Doubles &points, double radius, double cell) {
+                    [](Scene &self, const py::object &object, double radius, double cell)
+                    {
+                        const Doubles points = toDoubles(object, "points");
                         return addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell,
                                         points.shape(1) == 3);
                     },
@@ -248,8 +252,12 @@ namespace ompl_certificates_python
                 "Raise an Error unless the team can stand at its start and goal.")
             .def(
                 "save_picture",
-                [](const Scene &self, const std::filesystem::path &file) { ScenePicture(self).write(file.string()); },
-                py::arg("file"), "Write a picture of the scene, as SVG.");
+                [](const Scene &self, const std::filesystem::path &file)
+                {
+                    requireSvg(file);
+                    ScenePicture(self).write(file.string());
+                },
+                py::arg("file"), "Write a picture of the scene, as SVG. The name must end in .svg.");
 
         module.def(
             "load_scene", [](const std::filesystem::path &file) { return loadScene(file); }, py::arg("file"),

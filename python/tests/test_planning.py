@@ -58,9 +58,17 @@ def test_the_team_is_somewhere_at_any_time(room: oc.Scene) -> None:
 def test_pictures_are_drawn(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     plan = oc.plan(room, time=0.5)
     room.save_picture(tmp_path / "room.svg")
-    plan.save_picture(tmp_path / "plan.svg")
-    scene, planned = ((tmp_path / name).read_text(encoding="utf-8") for name in ("room.svg", "plan.svg"))
-    assert "<svg" in scene and len(planned) > 2 * len(scene)
+    sizes = [(tmp_path / "room.svg").stat().st_size]
+    for name, tree, certificates in (("path", False, False), ("tree", True, False), ("all", True, True)):
+        plan.save_picture(tmp_path / f"{name}.svg", tree=tree, certificates=certificates)
+        text = (tmp_path / f"{name}.svg").read_text(encoding="utf-8")
+        assert "<svg" in text
+        sizes.append(len(text))
+    assert sizes == sorted(set(sizes))
+    for picture in (room, plan):
+        with pytest.raises(oc.Error, match="plan.png: pictures are SVG: the name must end in .svg$"):
+            picture.save_picture(tmp_path / "plan.png")  # type: ignore[attr-defined]
+    assert not (tmp_path / "plan.png").exists()
     with pytest.raises(oc.Error, match="nowhere"):
         plan.save_picture(tmp_path / "nowhere" / "plan.svg")
 
@@ -281,7 +289,7 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"iterations": -5}, "^iterations: .*not -5$"),
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
-        ({"start": [5, 5, 1, 1]}, "^room: start: "),
+        ({"start": [5, 5, 1, 1]}, r"^room: start: robot 'left' touches environment.obstacles\[0\]$"),
         ({"goal": [1, 9, 50, 1]}, "^room: goal: robot 'right' is outside the bounds$"),
         ({"goal": [5, 5]}, r"^goal: must be an array of shape \(4,\), not \(2,\)$"),
         ({"start": [[1, 1, 9, 9], [1, 1, 9, 9]]}, r"^start: must be an array of shape \(4,\), not \(2, 4\)$"),
@@ -304,7 +312,7 @@ def test_no_solution_is_no_path() -> None:
     scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 5], [9, 5])
     plan = oc.plan(scene, time=0.2)
     assert not plan.solved and plan.path.shape == (0, 2) and plan.cost == float("inf")
-    assert repr(plan) == "<Plan: not solved>"
+    assert repr(plan).startswith("<Plan: not solved: ")
     with pytest.raises(oc.Error, match="no path"):
         plan.save("nothing.csv")
     with pytest.raises(oc.Error, match="^at: there is no path$"):

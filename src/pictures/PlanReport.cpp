@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ompl/base/SpaceInformation.h>
+#include <sstream>
 #include <vector>
 
 namespace ompl_certificates
@@ -72,6 +73,7 @@ namespace ompl_certificates
         json["seed"] = seed;
         json["solved"] = solved;
         json["approximate"] = approximate;
+        json["reason"] = reason.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(reason);
         json["cost"] = solved ? knownOrNull(cost) : nlohmann::ordered_json(nullptr);
         json["simplified_cost"] = knownOrNull(simplifiedCost);
         json["iterations"] = iterations;
@@ -105,6 +107,17 @@ namespace ompl_certificates
     void PlanReport::write(const std::string &file) const
     {
         writeWholeFile(file, toJson());
+    }
+
+    std::string reasonOf(const ob::PlannerStatus &status, const ob::ProblemDefinition &problem)
+    {
+        if (problem.hasApproximateSolution())
+        {
+            std::ostringstream text;
+            text << "an approximate solution ends " << problem.getSolutionDifference() << " from the goal";
+            return text.str();
+        }
+        return status == ob::PlannerStatus::TIMEOUT ? "no solution was found before planning ended" : status.asString();
     }
 
     std::string treeDigest(const ob::PlannerData &data)

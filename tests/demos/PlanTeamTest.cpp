@@ -306,6 +306,33 @@ TEST_F(PlanTeam, returnsOneIfNothingIsFound)
     EXPECT_FALSE(std::filesystem::exists(folder_ / "plan.svg"));
 }
 
+TEST_F(PlanTeam, copiesTheTreeOnlyForAFileThatShowsIt)
+{
+    // Copying the roadmap of a PRM may take longer than planning.
+    const std::vector<std::string> arguments{scene(), "--planner", "PRM", "--iterations", "200"};
+    for (const std::string option : {"", "--path", "--picture", "--report", "--view"})
+    {
+        std::vector<std::string> all = arguments;
+        if (!option.empty())
+            all.insert(all.end(), {option, folder_ / "file"});
+        Program program("plan_team", all);
+        program.wait();
+        const std::string output = program.output();
+        EXPECT_NE(output.find("  iterations    "), std::string::npos) << output;
+        EXPECT_EQ(output.find("  tree          ") != std::string::npos, option == "--report" || option == "--view")
+            << option << output;
+    }
+}
+
+TEST_F(PlanTeam, tellsWhyNothingWasFound)
+{
+    ASSERT_EQ(plan({scene(), "--planner", "RRT", "--iterations", "3"}), 1) << errors_;
+    const std::string reason = report_.at("reason");
+    EXPECT_EQ(reason.find("an approximate solution ends "), 0u) << reason;
+    ASSERT_EQ(plan({scene()}), 0) << errors_;
+    EXPECT_TRUE(report_.at("reason").is_null());
+}
+
 TEST_F(PlanTeam, setsParametersOfThePlanner)
 {
     EXPECT_EQ(plan({scene(), "--planner", "RRT", "--planner-param", "range=1.5", "goal_bias=0.2"}), 0) << errors_;

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/PlannerStatus.h>
+#include <ompl/base/ProblemDefinition.h>
 #include <string>
 
 namespace ompl_certificates
@@ -35,6 +37,9 @@ namespace ompl_certificates
 
         /** \brief Whether an approximate solution was found */
         bool approximate{false};
+
+        /** \brief Why there is no exact solution, in a few words; empty, which is null in JSON, if there is one */
+        std::string reason;
 
         /** \brief The cost of the planner's solution; null in JSON if there is none or it is not finite */
         double cost{0.0};
@@ -88,6 +93,9 @@ namespace ompl_certificates
             \throws ompl::Exception that names the file if it cannot be written */
         void write(const std::string &file) const;
     };
+
+    /** \brief Why a planner that ended with \e status has no exact solution, in a few words, for PlanReport::reason */
+    std::string reasonOf(const ompl::base::PlannerStatus &status, const ompl::base::ProblemDefinition &problem);
 
     /** \brief A hash of the coordinates of the states of \e data and of its directed edges, as 16 hexadecimal digits.
 

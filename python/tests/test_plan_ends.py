@@ -1,0 +1,64 @@
+"""When plans end, and what is kept of them"""
+
+import gc
+import pathlib
+import time
+
+import numpy as np
+import ompl_certificates as oc
+import pytest
+
+
+@pytest.fixture()
+def closed() -> oc.Scene:
+    """A disc and a wall without a way past it"""
+    scene = oc.Scene([0, 0], [10, 4], "closed")
+    scene.add_obstacle(oc.Body.box(1, 4.2), (5, 2))
+    scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.3), [0, 0], [10, 4], turns=False), [1, 2], [9, 2])
+    return scene
+
+
+def test_time_is_at_most(closed: oc.Scene) -> None:
+    """The planner's tree is copied when it is asked for: for PRM that takes twice as long as to grow it."""
+    begin = time.monotonic()
+    plan = oc.plan(closed, "PRM", time=1.0)
+    planned = time.monotonic()
+    report = plan.report
+    copied = time.monotonic()
+    assert report["tree"]["states"] > 1000
+    assert planned - begin - report["seconds"]["total"] < (copied - planned) / 2
+    assert plan.report == report and time.monotonic() - copied < (copied - planned) / 2
+
+
+def test_trees_outlive_later_plans_and_their_checker(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    def plan(checker: oc.Checker, planner: str = "RRT") -> oc.Plan:
+        return oc.plan(checker, planner, time=60, iterations=300, start=[1, 1, 9, 9], goal=[9, 9, 1, 1])
+
+    expected = plan(oc.Checker(room)).report["tree"]
+    checker = oc.Checker(room)
+    kept = plan(checker)
+    oc.plan(checker, "RRTstar", time=0.1, start=[1, 2, 9, 9], goal=[9, 9, 2, 1])
+    checker.move_obstacle(0, (5, 8))
+    del checker, room
+    gc.collect()
+    kept.save_picture(tmp_path / "tree.svg", tree=True)
+    assert kept.report["tree"] == expected
+
+
+def test_iterations_are_at_least_one(closed: oc.Scene) -> None:
+    with pytest.raises(oc.Error, match="^iterations: must be from 1 to 18446744073709551615, not 0$"):
+        oc.plan(closed, time=1, iterations=0)
+    begin = time.monotonic()
+    assert not oc.plan(closed, time=20, iterations=1)
+    assert time.monotonic() - begin < 10
+
+
+def test_why_there_is_no_solution(closed: oc.Scene, room: oc.Scene) -> None:
+    plan = oc.plan(closed, "RRTstar", time=0.2)
+    assert plan.reason == plan.report["reason"]
+    assert plan.reason and plan.reason.startswith("an approximate solution ends ")
+    plan = oc.plan(closed, "PRMstar", time=0.2)
+    assert repr(plan) == f"<Plan: not solved: {plan.reason}>"
+    plan = oc.plan(room, "RRTConnect", time=20)
+    assert plan.reason is None and plan.report["reason"] is None
+    assert np.isfinite(plan.cost)
