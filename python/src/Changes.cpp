@@ -15,12 +15,11 @@ namespace ompl_certificates_python
         /** The lower and the upper corner */
         using Box = std::pair<std::vector<double>, std::vector<double>>;
 
-        /** Points for a cloud of a checker; None for none */
-        CloudPoints pointsOf(const Checker &checker, const std::optional<Doubles> &points, const char *what)
+        /** Points for a cloud of a checker */
+        CloudPoints pointsOf(const Checker &checker, const py::object &object, const char *what)
         {
-            if (!points)
-                return {};
-            return {toPoints3(*points, what, checker.getDimension() == 2), points->shape(1) == 3};
+            const Doubles points = toDoubles(object, what);
+            return {toPoints3(points, what, checker.getDimension() == 2), points.shape(1) == 3};
         }
 
         Eigen::AlignedBox3d boxOf(const Checker &checker, const Box &box)
@@ -42,17 +41,19 @@ namespace ompl_certificates_python
             return result;
         }
 
-        std::size_t addCloud(Checker &checker, const Doubles &array, double radius)
+        std::size_t addCloud(Checker &checker, const py::object &array, double radius)
         {
             auto points = pointsOf(checker, array, "points");
             const py::gil_scoped_release release;
             return checker.addCloud(std::move(points), radius);
         }
 
-        void changeCloud(Checker &checker, std::size_t cloud, const std::optional<Doubles> &inserted,
-                         const std::optional<Doubles> &removed, const std::optional<Box> &cleared)
+        void changeCloud(Checker &checker, std::size_t cloud, const py::object &inserted, const py::object &removed,
+                         const std::optional<Box> &cleared)
         {
-            CloudChange change{pointsOf(checker, inserted, "insert"), pointsOf(checker, removed, "remove"),
+            const auto points = [&checker](const py::object &object, const char *what)
+            { return object.is_none() ? CloudPoints() : pointsOf(checker, object, what); };
+            CloudChange change{points(inserted, "insert"), points(removed, "remove"),
                                cleared ? boxOf(checker, *cleared) : Eigen::AlignedBox3d()};
             const py::gil_scoped_release release;
             checker.changeCloud(cloud, std::move(change));

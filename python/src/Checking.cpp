@@ -16,14 +16,16 @@ namespace ompl_certificates_python
 
     namespace
     {
-        py::object validOf(const Checker &checker, const Doubles &states)
+        py::object validOf(const Checker &checker, const py::object &object)
         {
+            const Doubles states = toDoubles(object, "states");
             py::array_t<bool> valid = checker.isValid(states);
             return states.ndim() == 1 ? py::object(py::bool_(*valid.data())) : py::object(valid);
         }
 
-        py::object clearanceOf(const Checker &checker, const Doubles &states)
+        py::object clearanceOf(const Checker &checker, const py::object &object)
         {
+            const Doubles states = toDoubles(object, "states");
             py::array_t<double> clearances = checker.clearance(states);
             return states.ndim() == 1 ? py::object(py::float_(*clearances.data())) : py::object(clearances);
         }
@@ -56,11 +58,21 @@ namespace ompl_certificates_python
                      "between links of one arm. In the scene's length unit. Not positive if a state is not valid. A "
                      "lower bound may be negative for a valid state, too, so its sign is no verdict: ask is_valid. "
                      "Shapes as of is_valid.")
-                .def("check_motions", &Checker::checkMotions, py::arg("starts"), py::arg("ends"),
-                     "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
-                     "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
-                .def("describe_collision", &Checker::describeCollision, py::arg("state"),
-                     "What collides in a state, in one line; empty if it is valid");
+                .def(
+                    "check_motions",
+                    [](const Checker &self, const py::object &starts, const py::object &ends)
+                    { return self.checkMotions(toDoubles(starts, "starts"), toDoubles(ends, "ends")); },
+                    py::arg("starts"), py::arg("ends"),
+                    "Which motions are valid, from each row of starts to that of ends, both of shape (n, "
+                    "coordinates): bools of shape (n,). The starts must be valid, as in OMPL.")
+                .def(
+                    "describe_collision",
+                    [](const Checker &self, const py::object &state)
+                    { return self.describeCollision(toDoubles(state, "state")); },
+                    py::arg("state"),
+                    "What collides in a state, in one line that names the obstacle and the link; empty if it is valid. "
+                    "Obstacles of the scene are called as Scene.validate() calls them, others added obstacle 3, "
+                    "added cloud 1 or added grid 2, by their numbers.");
         }
 
     }

@@ -36,12 +36,15 @@ namespace ompl_certificates_python
 
         RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
                             const std::string &group, const std::optional<std::string> &name, const py::object &base,
-                            const std::map<std::string, double> &jointValues)
+                            const std::map<std::string, double> &jointValues,
+                            const std::optional<std::pair<std::vector<double>, std::vector<double>>> &bounds)
         {
             const ArmFile file(urdf, srdf);
             ArmFile::ArmSettings settings;
             settings.base = toPose(base, 3);
             settings.jointValues = jointValues;
+            if (bounds)
+                settings.bounds = toBounds(bounds->first, bounds->second);
             return hold(file.makeArm(name.value_or(file.getName()), group, settings));
         }
 
@@ -80,12 +83,14 @@ namespace ompl_certificates_python
                 { return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)); },
                 py::arg("name"), py::arg("car"), py::arg("trailer"), py::arg("hitch_length"), py::arg("low"),
                 py::arg("high"), "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle")
-            .def_static("arm", &makeArm, py::arg("urdf"), py::arg("srdf") = "", py::arg("group") = "",
-                        py::arg("name") = py::none(), py::arg("base") = py::none(),
-                        py::arg("joint_values") = std::map<std::string, double>(),
-                        "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
-                        "for. base is the pose of its root link. A state has the values of the group's joints, in "
-                        "radians or meters.")
+            .def_static(
+                "arm", &makeArm, py::arg("urdf"), py::arg("srdf") = "", py::arg("group") = "",
+                py::arg("name") = py::none(), py::arg("base") = py::none(),
+                py::arg("joint_values") = std::map<std::string, double>(), py::arg("bounds") = py::none(),
+                "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
+                "for. base is the pose of its root link; joint_values are those of joints that are not of the "
+                "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
+                "or 3 numbers. A state has the values of the group's joints, in radians or meters.")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")

@@ -2,7 +2,7 @@
 
 import math
 import pathlib
-from typing import Any, List, Tuple
+from typing import Any, Callable, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
@@ -192,3 +192,32 @@ def test_checkers_of_the_same_robot_keep_their_resolutions() -> None:
     assert not fine.check_motions(*ends).any()
     plan = oc.plan(fine, "RRTConnect", time=1)
     assert not plan or fine.check_motions(plan.path[:-1], plan.path[1:]).all()
+
+
+def test_arms_refuse_what_they_would_ignore(scenes: pathlib.Path) -> None:
+    urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
+    with pytest.raises(oc.Error, match="joint 'elbow' is in the group, so states tell its value; it cannot be fixed$"):
+        oc.Robot.arm(urdf, srdf, "arm", joint_values={"elbow": 9})
+    with pytest.raises(oc.Error, match="arm6.srdf: the group is missing; there are .*'arm'"):
+        oc.Robot.arm(urdf, srdf)
+
+
+def test_wrong_numbers_are_told_in_one_line(room: oc.Scene) -> None:
+    disc = oc.Robot.rigid("disc", oc.Body.disc(0.1), [0, 0], [10, 10], turns=False)
+    checker = oc.Checker(room)
+    nothing: Any = None
+    calls: List[Tuple[Callable[[], object], str]] = [
+        (lambda: oc.Scene([0, 0], [0, 30]), "^bounds: high must be above low, not from 0.0+ to 0.0+$"),
+        (lambda: oc.Scene([5, 0], [4, 4]), "^bounds: high must be above low, not from 5.0+ to 4.0+$"),
+        (lambda: room.add_robot(disc, [1, 1], nothing), "^goal: must be numbers, not None$"),
+        (lambda: room.add_robot(disc, [[1, 1]], [1, 1]), r"^start: must be a list of numbers, not .* \(1, 2\)$"),
+        (lambda: room.add_cloud(np.zeros((2, 2), complex), 0.1), "^points: must be real numbers, not complex ones$"),
+        (lambda: checker.is_valid(np.zeros(4, complex)), "^states: must be real numbers, not complex ones$"),
+        (lambda: checker.is_valid(nothing), "^states: must be numbers, not None$"),
+        (lambda: checker.add_cloud(nothing, 0.1), "^points: must be numbers, not None$"),
+    ]
+    for call, message in calls:
+        with pytest.raises(oc.Error, match=message):
+            call()
+    with pytest.raises(TypeError):
+        oc.Body.disc(nothing)

@@ -92,7 +92,8 @@ namespace ompl_certificates
             throw ompl::Exception(srdf_.empty() ? urdf_ : srdf_,
                                   srdf_.empty()
                                       ? "there is no group '" + group + "' without an SRDF file"
-                                      : "there is no group '" + group + "'; there are " + listOf(getGroups()));
+                                      : (group.empty() ? "the group is missing" : "there is no group '" + group + "'") +
+                                            "; there are " + listOf(getGroups()));
         return found->second;
     }
 
@@ -202,6 +203,9 @@ namespace ompl_certificates
                 if (std::find(joints.begin(), joints.end(), joint) != joints.end())
                     throw ompl::Exception(urdf_, "joint '" + joint + "' is in the groups of two robots: '" + part.name +
                                                      "' and one of " + listOf(names));
+                if (settings.jointValues.count(joint) > 0)
+                    throw ompl::Exception(urdf_, "joint '" + joint +
+                                                     "' is in the group, so states tell its value; it cannot be fixed");
                 joints.push_back(joint);
             }
             names.push_back(part.name);
