@@ -64,6 +64,6 @@ TEST_F(DescribeCollision, namesRobotsBodiesAndObstacles)
     EXPECT_EQ(told({{0, 1.5}, {1, 2.5}}), "robots 'a' and 'b' touch each other");
     EXPECT_EQ(told({{0, 4}, {1, 5}}), "robots 'a' and 'car' touch each other: body 0 of 'car'");
     EXPECT_EQ(told({{4, 10}, {5, 9}}), "robot 'car' touches environment.obstacles[1] with body 0");
-    EXPECT_EQ(told({{0, 17.5}, {1, 5}}), "robots 'a' and 'arm' touch each other: link 'link_3' of 'arm'");
+    EXPECT_EQ(told({{0, 18}, {1, 5}}), "robots 'a' and 'arm' touch each other: link 'link_3' of 'arm'");
     EXPECT_EQ(told({{9, 3}, {10, 3}}), "robot 'arm' touches itself: link 'link_1' and link 'link_3'");
 }
