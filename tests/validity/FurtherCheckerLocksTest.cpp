@@ -17,7 +17,7 @@ namespace ob = ompl::base;
 namespace
 {
     /** So long a test waits that fails */
-    constexpr std::chrono::seconds LONG{5};
+    constexpr std::chrono::seconds PATIENCE{5};
 
     /** A disc that passes a box, and a checker of the user's that does something when first asked. The parameter tells
         which overload of checkMotion() asks it. */
@@ -84,7 +84,7 @@ TEST_P(FurtherCheckerLocks, LetItWaitForAChange)
         [&]
         {
             change = std::async(std::launch::async, [this] { getChecker().changeObstacles(block()); });
-            EXPECT_EQ(change.wait_for(LONG), std::future_status::ready);
+            EXPECT_EQ(change.wait_for(PATIENCE), std::future_status::ready);
         });
     EXPECT_FALSE(valid);
 }
@@ -111,7 +111,7 @@ TEST_P(FurtherCheckerLocks, LetItHoldTheObstaclesAndWaitForOtherChecks)
                                    origin = std::vector<double>{0.0, 0.0};
                                    return getChecker().isValid(origin.get());
                                });
-            EXPECT_EQ(check.wait_for(LONG), std::future_status::ready);
+            EXPECT_EQ(check.wait_for(PATIENCE), std::future_status::ready);
             EXPECT_EQ(change.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
         });
     EXPECT_TRUE(check.get());
