@@ -7,6 +7,7 @@
 #include <ompl/util/Exception.h>
 #include <optional>
 #include <pybind11/stl.h>
+#include <sstream>
 
 namespace ompl_certificates_python
 {
@@ -90,6 +91,16 @@ namespace ompl_certificates_python
                         "The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame")
             .def_static("join", &join, py::arg("members"),
                         "One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)")
+            .def("__repr__",
+                 [](const Body &body)
+                 {
+                     std::ostringstream text;
+                     const std::size_t count = body.getParts().size();
+                     text << "<Body of " << count << (count == 1 ? " shape in " : " shapes in ")
+                          << (body.getDimension() == 2 ? "the plane" : "space") << ", bounding radius "
+                          << body.getBoundingRadius() << ">";
+                     return text.str();
+                 })
             .def_property_readonly("dimension", &Body::getDimension, "The dimension of the workspace: 2 or 3")
             .def_property_readonly("bounding_radius", &Body::getBoundingRadius,
                                    "The largest distance of a point of the body from the origin of its frame")

@@ -86,6 +86,13 @@ namespace ompl_certificates_python
         checker.def(py::init<const Scene &, const std::string &, const std::string &>(), py::arg("scene"),
                     py::arg("method") = "shared", py::arg("motion") = "discrete",
                     "method: shared, partial, basic, standard or fcl. motion: discrete or continuous.");
+        checker.def("__repr__",
+                    [](const Checker &self)
+                    {
+                        return "<Checker of '" + self.getSceneName() +
+                               "': " + nameOf(self.getSetup().getTeamChecker()->getMethod()) + ", " + self.getMotion() +
+                               ">";
+                    });
         bindBatches(checker);
         bindChanges(checker);
         checker

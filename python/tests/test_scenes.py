@@ -221,3 +221,10 @@ def test_wrong_numbers_are_told_in_one_line(room: oc.Scene) -> None:
             call()
     with pytest.raises(TypeError):
         oc.Body.disc(nothing)
+
+
+def test_bodies_and_checkers_print_what_they_are(room: oc.Scene) -> None:
+    assert repr(oc.Body.disc(0.5)) == "<Body of 1 shape in the plane, bounding radius 0.5>"
+    pair = oc.Body.join([(oc.Body.sphere(1), None), (oc.Body.sphere(1), (2, 0, 0))])
+    assert repr(pair) == "<Body of 2 shapes in space, bounding radius 3>"
+    assert repr(oc.Checker(room, "partial", "continuous")) == "<Checker of 'room': partial, continuous>"
