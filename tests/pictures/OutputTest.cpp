@@ -112,9 +112,10 @@ namespace ompl_certificates
                 keys += item.key() + " ";
             return keys;
         };
-        EXPECT_EQ(
-            keysOf(json),
-            "scene planner method motion objective seed solved approximate cost simplified_cost iterations tree checks seconds ");
+        EXPECT_EQ(keysOf(json),
+                  "scene planner method motion objective seed solved approximate reason cost "
+                  "simplified_cost iterations tree checks seconds ");
+        EXPECT_TRUE(json["reason"].is_null());
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),
                   "robot_poses certified_free certified_colliding asked asked_colliding by_clearances by_contact exact "
