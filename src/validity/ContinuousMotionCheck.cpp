@@ -53,8 +53,13 @@ namespace ompl_certificates
     bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, Cells &proved)
     {
         // A whole segment first: near obstacles, one contact test is less than one for each of its cells.
-        const int first = cell - cell % CELLS;
-        return settleCells(subject, {first, first + CELLS - 1}, proved) || settleCells(subject, {cell, cell}, proved);
+        for (int count = CELLS; count > 0; count /= 4)
+        {
+            const int first = cell - cell % count;
+            if (settleCells(subject, {first, first + count - 1}, proved))
+                return true;
+        }
+        return false;
     }
 
     bool ContinuousMotionCheck::settleCells(unsigned int subject, Cells cells, Cells &proved)
