@@ -62,6 +62,12 @@ namespace
         return makeObjective(options.objective, setup.getSpaceInformation(), goal);
     }
 
+    /** Any solution is good enough. */
+    void endWithFirst(ob::OptimizationObjective &objective)
+    {
+        objective.setCostThreshold(objective.infiniteCost());
+    }
+
     double costOf(TeamSetup &setup, const PlanTeamOptions &options)
     {
         return setup.getSolutionPath().cost(objectiveOf(setup, options)).value();
@@ -96,7 +102,7 @@ namespace
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
             if (!report.solved)
-                report.reason = reasonOf(status, *setup.getProblemDefinition());
+                report.reason = reasonOf(status, *setup.getPlanner());
         }
         report.totalSeconds = setup.getLastPlanComputationTime();
         report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
@@ -203,8 +209,10 @@ namespace
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
         demos::prepareOutputs(demos::outputsOf(options), {options.scene, options.request, options.urdf, options.srdf});
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
-        if (options.objective != "length")
+        if (options.objective != "length" || options.first)
             setup->setOptimizationObjective(objectiveOf(*setup, options));
+        if (options.first)
+            endWithFirst(*setup->getOptimizationObjective());
         setup->setNearestStructure(nearestStructureOf(options.nearest));
         setup->setup();
         setup->getStatistics().reset();

@@ -36,7 +36,7 @@ namespace demos
             report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
             report.approximate = !report.solved && setup.haveSolutionPath();
             if (!report.solved)
-                report.reason = reasonOf(status, *setup.getProblemDefinition());
+                report.reason = reasonOf(status, *setup.getPlanner());
             report.totalSeconds = setup.getLastPlanComputationTime();
             report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
             report.checks = setup.getStatistics().getCounts();

@@ -51,6 +51,7 @@ namespace demos
                "of OMPL's planners, more for some")
             ->check(countUpTo(1000000000000ull))
             ->excludes(time);
+        app.add_flag("--first", options.first, "End with the first solution, also if the planner could lower its cost");
         app.add_option("--seed", options.seed, "Seed of OMPL's random numbers; the same seed grows the same tree")
             ->check(countUpTo(4294967295ull))
             ->capture_default_str();
@@ -81,7 +82,7 @@ namespace demos
                          "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
                          "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
                          "--motion continuous proves each step free between its ends");
-        for (const char *option : {"--request", "--urdf", "--srdf", "--simplify", "--nearest", "--objective",
+        for (const char *option : {"--request", "--urdf", "--srdf", "--first", "--simplify", "--nearest", "--objective",
                                    "--animation", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
         app.add_option("--goal-tolerance", options.goalTolerance,
@@ -96,8 +97,8 @@ namespace demos
             "end");
         group(app, {{"Scenes of MoveIt", {"--request", "--urdf", "--srdf"}},
                     {"Planning",
-                     {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations", "--seed",
-                      "--nearest", "--objective", "--simplify", "--dry-run"}},
+                     {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations", "--first",
+                      "--seed", "--nearest", "--objective", "--simplify", "--dry-run"}},
                     {"Checking", {"--method", "--motion", "--load-certificates", "--save-certificates"}},
                     {"Output",
                      {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--view", "--path",

@@ -30,8 +30,8 @@ namespace demos
         std::vector<std::string> parameters;
         std::string picture, animation, view, path, report, loadedCertificates, savedCertificates;
         double goalTolerance{0.5};
-        bool dynamics{false}, dryRun{false}, simplify{false}, pictureTree{false}, pictureCertificates{false},
-            quiet{false};
+        bool dynamics{false}, dryRun{false}, first{false}, simplify{false}, pictureTree{false},
+            pictureCertificates{false}, quiet{false};
     };
 
     /** \brief Add the options to \e app, which writes what it parses to \e options */

@@ -64,6 +64,7 @@ def plan(
     motion: Optional[str] = None,
     objective: str = "length",
     iterations: Optional[int] = None,
+    first: bool = False,
     simplify: bool = False,
     parameters: Optional[Mapping[str, Parameter]] = None,
     start: Optional[ArrayLike] = None,
@@ -81,6 +82,7 @@ def plan(
         raised by plan().
     objective: length, sum, makespan or arrival
     iterations: end after that many evaluations of the termination condition, too; at least 1
+    first: end with the first solution, also if the planner could lower its cost
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
@@ -110,6 +112,7 @@ def plan(
         seed,
         callback,
         objective,
+        first,
         simplify,
         dict(parameters or {}),
         start,

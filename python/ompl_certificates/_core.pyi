@@ -309,6 +309,7 @@ def _plan(
     seed: int,
     callback: Optional[Callable[[float, float], object]],
     objective: str,
+    first: bool,
     simplify: bool,
     parameters: Mapping[str, Any],
     start: Optional[ArrayLike],

@@ -33,7 +33,7 @@ namespace ompl_certificates_python
             std::uint64_t iterations;
             std::uint32_t seed;
             py::object callback;
-            bool simplify;
+            bool first, simplify;
             std::map<std::string, py::object> parameters;
         };
 
@@ -133,9 +133,12 @@ namespace ompl_certificates_python
                     throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
             }
             setup.setStartAndGoalStates(begin, end);
-            setup.setOptimizationObjective(options.objective == "length"
+            setup.setOptimizationObjective(options.objective == "length" && !options.first
                                                ? nullptr
                                                : makeObjective(options.objective, setup.getSpaceInformation(), end));
+            // Any solution is good enough.
+            if (options.first)
+                setup.getOptimizationObjective()->setCostThreshold(setup.getOptimizationObjective()->infiniteCost());
         }
 
         double costOf(TeamSetup &setup, const Options &options)
@@ -165,7 +168,7 @@ namespace ompl_certificates_python
                     setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);
                     report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
                     if (!report.solved)
-                        report.reason = reasonOf(status, *setup.getProblemDefinition());
+                        report.reason = reasonOf(status, *setup.getPlanner());
                 });
             report.approximate = !report.solved && setup.haveSolutionPath();
             report.totalSeconds = setup.getLastPlanComputationTime();
@@ -264,14 +267,15 @@ namespace ompl_certificates_python
             "_plan",
             [](const std::shared_ptr<Checker> &checker, const std::string &planner, double time,
                std::uint64_t iterations, std::uint32_t seed, const py::object &callback, const std::string &objective,
-               bool simplified, const std::map<std::string, py::object> &parameters, const py::object &start,
-               const py::object &goal)
+               bool first, bool simplified, const std::map<std::string, py::object> &parameters,
+               const py::object &start, const py::object &goal)
             {
-                return planWith(checker, {planner, objective, time, iterations, seed, callback, simplified, parameters},
+                return planWith(checker,
+                                {planner, objective, time, iterations, seed, callback, first, simplified, parameters},
                                 start, goal);
             },
             py::arg("checker"), py::arg("planner"), py::arg("time"), py::arg("iterations"), py::arg("seed"),
-            py::arg("callback"), py::arg("objective"), py::arg("simplify"), py::arg("parameters"), py::arg("start"),
-            py::arg("goal"));
+            py::arg("callback"), py::arg("objective"), py::arg("first"), py::arg("simplify"), py::arg("parameters"),
+            py::arg("start"), py::arg("goal"));
     }
 }

@@ -53,12 +53,22 @@ def test_iterations_are_at_least_one(closed: oc.Scene) -> None:
     assert time.monotonic() - begin < 10
 
 
+@pytest.mark.parametrize("planner", ["DRRTstar", "RRTstar", "BITstar"])
+def test_the_first_solution_is_enough(room: oc.Scene, planner: str) -> None:
+    begin = time.monotonic()
+    assert oc.plan(room, planner, time=40, first=True, start=[1, 1, 9, 9], goal=[9, 9, 1, 1])
+    assert time.monotonic() - begin < 20
+
+
 def test_why_there_is_no_solution(closed: oc.Scene, room: oc.Scene) -> None:
     plan = oc.plan(closed, "RRTstar", time=0.2)
     assert plan.reason == plan.report["reason"]
     assert plan.reason and plan.reason.startswith("an approximate solution ends ")
     plan = oc.plan(closed, "PRMstar", time=0.2)
     assert repr(plan) == f"<Plan: not solved: {plan.reason}>"
+    closed.add_robot(oc.Robot.rigid("lost", oc.Body.disc(0.3), [0, 0], [10, 4], turns=False), [1, 3], [9, 3])
+    plan = oc.plan(closed, "DRRTstar", time=3, parameters={"max_roadmap_size": 500})
+    assert plan.reason == "robot 'disc' found no way from its start to its goal even alone"
     plan = oc.plan(room, "RRTConnect", time=20)
     assert plan.reason is None and plan.report["reason"] is None
     assert np.isfinite(plan.cost)

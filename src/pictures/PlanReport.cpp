@@ -1,6 +1,7 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 
 #include "certificates/WholeFile.h"
+#include "ompl_certificates/planning/DRRTstar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,8 +110,12 @@ namespace ompl_certificates
         writeWholeFile(file, toJson());
     }
 
-    std::string reasonOf(const ob::PlannerStatus &status, const ob::ProblemDefinition &problem)
+    std::string reasonOf(const ob::PlannerStatus &status, const ob::Planner &planner)
     {
+        const auto *byRoadmaps = dynamic_cast<const DRRTstar *>(&planner);
+        if (byRoadmaps && !byRoadmaps->getStuckRobot().empty())
+            return "robot '" + byRoadmaps->getStuckRobot() + "' found no way from its start to its goal even alone";
+        const ob::ProblemDefinition &problem = *planner.getProblemDefinition();
         if (problem.hasApproximateSolution())
         {
             std::ostringstream text;

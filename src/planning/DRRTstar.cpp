@@ -318,6 +318,7 @@ namespace ompl_certificates
     ob::PlannerStatus DRRTstar::solve(const ob::PlannerTerminationCondition &condition)
     {
         checkValidity();
+        stuckRobot_.clear();
         if (!roadmaps_)
         {
             roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);

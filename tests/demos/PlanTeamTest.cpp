@@ -64,6 +64,15 @@ namespace
     };
 }
 
+TEST_F(PlanTeam, endsWithTheFirstSolution)
+{
+    for (const std::string planner : {"DRRTstar", "RRTstar"})
+    {
+        ASSERT_EQ(plan({scene(), "--planner", planner, "--time", "40", "--first"}), 0) << errors_;
+        EXPECT_LT(report_.at("seconds").at("total").get<double>(), 20.0) << planner;
+    }
+}
+
 TEST_F(PlanTeam, writesWhatIsAskedFor)
 {
     ASSERT_EQ(plan({scene(), "--path", folder_ / "path.csv", "--picture", folder_ / "plan.svg", "--picture-tree",

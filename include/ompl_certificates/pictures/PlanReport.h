@@ -4,9 +4,8 @@
 #include "ompl_certificates/certificates/CheckCounts.h"
 
 #include <cstdint>
+#include <ompl/base/Planner.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/PlannerStatus.h>
-#include <ompl/base/ProblemDefinition.h>
 #include <string>
 
 namespace ompl_certificates
@@ -94,8 +93,9 @@ namespace ompl_certificates
         void write(const std::string &file) const;
     };
 
-    /** \brief Why a planner that ended with \e status has no exact solution, in a few words, for PlanReport::reason */
-    std::string reasonOf(const ompl::base::PlannerStatus &status, const ompl::base::ProblemDefinition &problem);
+    /** \brief Why \e planner, which ended with \e status, has no exact solution, in a few words, for
+        PlanReport::reason */
+    std::string reasonOf(const ompl::base::PlannerStatus &status, const ompl::base::Planner &planner);
 
     /** \brief A hash of the coordinates of the states of \e data and of its directed edges, as 16 hexadecimal digits.
 

@@ -132,6 +132,13 @@ namespace ompl_certificates
             return ompl::base::Cost(bestCost_);
         }
 
+        /** \brief The name of the robot that solve() found no way for last, from its start to its goal, even alone;
+            empty if there was none */
+        const std::string &getStuckRobot() const
+        {
+            return stuckRobot_;
+        }
+
     private:
         using Configuration = std::vector<std::uint32_t>;
         using Path = std::vector<Configuration>;
