@@ -66,6 +66,17 @@ namespace
     private:
         const Quiet quiet_;
     };
+
+    /** Plans, with the planner that the setup chooses, and simplifies */
+    void planAroundTheZone(TeamSetup &setup, ob::ScopedState<> &start, ob::ScopedState<> &goal)
+    {
+        start = std::vector<double>{-3.0, 0.1, -3.0, 3.0, 0.0, 3.5, -3.5};
+        goal = std::vector<double>{3.0, 0.1, 3.0, 3.0, 0.0, 3.5, 3.5};
+        setup.setStartAndGoalStates(start, goal);
+        ASSERT_EQ(setup.solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(setup.getPlanner()->getName(), "RRTConnect");
+        setup.simplifySolution(2.0);
+    }
 }
 
 TEST_P(FurtherChecker, DecidesMotionsAsWithOmplsValidator)
@@ -128,12 +139,7 @@ TEST_P(FurtherChecker, IsHeededInPlansAndSimplerPaths)
     ompl::RNG::setSeed(4);
     const auto setup = makeSetup(4, CertificateMotionValidator::DISCRETE, 0);
     ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
-    start = std::vector<double>{-3.0, 0.1, -3.0, 3.0, 0.0, 3.5, -3.5};
-    goal = std::vector<double>{3.0, 0.1, 3.0, 3.0, 0.0, 3.5, 3.5};
-    setup->setStartAndGoalStates(start, goal);
-    ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
-    EXPECT_EQ(setup->getPlanner()->getName(), "RRTConnect");
-    setup->simplifySolution(2.0);
+    ASSERT_NO_FATAL_FAILURE(planAroundTheZone(*setup, start, goal));
     og::PathGeometric path = setup->getSolutionPath();
     EXPECT_TRUE(path.check());
     for (unsigned int i = 1; i < path.getStateCount(); ++i)
@@ -152,12 +158,7 @@ TEST_P(FurtherChecker, PlansWithOmplsValidator)
     const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
     si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
     ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
-    start = std::vector<double>{-3.0, 0.1, -3.0, 3.0, 0.0, 3.5, -3.5};
-    goal = std::vector<double>{3.0, 0.1, 3.0, 3.0, 0.0, 3.5, 3.5};
-    setup->setStartAndGoalStates(start, goal);
-    ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
-    EXPECT_EQ(setup->getPlanner()->getName(), "RRTConnect");
-    setup->simplifySolution(2.0);
+    ASSERT_NO_FATAL_FAILURE(planAroundTheZone(*setup, start, goal));
     og::PathGeometric path = setup->getSolutionPath();
     EXPECT_TRUE(path.check());
     for (unsigned int i = 0; i < path.getStateCount(); ++i)
