@@ -62,6 +62,7 @@ namespace ompl_certificates
                     const Pose pose = anyPose(body);
                     tryPose(body, pose, "body " + std::to_string(index));
                     tryGap(body, pose, "body " + std::to_string(index));
+                    tryStaysFree(body, pose, "body " + std::to_string(index));
                     tryBatch(body, pose, "body " + std::to_string(index));
                 }
             }
@@ -216,6 +217,19 @@ namespace ompl_certificates
                             "gap() is " + textOf(gap) + " for " + name + " at " + textOf(pose) +
                                 ", but collides() finds it colliding at " + textOf(moved));
                 }
+            }
+
+            /** Whether a body that staysFree() says stays free does, moved by so much */
+            void tryStaysFree(const Body &body, const Pose &pose, const std::string &name)
+            {
+                const double distance = random_.uniform01() * body.getBoundingRadius();
+                if (!obstacles_.staysFree(body, pose, distance))
+                    return;
+                Pose moved = pose;
+                moved.translation() += 0.999999 * distance * anyDirection();
+                require(!obstacles_.collides(body, moved),
+                        "staysFree() says so of " + name + " at " + textOf(pose) + " within " + textOf(distance) +
+                            ", but collides() finds it colliding at " + textOf(moved));
             }
 
             bool isFreeByClearances(const Body &body, const Pose &pose, double margin) const

@@ -65,6 +65,11 @@ namespace
             return truth->gap(body, pose, needed, wanted) + gapOffset;
         }
 
+        bool staysFree(const Body & /*body*/, const Pose & /*pose*/, double /*distance*/) const override
+        {
+            return staysAlways;
+        }
+
         BatchMask mayTouch(const Body &body, const PoseBatch &poses, const PoseError &error) const override
         {
             return leavesOutAll ? BatchMask{0} : truth->mayTouch(body, poses, error);
@@ -84,7 +89,7 @@ namespace
         double factor{1.0}, offset{0.0}, nearestOffset{0.0}, gapOffset{0.0}, tolerance{-1.0};
         double nearLimitOffset{0.0}, beyondLimitOffset{0.0};
         ObstaclePart partSaid{NO_PART};
-        bool hits{false}, proves{true}, leavesOutAll{false};
+        bool hits{false}, proves{true}, leavesOutAll{false}, staysAlways{false};
         std::function<bool(const Body &, const Pose &)> collision;
         std::function<Touching(const Body &, const Pose &)> touching;
     };
@@ -207,6 +212,12 @@ TEST_P(ToldObstacles, AreFoundToTouchWhatIsFree)
     told_->hits = true;
     told_->partSaid = 7;
     expectComplaint({"certainlyHits() says ", "hits part 7", "collides() finds it free"});
+}
+
+TEST_P(ToldObstacles, SayThatBodiesStayFreeThatDoNot)
+{
+    told_->staysAlways = true;
+    expectComplaint({"staysFree() says so of body ", "collides() finds it colliding"});
 }
 
 TEST_P(ToldObstacles, SayThatBodiesAreFartherThanTheyAre)

@@ -21,7 +21,7 @@ namespace ompl_certificates
           tolerance;
         - both hold of the bounding spheres and inner spheres of \e bodies, too;
         - touches() and certainlyHits() never contradict collides();
-        - no body that moves by less than its gap() collides;
+        - no body that moves by less than its gap() collides, nor one that staysFree() where it moves;
         - mayTouch() leaves out no state in which a body collides.
 
         The tolerance is that of the checkers: getTolerance() and exactCheckTolerance() of the body. Planar meshes that
