@@ -9,7 +9,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** How many cells there are for each segment of a discrete check */
+        /** How many cells there are for each segment of a discrete check; a power of four */
         constexpr int CELLS = 16;
     }
 

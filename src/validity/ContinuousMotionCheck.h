@@ -8,9 +8,9 @@ namespace ompl_certificates
     /** \brief Checks whether all of a motion is proved free.
 
         The motion's time is divided into cells of equal length, 16 for each segment of a discrete check. The motion is
-        free if each subject is free in each cell. For this, it must be proved free from the middle of the cell up to
-        both of its ends, or from the middle of the segment up to the ends of that: by clearances, or near obstacles by
-        a contact test with as much room. So the verdict depends only on the obstacles, the motion and the resolution.
+        free if each subject is free in each cell. A cell is proved with its whole segment, with its quarter of the
+        segment, or alone: from the middle of these up to both ends. Clearances prove it; near obstacles a contact test
+        with as much room does. So the verdict depends only on the obstacles, the motion and the resolution.
 
         Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
         also prove, by a small margin. Where Team::isSymmetric(), both directions of a motion are one.
