@@ -45,7 +45,7 @@ namespace
         app.add_option("--planners", options.planners,
                        "Planners: DRRTstar and names of OMPL's classes, separated by commas")
             ->default_str("those of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
-        demos::addPlannerList(app);
+        demos::addPlannerList(app, false);
         app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
         app.add_option("--nearest", options.nearest, "What planners look for near states in")
             ->check(demos::oneOf(demos::nearestNames()))

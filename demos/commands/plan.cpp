@@ -22,6 +22,7 @@
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
+#include "ompl_certificates/planning/PathProof.h"
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/team/TeamObjective.h"
@@ -129,6 +130,18 @@ namespace
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }
 
+    /** Whether the solution is free between its samples, too, as far as certificates can tell */
+    void prove(TeamSetup &setup, const Scene &scene, PlanReport &report)
+    {
+        if (!report.solved || !makesCertificates(setup.getTeamChecker()->getMethod()))
+            return;
+        const PathProof proof = provePath(setup.getSolutionPath(), setup.getTeamChecker());
+        report.unprovedMotions = static_cast<std::int64_t>(proof.unproved.size());
+        if (proof.collision)
+            report.collision = scene.describeCollision(std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace()),
+                                                       proof.collision->get());
+    }
+
     std::string drawn(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup,
                       const ob::PlannerData &tree)
     {
@@ -201,9 +214,7 @@ namespace
         if (options.seconds == 0.0)
             options.seconds = file.timeLimit.value_or(10.0);
         const Method method = methodOf(options.method);
-        const TeamSetupPtr setup =
-            scene.makeSetup(method, options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
-                                                                   : CertificateMotionValidator::DISCRETE);
+        const TeamSetupPtr setup = scene.makeSetup(method, demos::modeOf(options));
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
@@ -249,6 +260,7 @@ namespace
         }
         if (options.simplify)
             simplify(*setup, options, report);
+        prove(*setup, scene, report);
 
         if (!options.quiet)
         {

@@ -12,12 +12,14 @@
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
+#include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <cstdio>
 #include <numeric>
 #include <ompl/base/PlannerData.h>
 #include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -31,14 +33,18 @@ namespace demos
         /** Plan, and fill in the report */
         void solve(TeamControlSetup &setup, const PlanTeamOptions &options, PlanReport &report)
         {
+            const auto clock = std::make_shared<NearestClock>();
+            const bool timed = timeNearest(*setup.getPlanner(), clock);
             Limit limit(options.seconds, options.iterations);
             const ob::PlannerStatus status = setup.solve(limit.condition());
-            report.solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.haveExactSolutionPath();
+            report.solved = status == ob::PlannerStatus::EXACT_SOLUTION;
             report.approximate = !report.solved && setup.haveSolutionPath();
             if (!report.solved)
                 report.reason = reasonOf(status, *setup.getPlanner());
             report.totalSeconds = setup.getLastPlanComputationTime();
             report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
+            if (timed)
+                report.nearestSeconds = clock->getSeconds();
             report.checks = setup.getStatistics().getCounts();
             report.iterations = limit.getEvaluations();
             report.certificates = setup.getTeamChecker()->getCertificateCount();
@@ -64,7 +70,10 @@ namespace demos
                 number(report.checks.byClearances), number(report.checks.byContact), number(report.checks.exact));
             std::printf("  calls of FCL  %llu\n", number(report.checks.exactCalls + report.checks.pairExact));
             std::printf("  certificates  %llu\n", number(report.certificates));
-            std::printf("  time          %.3f s, in checking %.3f s\n", report.totalSeconds, report.checkingSeconds);
+            std::printf("  time          %.3f s, in checking %.3f s", report.totalSeconds, report.checkingSeconds);
+            if (report.nearestSeconds >= 0.0)
+                std::printf(", in nearest neighbors %.3f s", report.nearestSeconds);
+            std::puts("");
         }
 
         void printControls(const PlanTeamOptions &options, const TeamControlSetup &setup)
@@ -103,16 +112,18 @@ namespace demos
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
         const std::string planner = options.planner.empty() ? "RRT" : options.planner;
-        const bool proven = options.motion == "continuous";
+        if (isMoveItScene(options.scene))
+            throw ompl::Exception("--dynamics", "is for scenes whose robots move by controls; " + options.scene +
+                                                    " is a planning scene of MoveIt");
         const Scene scene = loadScene(options.scene, true);
         scene.validate();
         const TeamStateSpacePtr team = scene.makeTeam();
-        TeamControlSetup setup(team, scene.makeObstacles(), methodOf(options.method),
-                               proven ? CertificateMotionValidator::CONTINUOUS : CertificateMotionValidator::DISCRETE);
+        TeamControlSetup setup(team, scene.makeObstacles(), methodOf(options.method), modeOf(options));
         setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team), options.goalTolerance);
         setup.setPlanner(makeControlPlanner(planner, setup.getSpaceInformation()));
         setParameters(options, *setup.getPlanner());
         prepareOutputs(outputsOf(options), {options.scene});
+        setup.setNearestStructure(nearestStructureOf(options.nearest));
         setup.setup();
         setup.getStatistics().reset();
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);

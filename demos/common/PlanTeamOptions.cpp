@@ -27,7 +27,7 @@ namespace demos
                "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters "
                "are used")
             ->default_str("the first of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
-        addPlannerList(app);
+        addPlannerList(app, true);
         app.add_option("--method", options.method, "How checks are saved")
             ->check(oneOf(methodNames()))
             ->capture_default_str();
@@ -82,7 +82,7 @@ namespace demos
                          "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
                          "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
                          "--motion continuous proves each step free between its ends");
-        for (const char *option : {"--request", "--urdf", "--srdf", "--first", "--simplify", "--nearest", "--objective",
+        for (const char *option : {"--request", "--urdf", "--srdf", "--first", "--simplify", "--objective",
                                    "--animation", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
         app.add_option("--goal-tolerance", options.goalTolerance,
@@ -116,6 +116,16 @@ namespace demos
         return {{"--picture", options.picture}, {"--animation", options.animation},
                 {"--view", options.view},       {"--path", options.path},
                 {"--report", options.report},   {"--save-certificates", options.savedCertificates}};
+    }
+
+    CertificateMotionValidator::Mode modeOf(const PlanTeamOptions &options)
+    {
+        if (options.motion != "continuous")
+            return CertificateMotionValidator::DISCRETE;
+        if (!makesCertificates(methodOf(options.method)))
+            throw ompl::Exception("--motion",
+                                  "continuous needs certificates, which --method " + options.method + " does not make");
+        return CertificateMotionValidator::CONTINUOUS;
     }
 
     bool needsTree(const PlanTeamOptions &options)

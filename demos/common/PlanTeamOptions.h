@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
 
+#include "ompl_certificates/validity/CertificateMotionValidator.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <ompl/base/Planner.h>
@@ -39,6 +41,10 @@ namespace demos
 
     /** \brief The options that name files to be written, and the files */
     std::vector<std::pair<std::string, std::string>> outputsOf(const PlanTeamOptions &options);
+
+    /** \brief How motions are checked
+        \throws ompl::Exception if the method makes no certificates, which the continuous mode needs */
+    ompl_certificates::CertificateMotionValidator::Mode modeOf(const PlanTeamOptions &options);
 
     /** \brief Whether a file shows the planner's tree, which may take longer to copy than the plan took */
     bool needsTree(const PlanTeamOptions &options);

@@ -13,6 +13,23 @@ namespace demos
             std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
                         whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0);
         }
+
+        /** What is known of the path between the samples */
+        void printProof(const PlanReport &report, const TeamSetup &setup)
+        {
+            if (report.unprovedMotions < 0)
+                return;
+            const std::size_t motions = setup.getSolutionPath().getStateCount() - 1;
+            if (report.unprovedMotions == 0)
+            {
+                std::puts("  proved        free throughout");
+                return;
+            }
+            std::printf("  not proved    %lld of %zu motions", static_cast<long long>(report.unprovedMotions), motions);
+            if (!report.collision.empty())
+                std::printf("; between samples, %s", report.collision.c_str());
+            std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");
+        }
     }
 
     void printTree(const PlanReport &report)
@@ -45,6 +62,7 @@ namespace demos
                         setup.getSolutionPath().getStateCount());
         else
             std::printf("  not solved    %s\n", report.reason.c_str());
+        printProof(report, setup);
         if (report.firstSolutionSeconds >= 0.0)
             std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
         printTree(report);

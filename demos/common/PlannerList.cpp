@@ -1,11 +1,14 @@
 #include "common/PlannerList.h"
 
+#include "ompl_certificates/control/ControlPlanners.h"
 #include "ompl_certificates/planning/Planners.h"
 
 #include <iomanip>
 #include <iostream>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/control/SpaceInformation.h>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Console.h>
 #include <sstream>
 
@@ -14,8 +17,23 @@ using namespace ompl_certificates;
 namespace demos
 {
     namespace ob = ompl::base;
+    namespace oc = ompl::control;
 
-    std::string plannerList()
+    namespace
+    {
+        /** One planner and its parameters */
+        void list(std::ostream &text, const std::string &name, const std::string &description,
+                  const ob::Planner &planner)
+        {
+            text << std::setw(23) << name << std::setw(12) << (planner.getSpecs().optimizingPaths ? "optimizing" : "")
+                 << description << '\n';
+            for (const auto &[key, parameter] : planner.params().getParams())
+                text << "    " << std::setw(43) << key << std::setw(12) << parameter->getValue()
+                     << parameter->getRangeSuggestion() << '\n';
+        }
+    }
+
+    std::string plannerList(bool withControls)
     {
         // Any space will do: what a planner is does not depend on it.
         const auto space = std::make_shared<ob::RealVectorStateSpace>(2);
@@ -27,25 +45,26 @@ namespace demos
         std::ostringstream text;
         text << std::left;
         for (const std::string &name : plannerNames())
+            list(text, name, plannerDescription(name), *ompl_certificates::makePlanner(name, si));
+        if (withControls)
         {
-            const ob::PlannerPtr planner = ompl_certificates::makePlanner(name, si);
-            text << std::setw(23) << name << std::setw(12) << (planner->getSpecs().optimizingPaths ? "optimizing" : "")
-                 << plannerDescription(name) << '\n';
-            for (const auto &[key, parameter] : planner->params().getParams())
-                text << "    " << std::setw(43) << key << std::setw(12) << parameter->getValue()
-                     << parameter->getRangeSuggestion() << '\n';
+            const auto controls = std::make_shared<oc::RealVectorControlSpace>(space, 1);
+            const auto controlled = std::make_shared<oc::SpaceInformation>(space, controls);
+            for (const std::string &name : controlPlannerNames())
+                list(text, name, "OMPL's planner of that name for controls: with --dynamics",
+                     *makeControlPlanner(name, controlled));
         }
         ompl::msg::setLogLevel(level);
         return text.str();
     }
 
-    void addPlannerList(CLI::App &app)
+    void addPlannerList(CLI::App &app, bool withControls)
     {
         app.add_flag_callback(
             "--list-planners",
-            []
+            [withControls]
             {
-                std::cout << plannerList();
+                std::cout << plannerList(withControls);
                 throw CLI::Success();
             },
             "List the planners, each with its parameters, their values at first, and the ranges that OMPL suggests "

@@ -8,11 +8,12 @@ namespace demos
 {
     /** \brief All planners of plannerNames(), a line each: the name, whether OMPL says that it optimizes, and what it
         is. Below it, indented, its parameters: the name, the value that it begins with, and the range that OMPL
-        suggests. */
-    std::string plannerList();
+        suggests.
+        \param withControls whether those of controlPlannerNames() follow */
+    std::string plannerList(bool withControls);
 
     /** \brief Add the flag --list-planners, which prints plannerList() and ends the program */
-    void addPlannerList(CLI::App &app);
+    void addPlannerList(CLI::App &app, bool withControls);
 }
 
 #endif

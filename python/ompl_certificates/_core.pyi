@@ -84,6 +84,10 @@ class Robot:
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
         the group needs bounds of its position, (low, high), of 2 or 3 numbers. A state has the values of the group's
         joints, in radians or meters."""
+    @staticmethod
+    def arm_states(urdf: Path, srdf: Path, group: str) -> Dict[str, NDArray[np.float64]]:
+        """The states that the SRDF file names for a group, such as home: a dict of arrays, each a state of the group's
+        arm. Those that lack a joint of the group are left out."""
     @property
     def name(self) -> str:
         """The robot's name, unique in its team"""
@@ -235,6 +239,12 @@ class Checker:
         index first. Others stay. The scene's own grids and octomaps have the numbers that Scene.add_grid and
         add_octomap_file returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has
         changed."""
+    def without_robots(
+        self, points: ArrayLike, state: ArrayLike, *, padding: float = 0.0
+    ) -> NDArray[np.float64]:
+        """Those of the points, of shape (n, dimension), that are no part of the team where it was when a sensor saw
+        them. Leaves out points inside a robot's body or nearer to it than padding: the radius of the cloud, and the
+        errors of the sensor and of the state."""
     def certificates(self) -> NDArray[np.float64]:
         """The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and its
         clearance"""
@@ -249,6 +259,22 @@ class Checker:
     def set_adaptive(self, adaptive: bool) -> None:
         """Whether to skip certificates where they have not paid lately (the default). If not, counts depend only on the
         states, for experiments. Not while others use the checker."""
+
+class Proof:
+    """What is known of a path between the samples at which it was checked"""
+    @property
+    def proved(self) -> bool:
+        """Whether all of the path is proved free"""
+    @property
+    def unproved(self) -> List[int]:
+        """The motions that are not proved free, each by the row of the path that it starts at"""
+    @property
+    def collision(self) -> Optional[NDArray[np.float64]]:
+        """The first invalid state that was found on these motions, of shape (coordinates,); None if none was"""
+    @property
+    def reason(self) -> Optional[str]:
+        """What collides there, in a few words; None if nothing was found"""
+    def __bool__(self) -> bool: ...
 
 class Plan:
     """What came of a plan"""
@@ -274,6 +300,10 @@ class Plan:
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
         the planner's tree: some seconds for a hundred thousand states."""
+    def prove(self) -> Proof:
+        """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
+        the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
+        looked at until one collides. Raises Error if there is no path, or for a method without certificates."""
     def save(self, file: Path) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md)."""
     def save_report(self, file: Path) -> None:

@@ -1,5 +1,7 @@
 #include "Changes.h"
 
+#include <ompl_certificates/team/RobotFilter.h>
+
 #include <algorithm>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -59,6 +61,16 @@ namespace ompl_certificates_python
             checker.changeCloud(cloud, std::move(change));
         }
 
+        /** An array of shape (n, dimension) */
+        Doubles toArray(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
+        {
+            Doubles result({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(dimension)});
+            double *values = result.mutable_data();
+            for (const Eigen::Vector3d &point : points)
+                values = std::copy_n(point.data(), dimension, values);
+            return result;
+        }
+
         Doubles cloudPoints(const Checker &checker, std::size_t cloud)
         {
             const auto points = [&]
@@ -66,12 +78,25 @@ namespace ompl_certificates_python
                 const py::gil_scoped_release release;
                 return checker.getCloudPoints(cloud);
             }();
-            const auto dimension = static_cast<py::ssize_t>(checker.getDimension());
-            Doubles result({static_cast<py::ssize_t>(points.size()), dimension});
-            double *values = result.mutable_data();
-            for (const Eigen::Vector3d &point : points)
-                values = std::copy_n(point.data(), dimension, values);
-            return result;
+            return toArray(points, checker.getDimension());
+        }
+
+        Doubles pointsWithoutRobots(const Checker &checker, const py::object &array, const py::object &values,
+                                    double padding)
+        {
+            const Doubles points = toDoubles(array, "points");
+            const unsigned int dimension = checker.getDimension();
+            if (points.ndim() != 2 || points.shape(1) != static_cast<py::ssize_t>(dimension))
+                throw ompl::Exception("points", "must have the shape (n, " + std::to_string(dimension) + "), not " +
+                                                    shapeOf(points));
+            const auto state = checker.toState(toDoubles(values, "state"), "state");
+            PointCloud cloud;
+            cloud.points = toPoints3(points, "points", dimension == 2);
+            {
+                const py::gil_scoped_release release;
+                cloud = withoutRobots(std::move(cloud), Team(checker.getSetup().getStateSpace()), state.get(), padding);
+            }
+            return toArray(cloud.points, dimension);
         }
 
         void bindClouds(py::class_<Checker, std::shared_ptr<Checker>> &checker)
@@ -90,7 +115,12 @@ namespace ompl_certificates_python
                      "add_cloud: in a planar scene those of shape (n, 3) that no robot reaches do not count, in insert "
                      "and in remove.")
                 .def("cloud_points", &cloudPoints, py::arg("cloud"),
-                     "The points of a cloud now, of shape (n, dimension), in no order");
+                     "The points of a cloud now, of shape (n, dimension), in no order")
+                .def("without_robots", &pointsWithoutRobots, py::arg("points"), py::arg("state"), py::kw_only(),
+                     py::arg("padding") = 0.0,
+                     "Those of the points, of shape (n, dimension), that are no part of the team where it was when a "
+                     "sensor saw them. Leaves out points inside a robot's body or nearer to it than padding: the "
+                     "radius of the cloud, and the errors of the sensor and of the state.");
         }
 
         /** A body and its pose */

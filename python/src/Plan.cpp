@@ -4,6 +4,7 @@
 #include <ompl_certificates/pictures/PathFile.h>
 #include <ompl_certificates/pictures/PlanViewer.h>
 #include <ompl_certificates/pictures/ScenePicture.h>
+#include <ompl_certificates/planning/PathProof.h>
 #include <ompl_certificates/team/PathTimes.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <sstream>
 
@@ -113,6 +115,44 @@ namespace ompl_certificates_python
             return plan.report;
         }
 
+        /** What provePath() tells, in Python's terms */
+        struct Proof
+        {
+            std::vector<std::size_t> unproved;
+            py::object collision, reason;
+        };
+
+        Proof prove(Plan &plan)
+        {
+            if (!plan.solution)
+                throw ompl::Exception("prove", "there is no path");
+            const auto &checker = plan.checker->getSetup().getTeamChecker();
+            PathProof found;
+            {
+                const py::gil_scoped_release release;
+                found = provePath(*plan.solution, checker);
+            }
+            plan.report.unprovedMotions = static_cast<std::int64_t>(found.unproved.size());
+            plan.report.collision.clear();
+            Proof proof{std::move(found.unproved), py::none(), py::none()};
+            if (found.collision)
+            {
+                const std::vector<double> row = found.collision->reals();
+                plan.report.collision = plan.checker->describeCollision(found.collision->get());
+                proof.collision = Doubles(static_cast<py::ssize_t>(row.size()), row.data());
+                proof.reason = py::str(plan.report.collision);
+            }
+            return proof;
+        }
+
+        std::string describe(const Proof &proof)
+        {
+            if (proof.unproved.empty())
+                return "<Proof: free throughout>";
+            return "<Proof: " + std::to_string(proof.unproved.size()) + " motions are not proved" +
+                   (proof.reason.is_none() ? "" : ", " + proof.reason.cast<std::string>()) + ">";
+        }
+
         void savePath(const Plan &plan, const std::filesystem::path &file)
         {
             if (!plan.solution)
@@ -156,6 +196,18 @@ namespace ompl_certificates_python
 
     void bindPlan(py::module_ &module)
     {
+        py::class_<Proof>(module, "Proof", "What is known of a path between the samples at which it was checked")
+            .def_property_readonly(
+                "proved", [](const Proof &proof) { return proof.unproved.empty(); },
+                "Whether all of the path is proved free")
+            .def_readonly("unproved", &Proof::unproved,
+                          "The motions that are not proved free, each by the row of the path that it starts at")
+            .def_readonly("collision", &Proof::collision,
+                          "The first invalid state that was found on these motions, of shape (coordinates,); None if "
+                          "none was")
+            .def_readonly("reason", &Proof::reason, "What collides there, in a few words; None if nothing was found")
+            .def("__repr__", py::overload_cast<const Proof &>(&describe))
+            .def("__bool__", [](const Proof &proof) { return proof.unproved.empty(); });
         py::class_<Plan>(module, "Plan", "What came of a plan")
             .def_property_readonly(
                 "solved", [](const Plan &plan) { return plan.report.solved; }, "Whether a solution was found")
@@ -164,7 +216,7 @@ namespace ompl_certificates_python
                 [](const Plan &plan)
                 { return plan.report.reason.empty() ? py::object(py::none()) : py::str(plan.report.reason); },
                 "Why there is no solution, in a few words; None if there is one")
-            .def("__repr__", &describe)
+            .def("__repr__", py::overload_cast<const Plan &>(&describe))
             .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
                                    "The cost of the path, by the objective; infinite without a solution")
             .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
@@ -175,6 +227,11 @@ namespace ompl_certificates_python
                 "report", [](Plan &plan) { return toDict(reportOf(plan)); },
                 "Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree "
                 "copies the planner's tree: some seconds for a hundred thousand states.")
+            .def("prove", &prove,
+                 "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
+                 "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
+                 "times as dense are looked at until one collides. Raises Error if there is no path, or for a method "
+                 "without certificates.")
             .def("save", &savePath, py::arg("file"),
                  "Write the path as a table of comma-separated values (docs/plan-team.md).")
             .def(

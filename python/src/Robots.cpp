@@ -48,6 +48,26 @@ namespace ompl_certificates_python
             return hold(file.makeArm(name.value_or(file.getName()), group, settings));
         }
 
+        /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
+        std::map<std::string, Doubles> armStates(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+                                                 const std::string &group)
+        {
+            const ArmFile file(urdf, srdf);
+            const std::vector<std::string> &joints = file.getJoints(group);
+            std::map<std::string, Doubles> states;
+            for (const std::string &name : file.getStates(group))
+            {
+                const std::map<std::string, double> &values = file.getState(group, name);
+                std::vector<double> state;
+                for (const std::string &joint : joints)
+                    if (const auto value = values.find(joint); value != values.end())
+                        state.push_back(value->second);
+                if (state.size() == joints.size())
+                    states.emplace(name, Doubles(static_cast<py::ssize_t>(state.size()), state.data()));
+            }
+            return states;
+        }
+
         py::array_t<double> posesOf(const Robot &robot, const std::vector<double> &state)
         {
             const auto &space = robot.getStateSpace();
@@ -91,6 +111,9 @@ namespace ompl_certificates_python
                 "for. base is the pose of its root link; joint_values are those of joints that are not of the "
                 "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
                 "or 3 numbers. A state has the values of the group's joints, in radians or meters.")
+            .def_static("arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
+                        "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "
+                        "of the group's arm. Those that lack a joint of the group are left out.")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")

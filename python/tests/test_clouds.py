@@ -185,3 +185,25 @@ def test_plans_and_pages_know_the_points_of_now() -> None:
     assert plan and distances(plan.path, wall).min() > 0.3
     assert (plan.path[:, 1] > 8).any()
     assert len(plan.view().html) > len(oc.plan(oc.Checker(scene), "RRTConnect", time=20).view().html)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_the_team_is_no_part_of_what_it_sees(dimension: int) -> None:
+    scene = oc.Scene([0] * dimension, [10] * dimension)
+    body = oc.Body.disc(1.0) if dimension == 2 else oc.Body.sphere(1.0)
+    for name, x in (("a", 2.0), ("b", 7.0)):
+        start, goal = [x] + [5.0] * (dimension - 1), [x] + [6.0] * (dimension - 1)
+        scene.add_robot(oc.Robot.rigid(name, body, [0] * dimension, [10] * dimension, turns=False), start, goal)
+    checker = oc.Checker(scene)
+    points = np.random.default_rng(1).uniform(0, 10, (5000, dimension))
+    seen = checker.without_robots(points, scene.start, padding=0.25)
+    centers = scene.start.reshape(2, dimension)
+    distances = np.linalg.norm(points[:, None] - centers, axis=2).min(axis=1)
+    assert 0 < len(seen) < len(points) and (seen == points[distances > 1.25]).all()
+    checker.add_cloud(seen, radius=0.25)
+    assert checker.is_valid(scene.start)
+    assert checker.without_robots(np.zeros((0, dimension)), scene.start).shape == (0, dimension)
+    with pytest.raises(oc.Error, match=rf"^points: must have the shape \(n, {dimension}\), not \(3, 4\)$"):
+        checker.without_robots(np.zeros((3, 4)), scene.start)
+    with pytest.raises(oc.Error, match="padding"):
+        checker.without_robots(points, scene.start, padding=-1.0)

@@ -72,3 +72,36 @@ def test_why_there_is_no_solution(closed: oc.Scene, room: oc.Scene) -> None:
     plan = oc.plan(room, "RRTConnect", time=20)
     assert plan.reason is None and plan.report["reason"] is None
     assert np.isfinite(plan.cost)
+
+
+def test_a_plan_tells_what_happens_between_its_samples() -> None:
+    def floor() -> oc.Scene:
+        scene = oc.Scene([0, 0], [10, 10], "floor")
+        scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.1), [0, 0], [10, 10], turns=False), [1, 5], [9, 5])
+        scene.resolution = 0.1  # a step of 1.4
+        return scene
+
+    plan = oc.plan(floor(), planner="RRTConnect", time=5.0, seed=1)
+    assert plan.report["unproved_motions"] is None and plan.report["collision"] is None
+    proof = plan.prove()
+    assert proof and proof.proved and proof.unproved == [] and proof.collision is None and proof.reason is None
+    assert repr(proof) == "<Proof: free throughout>"
+    assert plan.report["unproved_motions"] == 0 and plan.report["collision"] is None
+
+    walled = floor()
+    walled.add_obstacle(oc.Body.box(0.05, 10), (4.3, 5))
+    plan = oc.plan(walled, planner="RRTConnect", time=5.0, seed=1)
+    assert plan.solved
+    proof = plan.prove()
+    assert not proof and not proof.proved
+    assert proof.unproved and set(proof.unproved) <= set(range(len(plan.path) - 1))
+    assert proof.collision is not None and proof.collision.shape == (2,) and abs(proof.collision[0] - 4.3) < 0.13
+    assert not oc.Checker(walled).is_valid(proof.collision)
+    assert proof.reason and proof.reason.startswith("robot 'disc' ")
+    assert repr(proof) == f"<Proof: {len(proof.unproved)} motions are not proved, {proof.reason}>"
+    assert plan.report["unproved_motions"] == len(proof.unproved) and plan.report["collision"] == proof.reason
+
+    with pytest.raises(oc.Error, match="^prove: there is no path$"):
+        oc.plan(walled, planner="RRTConnect", motion="continuous", time=0.1).prove()
+    with pytest.raises(oc.Error, match="certificates"):
+        oc.plan(floor(), planner="RRTConnect", method="fcl", time=5.0).prove()

@@ -2,6 +2,7 @@
 
 import math
 import pathlib
+import re
 from typing import Any, Callable, List, Tuple
 
 import numpy as np
@@ -167,6 +168,27 @@ def test_arm_comes_from_urdf(scenes: pathlib.Path) -> None:
     with pytest.raises(oc.Error, match="^cell: robots"):
         scene.validate()
     assert not oc.Checker(scene).is_valid([0] * 6)
+
+
+def test_arms_have_states_with_names(scenes: pathlib.Path) -> None:
+    urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
+    states = oc.Robot.arm_states(urdf, srdf, "arm")
+    text = srdf.read_text()
+    assert set(states) == set(re.findall(r'<group_state name="(\w+)" group="arm"', text)) and len(states) > 1
+    scene = oc.Scene([-2] * 3, [2] * 3, "cell")
+    arm = oc.Robot.arm(urdf, srdf, "arm")
+    for name, state in states.items():
+        assert state.shape == (6,)
+        described = re.search(rf'name="{name}" group="arm".*?</group_state>', text, re.S)
+        assert described
+        values = dict(re.findall(r'<joint name="(\w+)" value="([^"]+)"', described[0]))
+        joints = [re.sub(r"\.yaw$", "", name).split(".")[-1] for name in arm.coordinates]
+        assert [float(values[joint]) for joint in joints] == state.tolist()
+    first, second = list(states.values())[:2]
+    scene.add_robot(arm, first, second)
+    scene.validate()
+    with pytest.raises(oc.Error, match="group"):
+        oc.Robot.arm_states(urdf, srdf, "leg")
 
 
 def test_car_with_trailer_has_four_coordinates() -> None:

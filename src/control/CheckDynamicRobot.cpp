@@ -94,6 +94,9 @@ namespace ompl_certificates
                 const std::vector<Pose> before = posesAt(first), after = posesAt(last);
                 for (std::size_t body = 0; body < before.size(); ++body)
                 {
+                    // An infinite bound proves nothing, so it is not wrong.
+                    if (!std::isfinite(bounds[body].linear) || !std::isfinite(bounds[body].angular))
+                        continue;
                     const double radius = robot_.getBodies()[body].getBoundingRadius();
                     std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
                     for (int axis = 0; axis < static_cast<int>(robot_.getWorkspaceDimension()); ++axis)

@@ -45,6 +45,7 @@ namespace ompl_certificates
         std::string known;
         for (const std::string &other : controlPlannerNames())
             known += (known.empty() ? "" : ", ") + other;
-        throw ompl::Exception(name, "there is no such control planner; known are: " + known);
+        throw ompl::Exception(name, "there is no such control planner; known are: " + known +
+                                        ". Syclop's need a decomposition of the workspace, so programs make them");
     }
 }

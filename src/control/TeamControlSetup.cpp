@@ -2,10 +2,13 @@
 
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
+    namespace ob = ompl::base;
+
     TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                                        CertificateMotionValidator::Mode mode)
       : SimpleSetup(TeamPropagator::makeControlSpace(team))
@@ -21,6 +24,13 @@ namespace ompl_certificates
         getSpaceInformation()->setMinMaxControlDuration(1, 10);
     }
 
+    void TeamControlSetup::setNearestStructure(NearestStructure structure)
+    {
+        if (configured_)
+            throw ompl::Exception("Choose the structure for near states before setup()");
+        nearestStructure_ = structure;
+    }
+
     void TeamControlSetup::setup()
     {
         // OMPL would look into the goal to choose a planner, whether there is one or not.
@@ -28,6 +38,24 @@ namespace ompl_certificates
             throw ompl::Exception(
                 "Set a goal or a planner before setup(). To check states, getSpaceInformation()->setup() "
                 "is enough");
+        if (!pdef_->hasOptimizationObjective())
+            pdef_->setOptimizationObjective(
+                std::make_shared<ob::PathLengthOptimizationObjective>(getSpaceInformation()));
         SimpleSetup::setup();
+        if (nearestStructure_ == NearestStructure::KD_TREE)
+            useKdTree(*planner_);
+    }
+
+    ob::PlannerStatus TeamControlSetup::solve(double time)
+    {
+        return solve(ob::timedPlannerTerminationCondition(time));
+    }
+
+    ob::PlannerStatus TeamControlSetup::solve(const ob::PlannerTerminationCondition &condition)
+    {
+        SimpleSetup::solve(condition);
+        if (last_status_ == ob::PlannerStatus::EXACT_SOLUTION && !haveExactSolutionPath())
+            last_status_ = ob::PlannerStatus::APPROXIMATE_SOLUTION;
+        return last_status_;
     }
 }

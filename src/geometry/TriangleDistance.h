@@ -27,7 +27,7 @@ namespace ompl_certificates
         const double squaredArea = normal.squaredNorm();
         if (squaredArea > 0.0)
         {
-            const Eigen::Vector3d foot = point - normal.dot(point - a) / squaredArea * normal;
+            Eigen::Vector3d foot = point - normal.dot(point - a) / squaredArea * normal;
             if (normal.dot((b - a).cross(foot - a)) >= 0.0 && normal.dot((c - b).cross(foot - b)) >= 0.0 &&
                 normal.dot((a - c).cross(foot - c)) >= 0.0)
                 return foot;

@@ -3,6 +3,8 @@
 #include "TimedNeighbors.h"
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/planners/sst/SST.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
@@ -32,6 +34,7 @@
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
+    namespace oc = ompl::control;
     namespace og = ompl::geometric;
 
     namespace
@@ -201,6 +204,15 @@ namespace ompl_certificates
                    redirect(Opened::connectionStrategy(*known), neighbors);
         }
 
+        /** For planners that thin their tree by witnesses */
+        template <typename PlannerType, typename Exchange>
+        bool inSparseTree(ob::Planner &planner, const Exchange &exchange)
+        {
+            auto *const known = dynamic_cast<PlannerType *>(&planner);
+            return known &&
+                   exchange(Open<PlannerType>::nn(*known)) + exchange(Open<PlannerType>::witnesses(*known)) > 0;
+        }
+
         template <typename Exchange>
         bool visit(ob::Planner &planner, const Exchange &exchange)
         {
@@ -209,11 +221,11 @@ namespace ompl_certificates
                              inTree<og::LBTRRT>(planner, exchange) || inTree<og::LazyLBTRRT>(planner, exchange) ||
                              inTree<og::pRRT>(planner, exchange) || inTree<og::EST>(planner, exchange) ||
                              inTree<og::FMT>(planner, exchange) || inTree<og::BFMT>(planner, exchange) ||
-                             inTree<og::SST>(planner, exchange) || inTwoTrees<og::RRTConnect>(planner, exchange) ||
+                             inTree<oc::RRT>(planner, exchange) || inSparseTree<oc::SST>(planner, exchange) ||
+                             inSparseTree<og::SST>(planner, exchange) ||
+                             inTwoTrees<og::RRTConnect>(planner, exchange) ||
                              inTwoTrees<og::BiTRRT>(planner, exchange) || inRoadmap<og::PRM>(planner, exchange) ||
                              inRoadmap<og::LazyPRM>(planner, exchange) || inRoadmap<og::SPARS>(planner, exchange);
-            if (auto *const sst = dynamic_cast<og::SST *>(&planner))
-                exchanged |= exchange(Open<og::SST>::witnesses(*sst));
             if (auto *const trrt = dynamic_cast<og::TRRT *>(&planner))
                 exchanged |= exchange(Open<og::TRRT>::nearestNeighbors(*trrt));
             if (auto *const est = dynamic_cast<og::BiEST *>(&planner))

@@ -263,6 +263,9 @@ namespace ompl_certificates
 
     bool CellObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
     {
+        // No cell is near what is no number.
+        if (!(distance >= 0.0) || !isFinite(pose))
+            return false;
         bool isApart = true;
         visitTouched(body, pose, marginOf(body) + distance,
                      [&](ObstaclePart /*box*/, Touching /*answer*/) { return !(isApart = false); });

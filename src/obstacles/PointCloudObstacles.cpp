@@ -137,6 +137,9 @@ namespace ompl_certificates
     bool PointCloudObstacles::staysFree(const Body &body, const Pose &pose, double distance) const
     {
         const double within = distance + tolerance_ + exactCheckTolerance(body.getBoundingRadius());
+        // No point is near what is no number.
+        if (!(distance >= 0.0) || !isFinite(pose))
+            return false;
         return std::none_of(body.getParts().begin(), body.getParts().end(),
                             [&](const Body::Part &part)
                             { return findHit(part.shape, pose * part.pose, within) != NO_PART; });

@@ -48,6 +48,12 @@ namespace ompl_certificates
             return bits;
         }
 
+        /** \e text, or null if there is none */
+        nlohmann::ordered_json textOrNull(const std::string &text)
+        {
+            return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+        }
+
         /** \e value, or null if it is not known: negative, or not finite */
         nlohmann::ordered_json knownOrNull(double value)
         {
@@ -74,9 +80,12 @@ namespace ompl_certificates
         json["seed"] = seed;
         json["solved"] = solved;
         json["approximate"] = approximate;
-        json["reason"] = reason.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(reason);
+        json["reason"] = textOrNull(reason);
         json["cost"] = solved ? knownOrNull(cost) : nlohmann::ordered_json(nullptr);
         json["simplified_cost"] = knownOrNull(simplifiedCost);
+        json["unproved_motions"] =
+            unprovedMotions >= 0 ? nlohmann::ordered_json(unprovedMotions) : nlohmann::ordered_json(nullptr);
+        json["collision"] = textOrNull(collision);
         json["iterations"] = iterations;
         json["tree"] = {{"states", treeStates}, {"edges", treeEdges}, {"digest", digest}};
         json["checks"] = {{"robot_poses", checks.robotPoses},

@@ -5,6 +5,8 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -25,6 +27,30 @@ namespace ompl_certificates
         json toJson(const Eigen::Vector3d &point)
         {
             return {point.x(), point.y(), point.z()};
+        }
+
+        bool isWithin(const ompl::base::RealVectorBounds &bounds, const Eigen::Vector3d &point)
+        {
+            for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+                if (const double value = point[static_cast<Eigen::Index>(axis)];
+                    value < bounds.low[axis] || value > bounds.high[axis])
+                    return false;
+            return true;
+        }
+
+        /** The cells of \e box that reach into the bounds; none if an end is not above its beginning */
+        CellBox within(const ompl::base::RealVectorBounds &bounds, CellBox box, double edge)
+        {
+            for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+            {
+                const auto bounded = [&box, axis](double index)
+                { return static_cast<std::int32_t>(std::clamp<double>(index, box.low[axis], box.high[axis])); };
+                const std::int32_t low = bounded(std::floor(bounds.low[axis] / edge)),
+                                   high = bounded(std::ceil(bounds.high[axis] / edge));
+                box.low[axis] = low;
+                box.high[axis] = high;
+            }
+            return box;
         }
     }
 
@@ -63,12 +89,17 @@ namespace ompl_certificates
             {
                 std::vector<std::int16_t> low;
                 std::vector<std::uint16_t> size;
-                for (const CellBox &box : cells->getBoxes())
+                for (const CellBox &all : cells->getBoxes())
+                {
+                    const CellBox box = within(scene_.getBounds(), all, cells->getCellSize());
+                    if (box.low[0] >= box.high[0] || box.low[1] >= box.high[1] || box.low[2] >= box.high[2])
+                        continue;
                     for (std::size_t axis = 0; axis < 3; ++axis)
                     {
                         low.push_back(static_cast<std::int16_t>(box.low[axis]));
                         size.push_back(static_cast<std::uint16_t>(box.high[axis] - box.low[axis]));
                     }
+                }
                 result.push_back({{"edge", cells->getCellSize()}, {"low", packed(low)}, {"size", packed(size)}});
             }
         return result;
@@ -82,7 +113,9 @@ namespace ompl_certificates
             {
                 std::vector<float> points;
                 double radius = 0.0;
-                const std::vector<Ball> balls = cloud->getBalls();
+                std::vector<Ball> balls = cloud->getBalls();
+                const auto isBeyond = [this](const Ball &ball) { return !isWithin(scene_.getBounds(), ball.center); };
+                balls.erase(std::remove_if(balls.begin(), balls.end(), isBeyond), balls.end());
                 const std::size_t step = balls.size() / MAX_POINTS + 1;
                 for (std::size_t i = 0; i < balls.size(); i += step)
                 {

@@ -52,6 +52,25 @@ namespace ompl_certificates
 
     bool ContinuousMotionCheck::settleCell(unsigned int subject, int cell, Cells &proved)
     {
+        const Subject &settled = subjects_[subject];
+        if (settleCell(settled, cell, proved))
+            return true;
+        if (settled.kind != Subject::TEAM)
+            return false;
+        // Not all robots of a team need stretches of one length.
+        proved = {0, cells_ - 1};
+        for (unsigned int robot = settled.first; robot <= settled.last; ++robot)
+        {
+            Cells ofRobot;
+            if (!settleCell(*check_.getRobotSubjects(robot).begin, cell, ofRobot))
+                return false;
+            proved = {std::max(proved.first, ofRobot.first), std::min(proved.last, ofRobot.last)};
+        }
+        return true;
+    }
+
+    bool ContinuousMotionCheck::settleCell(const Subject &subject, int cell, Cells &proved)
+    {
         // A whole segment first: near obstacles, one contact test is less than one for each of its cells.
         for (int count = CELLS; count > 0; count /= 4)
         {
@@ -62,7 +81,7 @@ namespace ompl_certificates
         return false;
     }
 
-    bool ContinuousMotionCheck::settleCells(unsigned int subject, Cells cells, Cells &proved)
+    bool ContinuousMotionCheck::settleCells(const Subject &subject, Cells cells, Cells &proved)
     {
         const double middle = 0.5 * (cells.first + cells.last + 1), half = 0.5 * (cells.last + 1 - cells.first);
         const SubjectVerdict verdict = settle(subject, (reversed_ ? cells_ - middle : middle) / cells_, half / cells_,

@@ -57,8 +57,11 @@ namespace ompl_certificates
             \return whether the cell is proved free */
         bool settleCell(unsigned int subject, int cell, Cells &proved);
 
+        /** \brief The same, with stretches of one length for all robots of the subject */
+        bool settleCell(const Subject &subject, int cell, Cells &proved);
+
         /** \brief Settles a subject in all of some cells at once; see settleCell() */
-        bool settleCells(unsigned int subject, Cells cells, Cells &proved);
+        bool settleCells(const Subject &subject, Cells cells, Cells &proved);
 
         /** \brief Settle the last cell, then the first one, then the rest. They return false if a cell is not proved
             free. */

@@ -51,7 +51,7 @@ namespace ompl_certificates
     void DiscreteMotionCheck::proveFromStart()
     {
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
-            pose(subject, 0.0);
+            pose(subjects_[subject], 0.0);
         // A body for which the first state has no reference keeps the hint found at the end.
         if (const auto *first = s1_ ? check_.getTeam().getReferences(s1_) : nullptr)
             for (std::size_t body = 0; body < context_.hints.size(); ++body)
@@ -158,7 +158,7 @@ namespace ompl_certificates
     {
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
-            place(subject, time);
+            place(subjects_[subject], time);
             if (!check_.isExactlyFree(subjects_[subject], context_))
                 return false;
         }

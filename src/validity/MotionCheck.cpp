@@ -80,18 +80,17 @@ namespace ompl_certificates
         counts.endAsked = before_.endAsked + counts.asked - before_.asked;
     }
 
-    void MotionCheck::pose(unsigned int subject, double t)
+    void MotionCheck::pose(const Subject &posed, double t)
     {
-        const Subject &posed = subjects_[subject];
         posed.forEachRobot([this](unsigned int robot) { computeMotionBounds(robot); });
         if (posed.kind == Subject::PAIR && posed.first == posed.last)
             computePairMotionBounds(posed.first);
-        place(subject, t);
+        place(posed, t);
     }
 
-    void MotionCheck::place(unsigned int subject, double t)
+    void MotionCheck::place(const Subject &subject, double t)
     {
-        subjects_[subject].forEachRobot([this, t](unsigned int robot) { poseRobot(robot, t); });
+        subject.forEachRobot([this, t](unsigned int robot) { poseRobot(robot, t); });
     }
 
     void MotionCheck::poseRobot(unsigned int robot, double t)
@@ -154,20 +153,20 @@ namespace ompl_certificates
         return bounded;
     }
 
-    SubjectVerdict MotionCheck::settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
+    SubjectVerdict MotionCheck::settle(const Subject &subject, double t, double requiredInterval, double samplesAhead)
     {
         const MotionSample sample{true, requiredInterval, samplesAhead, t};
         // Poses cost time, so what is known comes first.
         if (sample.usesOtherTimes())
-            if (const auto known = check_.findVerdict(subjects_[subject], context_, t))
+            if (const auto known = check_.findVerdict(subject, context_, t))
                 return *known;
         pose(subject, t);
-        return check_.settle(subjects_[subject], context_, sample);
+        return check_.settle(subject, context_, sample);
     }
 
     SubjectVerdict MotionCheck::test(unsigned int subject, double t)
     {
-        place(subject, t);
+        place(subjects_[subject], t);
         return {check_.settle(subjects_[subject], context_, {}).free};
     }
 

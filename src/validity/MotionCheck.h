@@ -33,7 +33,13 @@ namespace ompl_certificates
         /** \brief Settles a subject at time \e t
             \param requiredInterval see PoseQuery::requiredInterval
             \param samplesAhead see PoseQuery::samplesAhead */
-        SubjectVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead);
+        SubjectVerdict settle(const Subject &subject, double t, double requiredInterval, double samplesAhead);
+
+        /** \brief The same, of a subject by its number */
+        SubjectVerdict settle(unsigned int subject, double t, double requiredInterval, double samplesAhead)
+        {
+            return settle(subjects_[subject], t, requiredInterval, samplesAhead);
+        }
 
         /** \brief Settles a subject at time \e t and no other. Takes no motion bounds, which cost as much as the test
             of a sample. */
@@ -41,10 +47,10 @@ namespace ompl_certificates
 
         /** \brief Puts the poses of a subject's robots at time \e t into the context; the first time, also their motion
             bounds */
-        void pose(unsigned int subject, double t);
+        void pose(const Subject &posed, double t);
 
         /** \brief The same without motion bounds */
-        void place(unsigned int subject, double t);
+        void place(const Subject &subject, double t);
 
         /** \brief Takes the hints of \e state; those of \e other for a body that has none */
         void takeReferences(const ompl::base::State *state, const ompl::base::State *other)

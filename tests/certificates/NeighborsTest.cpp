@@ -186,13 +186,14 @@ TEST(CertificateTreeNeighbors, TakeManyCopiesOfOneCertificate)
 /** Scattered points, and points about paths through the workspace, as a planner's are */
 TEST(CertificateTreeNeighbors, TakeAtMost64BytesEachIfThereAreAMillion)
 {
+    const unsigned int count = scaled(1000000);
     for (const unsigned int dimension : {2U, 3U})
         for (const bool onPaths : {false, true})
         {
             Random random(dimension);
             CertificateTree tree(dimension);
             Eigen::Vector3d start = Eigen::Vector3d::Zero(), end = start;
-            for (unsigned int i = 0; i < 1000000; ++i)
+            for (unsigned int i = 0; i < count; ++i)
             {
                 if (i % 1000 == 0)
                 {
@@ -204,7 +205,7 @@ TEST(CertificateTreeNeighbors, TakeAtMost64BytesEachIfThereAreAMillion)
                           random.uniform(0.0, 0.5)});
             }
             const auto bytes = static_cast<double>(tree.bytes());
-            EXPECT_LE(bytes, 64e6) << dimension << (onPaths ? " on paths" : "");
-            std::cout << bytes / 1e6 << " bytes, dimension " << dimension << (onPaths ? ", on paths\n" : "\n");
+            EXPECT_LE(bytes, 64.0 * count) << dimension << (onPaths ? " on paths" : "");
+            std::cout << bytes / count << " bytes, dimension " << dimension << (onPaths ? ", on paths\n" : "\n");
         }
 }

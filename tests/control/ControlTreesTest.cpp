@@ -20,6 +20,7 @@
 #include <ompl/control/planners/pdst/PDST.h>
 #include <ompl/control/planners/rrt/RRT.h>
 #include <ompl/control/planners/sst/SST.h>
+#include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -89,6 +90,44 @@ namespace
         }
         return tree;
     }
+}
+
+namespace
+{
+    /** The edges of a tree, from state to state, in an order that does not depend on the structure */
+    std::vector<std::vector<double>> edgesOf(const std::vector<std::vector<double>> &tree, std::size_t coordinates)
+    {
+        const auto begin = [&](std::size_t vertex) { return tree[vertex].begin(); };
+        std::vector<std::vector<double>> edges;
+        for (std::size_t i = 0; i < tree.size(); ++i)
+            for (std::size_t k = coordinates; k < tree[i].size(); ++k)
+            {
+                const auto end = static_cast<std::size_t>(tree[i][k]);
+                edges.emplace_back(begin(i), begin(i) + static_cast<std::ptrdiff_t>(coordinates));
+                edges.back().insert(edges.back().end(), begin(end),
+                                    begin(end) + static_cast<std::ptrdiff_t>(coordinates));
+            }
+        std::sort(edges.begin(), edges.end());
+        return edges;
+    }
+}
+
+TEST(ControlTreesTest, AreThoseOfGnat)
+{
+    constexpr std::size_t coordinates = 13;
+    for (const char *planner : {"RRT", "SST"})
+        for (unsigned int seed = 1; seed <= scaled(3); ++seed)
+        {
+            const auto byGnat = makeSetup(Method::STANDARD), byDefault = makeSetup(Method::STANDARD);
+            byGnat->setNearestStructure(NearestStructure::GNAT);
+            const auto expected = edgesOf(treeOf(*byGnat, planner, seed, 1500), coordinates);
+            EXPECT_GT(expected.size(), 50U) << planner;
+            EXPECT_TRUE(edgesOf(treeOf(*byDefault, planner, seed, 1500), coordinates) == expected)
+                << planner << ", seed " << seed;
+            EXPECT_TRUE(useKdTree(*byGnat->getPlanner())) << planner << " had no GNAT to replace";
+            EXPECT_FALSE(useKdTree(*byDefault->getPlanner())) << planner << " had a GNAT";
+            EXPECT_THROW(byDefault->setNearestStructure(NearestStructure::GNAT), ompl::Exception);
+        }
 }
 
 TEST(ControlTreesTest, EqualUnderAllMethods)

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 
@@ -203,10 +204,12 @@ namespace
             bounds[0].linear *= share;
             if (writesMore)
                 bounds[1] = bounds[0];
+            if (knowsNone)
+                bounds[0].angular = std::numeric_limits<double>::infinity();
         }
 
         double share{1.0};
-        bool writesMore{false}, fails{false}, forgets{false};
+        bool writesMore{false}, fails{false}, forgets{false}, knowsNone{false};
 
     private:
         const std::shared_ptr<const DynamicRobot> robot_;
@@ -274,6 +277,7 @@ TEST(DynamicRobotTest, TrialFindsWrongSteps)
     };
     EXPECT_EQ(complaint([](Optimist &) {}), "");
     EXPECT_NE(complaint([](Optimist &robot) { robot.share = 0.99; }).find("of body 0 moves"), std::string::npos);
+    EXPECT_EQ(complaint([](Optimist &robot) { robot.knowsNone = true; }), "");
     EXPECT_NE(complaint([](Optimist &robot) { robot.share = -1.0; }).find("must not be negative"), std::string::npos);
     EXPECT_NE(complaint([](Optimist &robot) { robot.writesMore = true; }).find("writes more"), std::string::npos);
     EXPECT_NE(complaint([](Optimist &robot) { robot.fails = true; }).find("not finite"), std::string::npos);

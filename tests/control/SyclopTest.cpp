@@ -51,7 +51,7 @@ namespace
 
     /** A unicycle and a disc pass a wall with a gap. */
     template <typename Planner>
-    Plan planWith(Method method, CertificateMotionValidator::Mode mode, unsigned int seed)
+    Plan planWith(Method method, CertificateMotionValidator::Mode mode, unsigned int seed, double tolerance)
     {
         const Quiet quiet;
         ompl::RNG::setSeed(seed);
@@ -62,7 +62,7 @@ namespace
         ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
         start = std::vector<double>{-1.5, 0.0, 0.0, -1.0, -2.0, 0.0, 0.0};
         goal = std::vector<double>{1.5, 0.5, 0.0, -1.0, 1.0, 0.0, 0.0};
-        setup.setStartAndGoalStates(start, goal, 1.0);
+        setup.setStartAndGoalStates(start, goal, tolerance);
         const auto &si = setup.getSpaceInformation();
         setup.setPlanner(std::make_shared<Planner>(si, std::make_shared<Grid>(setup.getStateSpace())));
         setup.setup();
@@ -80,22 +80,24 @@ namespace
     }
 
     template <typename Planner>
-    void expectEqualTrees()
+    void expectEqualTrees(double tolerance)
     {
         unsigned int solved = 0;
         for (unsigned int seed = 1; seed <= scaled(2); ++seed)
         {
             SCOPED_TRACE("seed " + std::to_string(seed));
-            const Plan expected = planWith<Planner>(Method::FCL, CertificateMotionValidator::DISCRETE, seed);
+            const Plan expected = planWith<Planner>(Method::FCL, CertificateMotionValidator::DISCRETE, seed, tolerance);
             EXPECT_GT(expected.tree.size(), 20u);
             solved += expected.isSolved ? 1 : 0;
             for (const Method method : allMethods())
-                EXPECT_EQ(planWith<Planner>(method, CertificateMotionValidator::DISCRETE, seed).tree, expected.tree)
+                EXPECT_EQ(planWith<Planner>(method, CertificateMotionValidator::DISCRETE, seed, tolerance).tree,
+                          expected.tree)
                     << nameOf(method);
             const Plan proven =
-                planWith<Planner>(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS, seed);
+                planWith<Planner>(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS, seed, tolerance);
             EXPECT_GT(proven.tree.size(), 20u);
-            EXPECT_EQ(planWith<Planner>(Method::BASIC, CertificateMotionValidator::CONTINUOUS, seed).tree, proven.tree);
+            EXPECT_EQ(planWith<Planner>(Method::BASIC, CertificateMotionValidator::CONTINUOUS, seed, tolerance).tree,
+                      proven.tree);
         }
         EXPECT_GT(solved, 0u);
     }
@@ -103,10 +105,29 @@ namespace
 
 TEST(SyclopTest, RRTGrowsEqualTreesUnderAllMethods)
 {
-    expectEqualTrees<oc::SyclopRRT>();
+    expectEqualTrees<oc::SyclopRRT>(1.0);
 }
 
 TEST(SyclopTest, ESTGrowsEqualTreesUnderAllMethods)
 {
-    expectEqualTrees<oc::SyclopEST>();
+    expectEqualTrees<oc::SyclopEST>(3.0);
+}
+
+/** OMPL's Syclop planners call any solution exact. */
+TEST(SyclopTest, SaysThatASolutionIsApproximate)
+{
+    const Quiet quiet;
+    ompl::RNG::setSeed(1);
+    TeamControlSetup setup(teamOf({allKinds()[1]}), boxes({{{0.0, 1.9, 0.2, 2.2}}}));
+    ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
+    start = std::vector<double>{-1.5, 0.0, 0.0, 0.0};
+    goal = std::vector<double>{1.5, 0.0, 0.0, 0.0};
+    setup.setStartAndGoalStates(start, goal, 1e-9);
+    setup.setPlanner(
+        std::make_shared<oc::SyclopRRT>(setup.getSpaceInformation(), std::make_shared<Grid>(setup.getStateSpace())));
+    ob::IterationTerminationCondition limit(2000);
+    EXPECT_EQ(setup.solve(limit), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+    EXPECT_EQ(setup.getLastPlannerStatus(), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+    EXPECT_TRUE(setup.haveSolutionPath());
+    EXPECT_FALSE(setup.haveExactSolutionPath());
 }

@@ -1,5 +1,6 @@
 #include "demos/Program.h"
 
+#include "ompl_certificates/control/ControlPlanners.h"
 #include "ompl_certificates/planning/Planners.h"
 
 #include <map>
@@ -28,7 +29,14 @@ TEST(ListPlanners, tellsOfEachAndItsParametersInALine)
             EXPECT_TRUE(names.back() != "RRTstar" || optimizing) << line;
             EXPECT_TRUE(names.back() != "RRTConnect" || !optimizing) << line;
         }
-        EXPECT_EQ(names, ompl_certificates::plannerNames());
+        std::vector<std::string> expected = ompl_certificates::plannerNames();
+        if (name == "plan_team")
+            for (const std::string &planner : ompl_certificates::controlPlannerNames())
+            {
+                expected.push_back(planner);
+                EXPECT_EQ(parameters.count(planner), 1U);
+            }
+        EXPECT_EQ(names, expected);
         const auto &ofConnect = parameters["RRTConnect"];
         ASSERT_EQ(ofConnect.size(), 2u) << "intermediate_states and range";
         EXPECT_EQ(ofConnect[1], "    range                                      0           0.:1.:10000.");

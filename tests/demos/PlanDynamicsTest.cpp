@@ -71,7 +71,8 @@ TEST(PlanDynamicsTest, RefusesBadInput)
         {{DOORWAY, "--dynamics", "--simplify"}, "--simplify excludes --dynamics"},
         {{DOORWAY, "--dynamics", "--goal-tolerance", "0"}, "--goal-tolerance"},
         {{DOORWAY, "--goal-tolerance", "1"}, "--dynamics"},
-        {{DOORWAY, "--dynamics", "--motion", "continuous", "--method", "fcl"}, "the method fcl does not have"},
+        {{DOORWAY, "--dynamics", "--motion", "continuous", "--method", "fcl"},
+         "--motion: continuous needs certificates, which --method fcl does not make"},
         {{"any.cfg", "--dynamics"}, "any.cfg"}};
     for (const auto &[arguments, complaint] : inputs)
     {

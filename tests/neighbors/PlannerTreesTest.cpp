@@ -97,9 +97,10 @@ namespace
 
 TEST(PlannerKdTree, GrowsTheTreesOfGnat)
 {
-    expectSameTrees<og::RRT>(1500);
-    expectSameTrees<og::RRTConnect>(1500);
-    expectSameTrees<og::RRTstar>(1500);
-    expectSameTrees<og::LazyRRT>(1500);
-    expectSameTrees<og::BiTRRT>(1500);
+    const unsigned int iterations = std::max(300U, scaled(1500));
+    expectSameTrees<og::RRT>(iterations);
+    expectSameTrees<og::RRTConnect>(iterations);
+    expectSameTrees<og::RRTstar>(iterations);
+    expectSameTrees<og::LazyRRT>(iterations);
+    expectSameTrees<og::BiTRRT>(iterations);
 }

@@ -7,6 +7,7 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 
 using namespace ompl_certificates;
@@ -103,5 +104,77 @@ TEST(StaysFree, SeesTheGapBelowAFlatBody)
         EXPECT_TRUE(floor.staysFree(plate, poseAt({0.0, 0.0, 0.0255}), 1e-4));
         EXPECT_TRUE(floor.staysFree(plate, poseAt({0.0, 0.0, 0.035}), 5e-3));
         EXPECT_FALSE(floor.staysFree(plate, poseAt({0.0, 0.0, 0.035}), 1.1e-2));
+    }
+}
+
+TEST(StaysFree, IsFalseOfWhatIsNoNumber)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Body body = Body::sphere(0.2);
+    const Pose pose = poseAt({0.0, 0.0, 50.0});
+    for (unsigned int kind = 0; kind < KINDS; ++kind)
+    {
+        SCOPED_TRACE("kind " + std::to_string(kind));
+        Random random(1);
+        const ObstaclesPtr obstacles = randomObstacles(random, kind, 3);
+        EXPECT_TRUE(obstacles->staysFree(body, pose, 1.0));
+        EXPECT_FALSE(obstacles->staysFree(body, pose, nan));
+        EXPECT_FALSE(obstacles->staysFree(body, poseAt({0.0, nan, 0.0}), 1.0));
+    }
+}
+
+namespace
+{
+    /** Obstacles of a user's own that know gaps, and nothing of staysFree() */
+    class WithGap : public Obstacles
+    {
+    public:
+        explicit WithGap(ObstaclesPtr obstacles) : obstacles_(std::move(obstacles))
+        {
+        }
+
+        unsigned int getDimension() const override
+        {
+            return obstacles_->getDimension();
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            return obstacles_->collides(body, pose);
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            return obstacles_->clearance(point);
+        }
+
+        double gap(const Body &body, const Pose &pose, double needed, double wanted) const override
+        {
+            return obstacles_->gap(body, pose, needed, wanted);
+        }
+
+        double getTolerance() const override
+        {
+            return obstacles_->getTolerance();
+        }
+
+    private:
+        ObstaclesPtr obstacles_;
+    };
+}
+
+TEST(StaysFree, IsToldByTheGapUnlessObstaclesKnowMore)
+{
+    const Body bar = Body::box(2.0, 0.1, 0.1);
+    const ObstaclesPtr floors[] = {
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(10.0, 10.0, 0.1), poseAt({0.0, 0.0, -0.05})}},
+                                       3),
+        std::make_shared<CellObstacles>(0.1, std::vector<CellBox>{{{-50, -50, -1}, {50, 50, 0}}}, 3)};
+    for (const ObstaclesPtr &floor : floors)
+    {
+        const WithGap obstacles(floor);
+        EXPECT_TRUE(obstacles.staysFree(bar, poseAt({0.0, 0.0, 0.55}), 0.1));
+        EXPECT_TRUE(obstacles.staysFree(bar, poseAt({0.0, 0.0, 0.08}), 0.02));
+        EXPECT_FALSE(obstacles.staysFree(bar, poseAt({0.0, 0.0, 0.08}), 0.04));
     }
 }

@@ -114,7 +114,7 @@ namespace ompl_certificates
         };
         EXPECT_EQ(keysOf(json),
                   "scene planner method motion objective seed solved approximate reason cost "
-                  "simplified_cost iterations tree checks seconds ");
+                  "simplified_cost unproved_motions collision iterations tree checks seconds ");
         EXPECT_TRUE(json["reason"].is_null());
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),
@@ -126,6 +126,8 @@ namespace ompl_certificates
         EXPECT_TRUE(json["seconds"]["simplifying"].is_null());
         EXPECT_TRUE(json["cost"].is_null());
         EXPECT_TRUE(json["simplified_cost"].is_null());
+        EXPECT_TRUE(json["unproved_motions"].is_null());
+        EXPECT_TRUE(json["collision"].is_null());
         EXPECT_EQ(json["seed"], 18446744073709551615u);
         EXPECT_EQ(json["checks"]["robot_poses"], 7);
         EXPECT_EQ(fileCount(), 1u);

@@ -9,6 +9,8 @@
 #include "pictures/QuantizedMesh.h"
 #include "support/Random.h"
 
+#include <algorithm>
+#include <array>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cstring>
@@ -16,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -250,6 +253,33 @@ namespace ompl_certificates
         if (shown[0] > shown[3])
             std::rotate(shown.begin(), shown.begin() + 3, shown.end());
         EXPECT_EQ(shown, (std::vector<float>{-4, -3, -2, 3, 2, 1}));
+    }
+
+    TEST(PlanViewerTest, SensedWorldsEndAtTheBounds)
+    {
+        ob::RealVectorBounds bounds(3);
+        bounds.setLow(-1.1);
+        bounds.setHigh(2.0);
+        Scene scene("sensed", "sensed", bounds);
+        // One that reaches beyond the bounds on both sides, one that is in, and two that are out
+        scene.addSensedObstacles(
+            std::make_shared<CellObstacles>(0.5, std::vector<CellBox>{{{-9, -1, -1}, {30, 1, 1}},
+                                                                      {{3, 3, 3}, {4, 4, 4}},
+                                                                      {{-1, -1, 4}, {1, 1, 9}},
+                                                                      {{-9, -9, -9}, {-4, -4, -4}}}),
+            "cells");
+        const std::vector<Eigen::Vector3d> points{{-1.0, 2.0, 1.0}, {0.0, 0.0, 2.1}, {0.0, -1.2, 0.0}};
+        scene.addSensedObstacles(std::make_shared<PointCloudObstacles>(points, std::vector<double>{0.1, 0.1, 0.1}),
+                                 "points");
+        const json page = json::parse(PlanViewer(scene).toJson());
+        const auto low = unpacked<std::int16_t>(page["cells"][0]["low"]);
+        const auto size = unpacked<std::uint16_t>(page["cells"][0]["size"]);
+        ASSERT_EQ(low.size(), size.size());
+        std::set<std::array<int, 6>> boxes;
+        for (std::size_t i = 0; i < low.size(); i += 3)
+            boxes.insert({low[i], low[i + 1], low[i + 2], size[i], size[i + 1], size[i + 2]});
+        EXPECT_EQ(boxes, (std::set<std::array<int, 6>>{{-3, -1, -1, 7, 2, 2}, {3, 3, 3, 1, 1, 1}}));
+        EXPECT_EQ(unpacked<float>(page["clouds"][0]["points"]).size(), 3U);
     }
 
     TEST(PlanViewerTest, TreesHaveEachEdgeOnceWhereItsStatesAre)

@@ -63,7 +63,7 @@ TEST_P(ContinuousMotions, ThatAreAcceptedNeverCollide)
             const auto to = randomStateNear(random, from, random.logUniform(1e-4, 1.0));
             // A thousand times finer than a discrete check
             const unsigned int samples =
-                std::min(20000U, 1000 * std::max(1U, team->validSegmentCount(from.get(), to.get())));
+                std::min(scaled(20000), scaled(1000) * std::max(1U, team->validSegmentCount(from.get(), to.get())));
             ob::ScopedState<> last(team);
             std::pair<ob::State *, double> lastValid{last.get(), -7.0};
             const bool valid = validator.checkMotion(from.get(), to.get());

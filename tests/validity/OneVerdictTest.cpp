@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -113,7 +114,8 @@ class OneVerdict : public ErrorsOnly<unsigned int>
 TEST_P(OneVerdict, OfOverloadsDirectionsMethodsAndWhateverIsKnown)
 {
     // By hand 10^5 motions: OMPL_CERTIFICATES_TEST_SCALE=25. In a single world, all motions may be refused.
-    const unsigned int worlds = std::max<unsigned int>(scaled(4), 3), motionsPerWorld = GetParam() == BOX ? 400 : 150;
+    const unsigned int worlds = std::max<unsigned int>(scaled(4), 3);
+    const unsigned int motionsPerWorld = std::clamp<unsigned int>(scaled(150), 100, 150) * (GetParam() == BOX ? 3 : 1);
     unsigned int accepted = 0, refused = 0;
     for (unsigned int seed = 0; seed < worlds; ++seed)
     {
@@ -244,6 +246,80 @@ TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
     }
     EXPECT_GT(solved, 0U);
     RecordProperty("solved", static_cast<int>(solved));
+}
+
+namespace
+{
+    /** Obstacles that know of half of the stretches of a motion that they are free, be they short or long */
+    class Forgetful : public Obstacles
+    {
+    public:
+        explicit Forgetful(ObstaclesPtr obstacles) : obstacles_(std::move(obstacles))
+        {
+        }
+
+        unsigned int getDimension() const override
+        {
+            return obstacles_->getDimension();
+        }
+
+        bool collides(const Body &body, const Pose &pose) const override
+        {
+            return obstacles_->collides(body, pose);
+        }
+
+        double clearance(const Eigen::Vector3d &point) const override
+        {
+            return obstacles_->clearance(point);
+        }
+
+        double getTolerance() const override
+        {
+            return obstacles_->getTolerance();
+        }
+
+        bool staysFree(const Body &body, const Pose &pose, double distance) const override
+        {
+            const double sum = 1e3 * (pose.translation().sum() + pose.linear().sum() + distance);
+            return sum - std::floor(sum) < 0.5 && obstacles_->staysFree(body, pose, distance);
+        }
+
+    private:
+        ObstaclesPtr obstacles_;
+    };
+}
+
+TEST(OneVerdictAmongOwnObstacles, IsThatOfAllMethods)
+{
+    unsigned int accepted = 0, refused = 0;
+    for (unsigned int seed = 0; seed < std::max(4U, scaled(40)); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        World world(1 + seed % 2, random);
+        world.obstacles = std::make_shared<Forgetful>(world.obstacles);
+        std::vector<TeamSetupPtr> setups;
+        for (const Method method : CERTIFIED)
+            setups.push_back(world.setup(method, 0.02));
+        for (unsigned int i = 0; i < 50; ++i)
+        {
+            const auto from = validState(random, *setups.front()),
+                       to = randomStateNear(random, from, random.uniform(0.0, 0.3));
+            const auto isFree = [&](const TeamSetup &setup)
+            { return setup.getSpaceInformation()->checkMotion(from.get(), to.get()); };
+            const bool expected = isFree(*setups.front());
+            ++(expected ? accepted : refused);
+            for (const auto &setup : setups)
+            {
+                EXPECT_EQ(isFree(*setup), expected) << nameOf(setup->getTeamChecker()->getMethod()) << ", motion " << i;
+                ob::ScopedState<> state(world.team);
+                std::pair<ob::State *, double> last{state.get(), 1.0};
+                EXPECT_EQ(setup->getSpaceInformation()->checkMotion(from.get(), to.get(), last), expected);
+            }
+        }
+    }
+    EXPECT_GT(accepted, 20U);
+    EXPECT_GT(refused, 20U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, OneVerdict, testing::Range(0U, TEAMS + 1));

@@ -14,7 +14,8 @@ namespace ompl_certificates
 
         - propagate() writes numbers that are finite, the same whether both states are one or not;
         - computeStepBounds() writes one bound for each body, which is not negative;
-        - in no interval of a step does a point within a body's bounding radius move farther than that allows.
+        - in no interval of a step does a point within a body's bounding radius move farther than that allows. An
+          infinite bound allows all.
 
         \param robot the robot; its space is set up
         \param longest the longest duration of a step, in seconds: that of your planner's steps

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_CONTROL_TEAM_CONTROL_SETUP_
 
 #include "ompl_certificates/control/TeamPropagator.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <memory>
@@ -22,9 +23,23 @@ namespace ompl_certificates
                          Method method = Method::SHARED_PROJECTION,
                          CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE);
 
-        /** \brief Set up the space information and the planner; see SimpleSetup
+        /** \brief Choose the structure in which RRT and SST search for near states. The default is a PlannerKdTree. It
+            finds what a GNAT finds: trees are the same, but may differ where distances are exactly equal. Without it,
+            most of a plan's time goes into the GNAT.
+            \throws ompl::Exception if the planner is set up already, and so has its structure */
+        void setNearestStructure(NearestStructure structure);
+
+        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup. A problem
+            without an objective gets OMPL's PathLengthOptimizationObjective, which SST would take with a warning.
             \throws ompl::Exception if there is neither a goal nor a planner */
         void setup() override;
+
+        /** \brief Plan for at most \e time seconds; see SimpleSetup. Where only an approximate solution was found, it
+            says so: OMPL's Syclop planners call that exact. */
+        ompl::base::PlannerStatus solve(double time = 1.0) override;
+
+        /** \brief The same, until \e condition becomes true */
+        ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The validity checker of the team, which ignores limits */
         const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
@@ -40,6 +55,7 @@ namespace ompl_certificates
 
     private:
         std::shared_ptr<TeamValidityChecker> checker_;
+        NearestStructure nearestStructure_{NearestStructure::KD_TREE};
     };
 
     /** \brief A shared pointer to a setup */

@@ -51,8 +51,8 @@ namespace ompl_certificates
         std::atomic<std::uint64_t> nanoseconds_{0};
     };
 
-    /** \brief Put a PlannerKdTree in the place of each GNAT that OMPL has given \e planner. TeamSetup does this for its
-        planner. Call it once the planner is set up, with its problem definition.
+    /** \brief Put a PlannerKdTree in the place of each GNAT that OMPL has given \e planner. TeamSetup and
+        TeamControlSetup do this for their planners. Call it once the planner is set up, with its problem definition.
 
         Unlike the planner's setNearestNeighbors() it does not need the planner's class. So it also works for these
         planners:
@@ -61,9 +61,11 @@ namespace ompl_certificates
         - those whose nodes do not hold their states (PRM, LazyPRM, SPARS, SPARStwo);
         - those within CForest and AnytimePathShortening.
 
+        Of control planners it knows RRT and SST.
+
         Structures of other classes are their user's choice and stay.
         \return whether there was one to replace. Planners with grids or other structures of their own have none:
-        KPIECE1, PDST, SBL, STRIDE, RLRT, BITstar and their kin. */
+        KPIECE1, PDST, SBL, STRIDE, RLRT, BITstar and their kin, and of control planners EST and Syclop's. */
     bool useKdTree(ompl::base::Planner &planner);
 
     /** \brief From now on, add the time that \e planner spends in its structures to \e clock. Costs some 50 ns per call

@@ -121,7 +121,9 @@ namespace ompl_certificates
         {
             const double needed = getTolerance() + exactCheckTolerance(body.getBoundingRadius()) + distance;
             const Ball &ball = body.getSphereTree().getRoot();
-            return gap(body, pose, needed, needed) > needed || clearance(pose * ball.center) > ball.radius + needed;
+            // A search that ends at what is needed would never find more.
+            return gap(body, pose, needed, 2.0 * needed) > needed ||
+                   clearance(pose * ball.center) > ball.radius + needed;
         }
 
         /** \brief Whether \e body at \e pose is certain to collide() because of \e part alone, such as one that it

@@ -46,6 +46,14 @@ namespace ompl_certificates
         /** \brief The cost of the solution after it was simplified; negative if it was not, which is null in JSON */
         double simplifiedCost{-1.0};
 
+        /** \brief How many motions of the solution are not proved free throughout; negative if nobody looked, which is
+            null in JSON. See provePath(). */
+        std::int64_t unprovedMotions{-1};
+
+        /** \brief What collides on these motions, in a few words; empty, which is null in JSON, if no collision was
+            found */
+        std::string collision;
+
         /** \brief How many iterations the planner made, as far as they were counted */
         std::uint64_t iterations{0};
 

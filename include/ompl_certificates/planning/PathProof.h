@@ -1,0 +1,44 @@
+#ifndef OMPL_CERTIFICATES_PLANNING_PATH_PROOF_
+#define OMPL_CERTIFICATES_PLANNING_PATH_PROOF_
+
+#include "ompl_certificates/validity/TeamValidityChecker.h"
+
+#include <cstddef>
+#include <memory>
+#include <ompl/base/ScopedState.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What is known of a path between the samples at which its motions were checked; see provePath() */
+    struct PathProof
+    {
+        /** \brief The motions that are not proved free throughout, each by the index of the state that it starts at, in
+            the order of the path */
+        std::vector<std::size_t> unproved;
+
+        /** \brief The first invalid state that was found on these motions; null if none was */
+        std::shared_ptr<const ompl::base::ScopedState<>> collision;
+
+        /** \brief Whether all of the path is proved free */
+        bool isProved() const
+        {
+            return unproved.empty();
+        }
+    };
+
+    /** \brief Prove that no robot touches anything on \e path, also between the samples at which discrete mode looks.
+
+        Each motion is checked as in continuous mode. A motion that is not proved may be free all the same: it may pass
+        too close to something. There, samples a hundred times as dense as those of discrete mode, but at most 20 000
+        of a motion, are looked at until one is invalid.
+
+        Among the obstacles as they are now. The path need not be valid. What is learned is kept in \e checker, and
+        counted in its statistics. Cost: that of a motion in continuous mode for each motion, and of the samples.
+        \throws ompl::Exception if there is no proof with this \e checker; see CertificateMotionValidator */
+    PathProof provePath(const ompl::geometric::PathGeometric &path,
+                        const std::shared_ptr<const TeamValidityChecker> &checker);
+}
+
+#endif

@@ -1,0 +1,136 @@
+#include "ompl_certificates/planning/PathProof.h"
+
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+#include "support/CrowdProblem.h"
+#include "support/Quiet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Exception.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    /** A disc of radius 0.2 on a floor with a pillar of radius 0.1 at its middle, looked at every 0.6 */
+    class PathProofTest : public testing::Test
+    {
+    protected:
+        static TeamSetupPtr floor(Method method = Method::SHARED_PROJECTION)
+        {
+            ob::RealVectorBounds bounds(2);
+            bounds.setLow(-3.0);
+            bounds.setHigh(3.0);
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::disc("disc", 0.2, bounds));
+            team->setLongestValidSegmentFraction(0.6 / team->getMaximumExtent());
+            const std::vector<PlacedBody> pillar{{Body::disc(0.1), Pose::Identity()}};
+            auto setup = std::make_shared<TeamSetup>(team, std::make_shared<FclObstacles>(pillar, 2), method);
+            setup->getSpaceInformation()->setup();
+            return setup;
+        }
+
+        static og::PathGeometric through(const TeamSetup &setup, const std::vector<std::vector<double>> &points)
+        {
+            og::PathGeometric path(setup.getSpaceInformation());
+            ob::ScopedState<> state(setup.getStateSpace());
+            for (const auto &point : points)
+            {
+                state = point;
+                path.append(state.get());
+            }
+            return path;
+        }
+
+    private:
+        const Quiet quiet_;
+    };
+}
+
+TEST_F(PathProofTest, ProvesWhatIsFarFromEverything)
+{
+    const auto setup = floor();
+    const PathProof proof =
+        provePath(through(*setup, {{-2.0, -1.0}, {2.0, -1.0}, {2.0, 2.0}}), setup->getTeamChecker());
+    EXPECT_TRUE(proof.isProved());
+    EXPECT_EQ(proof.collision, nullptr);
+    EXPECT_TRUE(provePath(through(*setup, {{1.0, 1.0}}), setup->getTeamChecker()).isProved());
+}
+
+TEST_F(PathProofTest, FindsWhatHappensBetweenTheSamples)
+{
+    const auto setup = floor();
+    // A third of a segment before and behind the pillar's middle
+    og::PathGeometric path = through(*setup, {{-2.0, 2.0}, {-0.25, 0.21}, {0.25, 0.21}, {2.0, 2.0}});
+    ASSERT_TRUE(path.check());
+    const PathProof proof = provePath(path, setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{1});
+    ASSERT_NE(proof.collision, nullptr);
+    EXPECT_FALSE(setup->getTeamChecker()->isValid(proof.collision->get()));
+    EXPECT_NEAR((*proof.collision)[1], 0.21, 1e-9);
+    // Where it begins: the centers are 0.3 apart.
+    EXPECT_NEAR((*proof.collision)[0], -std::sqrt(0.09 - 0.21 * 0.21), 0.6 / 100);
+}
+
+TEST_F(PathProofTest, FindsNothingWhereThereIsHardlyRoom)
+{
+    const auto setup = floor();
+    const PathProof proof = provePath(through(*setup, {{-0.25, 0.301}, {0.25, 0.301}}), setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{0});
+    EXPECT_EQ(proof.collision, nullptr);
+}
+
+TEST_F(PathProofTest, ProvesNoPathThatStartsOrEndsInAnObstacle)
+{
+    const auto setup = floor();
+    for (const auto &points : {std::vector<std::vector<double>>{{0.0, 0.0}, {0.0, 2.0}}, {{0.0, 2.0}, {0.0, 0.0}}})
+    {
+        const PathProof proof = provePath(through(*setup, points), setup->getTeamChecker());
+        EXPECT_EQ(proof.unproved.size(), 1U);
+        EXPECT_NE(proof.collision, nullptr);
+    }
+}
+
+TEST_F(PathProofTest, NeedsCertificates)
+{
+    const auto setup = floor(Method::STANDARD);
+    EXPECT_THROW(provePath(through(*setup, {{-2.0, -1.0}, {2.0, -1.0}}), setup->getTeamChecker()), ompl::Exception);
+}
+
+/** Plans that look where the robots are at long steps: some of them collide in between, and those are not proved. */
+TEST_F(PathProofTest, NeverProvesAPlanThatCollides)
+{
+    unsigned int proved = 0, colliding = 0;
+    for (std::uint64_t seed = 1; seed <= std::max(8U, scaled(20)); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 4, 4.0, 5);
+        setup->getStateSpace()->setLongestValidSegmentFraction(0.15);
+        setup->setPlanner(std::make_shared<og::RRTConnect>(setup->getSpaceInformation()));
+        ASSERT_EQ(setup->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const og::PathGeometric &path = setup->getSolutionPath();
+        const PathProof proof = provePath(path, setup->getTeamChecker());
+        og::PathGeometric dense = path;
+        dense.interpolate(3000);
+        bool collides = false;
+        for (const ob::State *state : dense.getStates())
+            collides = collides || !setup->getTeamChecker()->isValid(state);
+        EXPECT_FALSE(proof.isProved() && collides);
+        EXPECT_FALSE(proof.isProved() && proof.collision);
+        proved += proof.isProved() ? 1 : 0;
+        colliding += proof.collision ? 1 : 0;
+    }
+    EXPECT_GT(proved, 0U);
+    EXPECT_GT(colliding, 0U);
+    std::cout << proved << " plans proved, " << colliding << " that collide\n";
+}
