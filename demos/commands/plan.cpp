@@ -130,12 +130,16 @@ namespace
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }
 
-    /** Whether the solution is free between its samples, too, as far as certificates can tell */
-    void prove(TeamSetup &setup, const Scene &scene, PlanReport &report)
+    /** Tell whether the solution is free between its samples, too, until an interrupt comes or as much time has passed as
+        there was for planning */
+    void prove(TeamSetup &setup, const PlanTeamOptions &options, const Scene &scene, PlanReport &report)
     {
         if (!report.solved || !makesCertificates(setup.getTeamChecker()->getMethod()))
             return;
-        const PathProof proof = provePath(setup.getSolutionPath(), setup.getTeamChecker());
+        const PathProof proof =
+            provePath(setup.getSolutionPath(), setup.getTeamChecker(),
+                      ob::plannerOrTerminationCondition(ob::PlannerTerminationCondition(demos::interrupted),
+                                                        ob::timedPlannerTerminationCondition(options.seconds)));
         report.unprovedMotions = static_cast<std::int64_t>(proof.unproved.size());
         if (proof.collision)
             report.collision = scene.describeCollision(std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace()),
@@ -260,7 +264,7 @@ namespace
         }
         if (options.simplify)
             simplify(*setup, options, report);
-        prove(*setup, scene, report);
+        prove(*setup, options, scene, report);
 
         if (!options.quiet)
         {

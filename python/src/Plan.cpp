@@ -1,5 +1,6 @@
 #include "Plan.h"
 #include "Reports.h"
+#include "Signals.h"
 
 #include <ompl_certificates/pictures/PathFile.h>
 #include <ompl_certificates/pictures/PlanViewer.h>
@@ -130,7 +131,14 @@ namespace ompl_certificates_python
             PathProof found;
             {
                 const py::gil_scoped_release release;
-                found = provePath(*plan.solution, checker);
+                Signals signals;
+                found = provePath(*plan.solution, checker,
+                                  ob::PlannerTerminationCondition(
+                                      [&signals]
+                                      {
+                                          signals.handle();
+                                          return false;
+                                      }));
             }
             plan.report.unprovedMotions = static_cast<std::int64_t>(found.unproved.size());
             plan.report.collision.clear();

@@ -13,45 +13,66 @@ namespace ompl_certificates
     {
         /** So many times as dense as in discrete mode are the samples of motions that are not proved. */
         constexpr unsigned int DENSITY = 100;
-        constexpr unsigned int MOST_SAMPLES = 20000;
+        constexpr unsigned int MOST_SAMPLES = 100000;
 
-        /** The first invalid state of a motion after \e proved, the time up to which it is proved free; null if no sample
-            is invalid */
-        std::shared_ptr<ob::ScopedState<>> findCollision(const TeamValidityChecker &checker,
-                                                         const ob::StateSpacePtr &space, const ob::State *from,
-                                                         const ob::State *to, double proved)
+        /** Looks for collisions on motions that are not proved, as long as there are samples left */
+        class Search
         {
-            const unsigned int samples = DENSITY * std::min(space->validSegmentCount(from, to), MOST_SAMPLES / DENSITY);
-            auto state = std::make_shared<ob::ScopedState<>>(space);
-            for (auto i = static_cast<unsigned int>(proved * samples); i <= samples; ++i)
+        public:
+            Search(const TeamValidityChecker &checker, const ob::StateSpacePtr &space,
+                   const ob::PlannerTerminationCondition &condition)
+              : checker_(checker), space_(space), condition_(condition)
             {
-                space->interpolate(from, to, samples > 0 ? static_cast<double>(i) / samples : 1.0, state->get());
-                if (!checker.isValid(state->get()))
-                    return state;
             }
-            return nullptr;
-        }
+
+            /** The first invalid state of a motion after \e proved, the time up to which it is proved free; null without
+                one */
+            std::shared_ptr<ob::ScopedState<>> find(const ob::State *from, const ob::State *to, double proved)
+            {
+                const unsigned int samples =
+                    DENSITY * std::clamp(space_->validSegmentCount(from, to), 1U, MOST_SAMPLES / DENSITY);
+                auto state = std::make_shared<ob::ScopedState<>>(space_);
+                for (auto i = static_cast<unsigned int>(proved * samples); i <= samples && left_ > 0; ++i, --left_)
+                {
+                    space_->interpolate(from, to, static_cast<double>(i) / samples, state->get());
+                    if (condition_)
+                        return nullptr;
+                    if (!checker_.isValid(state->get()))
+                        return state;
+                }
+                return nullptr;
+            }
+
+        private:
+            const TeamValidityChecker &checker_;
+            const ob::StateSpacePtr &space_;
+            const ob::PlannerTerminationCondition &condition_;
+            unsigned int left_{MOST_SAMPLES};
+        };
     }
 
     PathProof provePath(const ompl::geometric::PathGeometric &path,
-                        const std::shared_ptr<const TeamValidityChecker> &checker)
+                        const std::shared_ptr<const TeamValidityChecker> &checker,
+                        const ob::PlannerTerminationCondition &condition)
     {
         const CertificateMotionValidator validator(checker, CertificateMotionValidator::CONTINUOUS);
         const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
         PathProof proof;
+        std::vector<double> proved;
         ob::ScopedState<> last(space);
+        const auto state = [&path](std::size_t i) { return path.getState(static_cast<unsigned int>(i)); };
         for (std::size_t i = 0; i + 1 < path.getStateCount(); ++i)
         {
-            const ob::State *from = path.getState(static_cast<unsigned int>(i)),
-                            *to = path.getState(static_cast<unsigned int>(i + 1));
-            // A motion is valid only if its start is, which the validator takes for granted.
             std::pair<ob::State *, double> lastValid{last.get(), 0.0};
-            if (checker->isValid(from) && validator.checkMotion(from, to, lastValid))
+            // A motion is valid only if its start is, which the validator takes for granted.
+            if (!condition && checker->isValid(state(i)) && validator.checkMotion(state(i), state(i + 1), lastValid))
                 continue;
             proof.unproved.push_back(i);
-            if (!proof.collision)
-                proof.collision = findCollision(*checker, space, from, to, lastValid.second);
+            proved.push_back(lastValid.second);
         }
+        Search search(*checker, space, condition);
+        for (std::size_t k = 0; k < proved.size() && !proof.collision; ++k)
+            proof.collision = search.find(state(proof.unproved[k]), state(proof.unproved[k] + 1), proved[k]);
         return proof;
     }
 }

@@ -100,6 +100,20 @@ TEST_F(PathProofTest, ProvesNoPathThatStartsOrEndsInAnObstacle)
     }
 }
 
+TEST_F(PathProofTest, EndsWhereItIsToldTo)
+{
+    const auto setup = floor();
+    const og::PathGeometric path = through(*setup, {{-2.0, -1.0}, {2.0, -1.0}, {2.0, 0.0}, {-2.0, 0.0}});
+    const PathProof whole = provePath(path, setup->getTeamChecker());
+    EXPECT_EQ(whole.unproved, std::vector<std::size_t>{2});
+    EXPECT_NE(whole.collision, nullptr);
+    unsigned int motions = 0;
+    const PathProof first =
+        provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition([&motions] { return ++motions > 1; }));
+    EXPECT_EQ(first.unproved, (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(first.collision, nullptr);
+}
+
 TEST_F(PathProofTest, NeedsCertificates)
 {
     const auto setup = floor(Method::STANDARD);

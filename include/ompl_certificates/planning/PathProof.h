@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <vector>
@@ -31,14 +32,16 @@ namespace ompl_certificates
     /** \brief Prove that no robot touches anything on \e path, also between the samples at which discrete mode looks.
 
         Each motion is checked as in continuous mode. A motion that is not proved may be free all the same: it may pass
-        too close to something. There, samples a hundred times as dense as those of discrete mode, but at most 20 000
-        of a motion, are looked at until one is invalid.
+        too close to something. There, samples a hundred times as dense as those of discrete mode are looked at until
+        one is invalid, but no more than 100 000 of them.
 
         Among the obstacles as they are now. The path need not be valid. What is learned is kept in \e checker, and
         counted in its statistics. Cost: that of a motion in continuous mode for each motion, and of the samples.
+        \param condition ends the work where it becomes true. Motions that were not looked at are not proved then.
         \throws ompl::Exception if there is no proof with this \e checker; see CertificateMotionValidator */
-    PathProof provePath(const ompl::geometric::PathGeometric &path,
-                        const std::shared_ptr<const TeamValidityChecker> &checker);
+    PathProof
+    provePath(const ompl::geometric::PathGeometric &path, const std::shared_ptr<const TeamValidityChecker> &checker,
+              const ompl::base::PlannerTerminationCondition &condition = ompl::base::plannerNonTerminatingCondition());
 }
 
 #endif
