@@ -1,3 +1,4 @@
+#include "support/ForwardingObstacles.h"
 #include "support/MeshObstacles.h"
 #include "support/RandomCells.h"
 #include "support/RandomClouds.h"
@@ -126,40 +127,15 @@ TEST(StaysFree, IsFalseOfWhatIsNoNumber)
 namespace
 {
     /** Obstacles of a user's own that know gaps, and nothing of staysFree() */
-    class WithGap : public Obstacles
+    class WithGap : public ForwardingObstacles
     {
     public:
-        explicit WithGap(ObstaclesPtr obstacles) : obstacles_(std::move(obstacles))
-        {
-        }
-
-        unsigned int getDimension() const override
-        {
-            return obstacles_->getDimension();
-        }
-
-        bool collides(const Body &body, const Pose &pose) const override
-        {
-            return obstacles_->collides(body, pose);
-        }
-
-        double clearance(const Eigen::Vector3d &point) const override
-        {
-            return obstacles_->clearance(point);
-        }
+        using ForwardingObstacles::ForwardingObstacles;
 
         double gap(const Body &body, const Pose &pose, double needed, double wanted) const override
         {
             return obstacles_->gap(body, pose, needed, wanted);
         }
-
-        double getTolerance() const override
-        {
-            return obstacles_->getTolerance();
-        }
-
-    private:
-        ObstaclesPtr obstacles_;
     };
 }
 

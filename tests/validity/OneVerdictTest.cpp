@@ -3,6 +3,7 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
+#include "support/ForwardingObstacles.h"
 
 #include <algorithm>
 #include <array>
@@ -251,41 +252,16 @@ TEST_P(OneVerdict, OfPlansAndSimplifiedPlans)
 namespace
 {
     /** Obstacles that know of half of the stretches of a motion that they are free, be they short or long */
-    class Forgetful : public Obstacles
+    class Forgetful : public ForwardingObstacles
     {
     public:
-        explicit Forgetful(ObstaclesPtr obstacles) : obstacles_(std::move(obstacles))
-        {
-        }
-
-        unsigned int getDimension() const override
-        {
-            return obstacles_->getDimension();
-        }
-
-        bool collides(const Body &body, const Pose &pose) const override
-        {
-            return obstacles_->collides(body, pose);
-        }
-
-        double clearance(const Eigen::Vector3d &point) const override
-        {
-            return obstacles_->clearance(point);
-        }
-
-        double getTolerance() const override
-        {
-            return obstacles_->getTolerance();
-        }
+        using ForwardingObstacles::ForwardingObstacles;
 
         bool staysFree(const Body &body, const Pose &pose, double distance) const override
         {
             const double sum = 1e3 * (pose.translation().sum() + M_PI * distance);
             return sum - std::floor(sum) < 0.5 && obstacles_->staysFree(body, pose, distance);
         }
-
-    private:
-        ObstaclesPtr obstacles_;
     };
 }
 
