@@ -64,6 +64,8 @@ function(ompl_certificates_library target)
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT OMPL_CERTIFICATES_SANITIZE)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
+  # The library calls its own functions, not those of a program that was compiled otherwise.
+  target_link_options(${target} PRIVATE LINKER:-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}

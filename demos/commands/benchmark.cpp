@@ -31,6 +31,8 @@ namespace
         std::string planners;
         std::string methods;
         std::string nearest{"kdtree"};
+        std::string motion{"discrete"};
+        bool first{false};
         unsigned int runs{0};
         double seconds{0.0};
         std::uint32_t seed{1};
@@ -39,14 +41,18 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        for (const std::string &name : demos::methodNames())
-            options.methods += (options.methods.empty() ? "" : ",") + name;
         app.add_option("SCENE", options.scenes, "Scene files: YAML, or .cfg files of OMPL.app")->required();
         app.add_option("--planners", options.planners,
                        "Planners: DRRTstar and names of OMPL's classes, separated by commas")
             ->default_str("those of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
         demos::addPlannerList(app, false);
-        app.add_option("--methods", options.methods, "Methods, separated by commas")->capture_default_str();
+        app.add_option("--methods", options.methods, "Methods, separated by commas")
+            ->default_str("all that can check motions");
+        app.add_option("--motion", options.motion,
+                       "How motions are checked: discrete, or continuous, which proves them")
+            ->check(demos::oneOf({"discrete", "continuous"}))
+            ->capture_default_str();
+        app.add_flag("--first", options.first, "End each run with its first solution");
         app.add_option("--nearest", options.nearest, "What planners look for near states in")
             ->check(demos::oneOf(demos::nearestNames()))
             ->capture_default_str();
@@ -184,18 +190,40 @@ namespace
             }
     }
 
-    int run(const Options &options)
+    std::vector<Method> methodsOf(const Options &options)
     {
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        ompl::RNG::setSeed(options.seed);
+        const bool isContinuous = options.motion == "continuous";
         std::vector<Method> methods;
+        if (options.methods.empty())
+        {
+            for (const Method method : allMethods())
+                if (!isContinuous || makesCertificates(method))
+                    methods.push_back(method);
+            return methods;
+        }
         for (const std::string &name : listOf("--methods", options.methods))
         {
             if (const std::string why = demos::oneOf(demos::methodNames())(name); !why.empty())
                 throw ompl::Exception("--methods", why);
             methods.push_back(methodOf(name));
+            if (isContinuous && !makesCertificates(methods.back()))
+                throw ompl::Exception("--motion",
+                                      "continuous needs certificates, which method " + name + " does not make");
         }
-        const NearestStructure nearest = nearestStructureOf(options.nearest);
+        return methods;
+    }
+
+    int run(const Options &options)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        ompl::RNG::setSeed(options.seed);
+        std::vector<Method> methods = methodsOf(options);
+        demos::TeamBenchmark::Settings settings;
+        settings.nearest = nearestStructureOf(options.nearest);
+        settings.mode = options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
+                                                       : CertificateMotionValidator::DISCRETE;
+        settings.endsAtFirst = options.first;
+        settings.seed = options.seed;
         // The first one is what the others are compared with: one without certificates, FCL alone foremost.
         const auto order = [](Method method) { return method == Method::FCL ? 0 : method == Method::STANDARD ? 1 : 2; };
         std::stable_sort(methods.begin(), methods.end(), [&](Method a, Method b) { return order(a) < order(b); });
@@ -209,7 +237,7 @@ namespace
         {
             tasks.push_back(readTask(options, file));
             // What cannot be planned for shows here, before hours have passed.
-            demos::TeamBenchmark(tasks.back().scene, tasks.back().planners, methods, nearest, options.seed);
+            demos::TeamBenchmark(tasks.back().scene, tasks.back().planners, methods, settings);
         }
 
         demos::catchInterrupts();
@@ -218,7 +246,7 @@ namespace
             const Task &task = tasks[i];
             for (const std::string &note : task.scene.getNotes())
                 std::printf("note: %s: %s\n", task.scene.getName().c_str(), note.c_str());
-            demos::TeamBenchmark benchmark(task.scene, task.planners, methods, nearest, options.seed);
+            demos::TeamBenchmark benchmark(task.scene, task.planners, methods, settings);
             if (!benchmark.runAll(task.request))
                 std::puts("interrupted: these are the runs that were complete");
             printTable(task.scene.getName(), benchmark.getRuns(), task.planners, methods);

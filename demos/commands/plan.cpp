@@ -134,7 +134,7 @@ namespace
         there was for planning */
     void prove(TeamSetup &setup, const PlanTeamOptions &options, const Scene &scene, PlanReport &report)
     {
-        if (!report.solved || !makesCertificates(setup.getTeamChecker()->getMethod()))
+        if (!report.solved)
             return;
         const PathProof proof =
             provePath(setup.getSolutionPath(), setup.getTeamChecker(),

@@ -28,7 +28,10 @@ namespace demos
             std::printf("  not proved    %lld of %zu motions", static_cast<long long>(report.unprovedMotions), motions);
             if (!report.collision.empty())
                 std::printf("; between samples, %s", report.collision.c_str());
-            std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");
+            if (!makesCertificates(methodOf(report.method)))
+                std::puts("; --method shared --motion continuous proves all of a path");
+            else
+                std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");
         }
     }
 

@@ -44,20 +44,19 @@ namespace demos
     }
 
     TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<PlannerChoice> &planners,
-                                 const std::vector<Method> &methods, NearestStructure nearest, std::uint32_t seed)
-      : TeamBenchmark(scene, planners, makeHost(scene), methods, nearest, seed)
+                                 const std::vector<Method> &methods, const Settings &settings)
+      : TeamBenchmark(scene, planners, makeHost(scene), methods, settings)
     {
     }
 
     TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<PlannerChoice> &planners,
-                                 const TeamSetupPtr &host, const std::vector<Method> &methods, NearestStructure nearest,
-                                 std::uint32_t seed)
-      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), nearest_(nearest), seed_(seed)
+                                 const TeamSetupPtr &host, const std::vector<Method> &methods, const Settings &settings)
+      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), settings_(settings)
     {
         const ObstaclesPtr obstacles = scene.makeObstacles();
         for (const Method method : methods_)
             lenders_.push_back(std::make_shared<TeamSetup>(
-                std::static_pointer_cast<TeamStateSpace>(host_->getStateSpace()), obstacles, method));
+                std::static_pointer_cast<TeamStateSpace>(host_->getStateSpace()), obstacles, method, settings_.mode));
         addExperimentParameter("robots", "INTEGER", std::to_string(scene.getMembers().size()));
         addExperimentParameter("obstacles", "INTEGER",
                                std::to_string(scene.getObstacles().size() + scene.getSensedObstacles().size()));
@@ -114,11 +113,17 @@ namespace demos
 
         // The objective differs between planners, so it is set whenever the planner does.
         const ob::ProblemDefinitionPtr &problem = host_->getProblemDefinition();
-        problem->setOptimizationObjective(defaultObjective(*planner));
+        ob::OptimizationObjectivePtr objective = defaultObjective(*planner);
+        if (settings_.endsAtFirst)
+        {
+            objective = std::make_shared<TeamPathLength>(si);
+            objective->setCostThreshold(objective->infiniteCost());
+        }
+        problem->setOptimizationObjective(objective);
         problem->clearSolutionPaths();
         planner->setProblemDefinition(problem);
         planner->setup();
-        if (nearest_ == NearestStructure::KD_TREE)
+        if (settings_.nearest == NearestStructure::KD_TREE)
             useKdTree(*planner);
         *timed = timeNearest(*planner, clock);
         return planner;
@@ -130,7 +135,7 @@ namespace demos
         for (active_ = 0; planners_[active_] != planner;)
             ++active_;
         const Entry &entry = entries_[active_];
-        ompl::RNG::setSeed(seed_ + status_.activeRun);
+        ompl::RNG::setSeed(settings_.seed + status_.activeRun);
         planners_[active_] = makePlanner(entry);
 
         const TeamSetup &setup = *lenders_[entry.method];

@@ -28,12 +28,23 @@ namespace demos
             double checkingSeconds, nearestSeconds, seconds, cost, states;
         };
 
-        /** \brief A benchmark of all \e planners with all \e methods, with \e nearest for their near states; run i is
-            seeded with \e seed + i.
-            \throws ompl::Exception if there is no such planner, or it cannot plan for the scene */
+        /** \brief What all runs have in common */
+        struct Settings
+        {
+            ompl_certificates::NearestStructure nearest{ompl_certificates::NearestStructure::KD_TREE};
+            ompl_certificates::CertificateMotionValidator::Mode mode{
+                ompl_certificates::CertificateMotionValidator::DISCRETE};
+            /** \brief Whether planners end with their first solution */
+            bool endsAtFirst{false};
+            /** \brief The seed of run 0; that of run i is i more */
+            std::uint32_t seed{1};
+        };
+
+        /** \brief A benchmark of all \e planners with all \e methods
+            \throws ompl::Exception if there is no such planner, or it cannot plan for the scene, or a method cannot
+            check motions in this mode */
         TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<PlannerChoice> &planners,
-                      const std::vector<ompl_certificates::Method> &methods,
-                      ompl_certificates::NearestStructure nearest, std::uint32_t seed);
+                      const std::vector<ompl_certificates::Method> &methods, const Settings &settings);
 
         /** \brief Make all runs, as benchmark() does, but end at SIGINT or SIGTERM (see catchInterrupts()): then the
             run that was under way is left out of the results.
@@ -56,8 +67,7 @@ namespace demos
 
         TeamBenchmark(const ompl_certificates::Scene &scene, const std::vector<PlannerChoice> &planners,
                       const ompl_certificates::TeamSetupPtr &host,
-                      const std::vector<ompl_certificates::Method> &methods,
-                      ompl_certificates::NearestStructure nearest, std::uint32_t seed);
+                      const std::vector<ompl_certificates::Method> &methods, const Settings &settings);
 
         ompl::base::PlannerPtr makePlanner(const Entry &entry);
         void prepareRun(const ompl::base::PlannerPtr &planner);
@@ -68,8 +78,7 @@ namespace demos
         ompl_certificates::TeamSetupPtr host_;
         std::vector<ompl_certificates::TeamSetupPtr> lenders_;
         std::vector<ompl_certificates::Method> methods_;
-        ompl_certificates::NearestStructure nearest_;
-        std::uint32_t seed_;
+        const Settings settings_;
         std::vector<Entry> entries_;
         std::size_t active_{0};
 

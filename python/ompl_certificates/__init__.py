@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._core import (
+    AttachedBody,
     Body,
     Checker,
     Error,
@@ -35,6 +36,7 @@ from ._core import (
 from ._view import View
 
 __all__ = [
+    "AttachedBody",
     "Body",
     "Checker",
     "Error",

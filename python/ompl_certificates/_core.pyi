@@ -59,6 +59,14 @@ class Body:
         """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
         (n,)"""
 
+class AttachedBody:
+    """A body that an arm carries, such as what it has grasped"""
+    def __init__(
+        self, name: str, link: str, body: Body, pose: Optional[ArrayLike] = None, touch_links: Sequence[str] = ...
+    ) -> None:
+        """pose is in the frame of the link that holds the body. The two are not checked against each other, nor are the
+        body and the touch_links, such as fingers. No link may have that name."""
+
 class Robot:
     """One member of a team: a rigid body, a car with a trailer, or an arm"""
     @staticmethod
@@ -79,11 +87,16 @@ class Robot:
         base: Optional[ArrayLike] = None,
         joint_values: Mapping[str, float] = ...,
         bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        attached: Sequence[AttachedBody] = ...,
+        packages: Mapping[str, Path] = ...,
+        visuals: bool = False,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
-        the group needs bounds of its position, (low, high), of 2 or 3 numbers. A state has the values of the group's
-        joints, in radians or meters."""
+        the group needs bounds of its position, (low, high), of 2 or 3 numbers. attached are bodies that it carries.
+        packages tells the folders of packages that meshes are in (package://name/...), where they are not around the
+        URDF file; visuals takes visual geometry in place of that for collisions. A state has the values of the group's
+        joints, in radians or meters. What was ignored in the files is told by warnings."""
     @staticmethod
     def arm_states(urdf: Path, srdf: Path, group: str) -> Dict[str, NDArray[np.float64]]:
         """The states that the SRDF file names for a group, such as home: a dict of arrays, each a state of the group's
@@ -100,8 +113,14 @@ class Robot:
     @property
     def dimension(self) -> int:
         """The dimension of the workspace: 2 or 3"""
+    @property
+    def links(self) -> List[str]:
+        """Of an arm, the name of the link of each body"""
+    def link_pose(self, state: ArrayLike, link: str) -> NDArray[np.float64]:
+        """Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape (4, 4)"""
     def poses(self, state: ArrayLike) -> NDArray[np.float64]:
-        """Where each body is in a state: matrices, of shape (bodies, 4, 4)"""
+        """Where each body is in a state: matrices, of shape (bodies, 4, 4). Bodies of an arm have frames of their own,
+        see link_pose."""
 
 class Scene:
     """A workspace with obstacles, and robots with their starts and goals. Lengths are in the scene's unit, angles in

@@ -37,15 +37,50 @@ namespace ompl_certificates_python
         RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
                             const std::string &group, const std::optional<std::string> &name, const py::object &base,
                             const std::map<std::string, double> &jointValues,
-                            const std::optional<std::pair<std::vector<double>, std::vector<double>>> &bounds)
+                            const std::optional<std::pair<std::vector<double>, std::vector<double>>> &bounds,
+                            const std::vector<AttachedBody> &attached,
+                            const std::map<std::string, std::filesystem::path> &packages, bool visuals)
         {
-            const ArmFile file(urdf, srdf);
+            ArmFile::Options options;
+            options.useVisuals = visuals;
+            options.packages.insert(packages.begin(), packages.end());
+            const ArmFile file(urdf, srdf, options);
             ArmFile::ArmSettings settings;
             settings.base = toPose(base, 3);
             settings.jointValues = jointValues;
             if (bounds)
                 settings.bounds = toBounds(bounds->first, bounds->second);
-            return hold(file.makeArm(name.value_or(file.getName()), group, settings));
+            settings.attached = attached;
+            std::vector<std::string> notes;
+            const auto arm = file.makeArm(name.value_or(file.getName()), group, settings, &notes);
+            for (const std::string &note : notes)
+                if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
+                    throw py::error_already_set();
+            return hold(arm);
+        }
+
+        AttachedBody makeAttached(const std::string &name, const std::string &link, const Body &body,
+                                  const py::object &pose, const std::vector<std::string> &touchLinks)
+        {
+            if (body.getDimension() != 3)
+                throw ompl::Exception("body", "must be a body in space, since arms are");
+            return {name, link, body, toPose(pose, 3), touchLinks};
+        }
+
+        const Arm &requireArm(const Robot &robot)
+        {
+            const auto *arm = dynamic_cast<const Arm *>(&robot);
+            if (!arm)
+                throw ompl::Exception("robot '" + robot.getName() + "'", "is no arm, so it has no links");
+            return *arm;
+        }
+
+        std::vector<std::string> linksOf(const Robot &robot)
+        {
+            std::vector<std::string> links;
+            for (std::size_t body = 0; body < robot.getBodies().size(); ++body)
+                links.push_back(requireArm(robot).getLinkOfBody(body));
+            return links;
         }
 
         /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
@@ -68,7 +103,9 @@ namespace ompl_certificates_python
             return states;
         }
 
-        py::array_t<double> posesOf(const Robot &robot, const std::vector<double> &state)
+        using RowMatrix = Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>;
+
+        ompl::base::ScopedState<> toState(const Robot &robot, const std::vector<double> &state)
         {
             const auto &space = robot.getStateSpace();
             space->computeLocations();
@@ -77,18 +114,38 @@ namespace ompl_certificates_python
                                                    " numbers, not " + std::to_string(state.size()));
             ompl::base::ScopedState<> scoped(space);
             space->copyFromReals(scoped.get(), state);
+            return scoped;
+        }
+
+        py::array_t<double> posesOf(const Robot &robot, const std::vector<double> &state)
+        {
             std::vector<Pose> poses(robot.getBodies().size());
-            robot.placeBodies(scoped.get(), poses.data());
+            robot.placeBodies(toState(robot, state).get(), poses.data());
             py::array_t<double> result({static_cast<py::ssize_t>(poses.size()), py::ssize_t(4), py::ssize_t(4)});
             for (std::size_t i = 0; i < poses.size(); ++i)
-                Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(result.mutable_data() + 16 * i) =
-                    poses[i].matrix();
+                RowMatrix(result.mutable_data() + 16 * i) = poses[i].matrix();
+            return result;
+        }
+
+        py::array_t<double> linkPose(const Robot &robot, const std::vector<double> &state, const std::string &link)
+        {
+            const Pose pose = requireArm(robot).getLinkPose(toState(robot, state).get(), link);
+            py::array_t<double> result({py::ssize_t(4), py::ssize_t(4)});
+            RowMatrix(result.mutable_data()) = pose.matrix();
             return result;
         }
     }
 
     void bindRobots(py::module_ &module)
     {
+        py::class_<AttachedBody>(module, "AttachedBody", "A body that an arm carries, such as what it has grasped")
+            .def(py::init(&makeAttached), py::arg("name"), py::arg("link"), py::arg("body"),
+                 py::arg("pose") = py::none(), py::arg("touch_links") = std::vector<std::string>(),
+                 "pose is in the frame of the link that holds the body. The two are not checked against each other, "
+                 "nor are the body and the touch_links, such as fingers. No link may have that name.")
+            .def("__repr__",
+                 [](const AttachedBody &self) { return "<AttachedBody '" + self.name + "' on '" + self.link + "'>"; });
+
         py::class_<Robot, RobotHolder>(module, "Robot",
                                        "One member of a team: a rigid body, a car with a trailer, or "
                                        "an arm")
@@ -107,10 +164,15 @@ namespace ompl_certificates_python
                 "arm", &makeArm, py::arg("urdf"), py::arg("srdf") = "", py::arg("group") = "",
                 py::arg("name") = py::none(), py::arg("base") = py::none(),
                 py::arg("joint_values") = std::map<std::string, double>(), py::arg("bounds") = py::none(),
+                py::arg("attached") = std::vector<AttachedBody>(),
+                py::arg("packages") = std::map<std::string, std::filesystem::path>(), py::arg("visuals") = false,
                 "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
                 "for. base is the pose of its root link; joint_values are those of joints that are not of the "
                 "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
-                "or 3 numbers. A state has the values of the group's joints, in radians or meters.")
+                "or 3 numbers. attached are bodies that it carries. packages tells the folders of packages that "
+                "meshes are in (package://name/...), where they are not around the URDF file; visuals takes visual "
+                "geometry in place of that for collisions. A state has the values of the group's joints, in radians "
+                "or meters. What was ignored in the files is told by warnings.")
             .def_static("arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
                         "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "
                         "of the group's arm. Those that lack a joint of the group are left out.")
@@ -122,11 +184,16 @@ namespace ompl_certificates_python
                 [](const Robot &robot)
                 {
                     robot.getStateSpace()->computeLocations();
-                    return coordinateNames(*robot.getStateSpace());
+                    return coordinateNames(robot);
                 },
                 "The names of the numbers of a state")
             .def_property_readonly("dimension", &Robot::getWorkspaceDimension, "The dimension of the workspace: 2 or 3")
             .def("poses", &posesOf, py::arg("state"),
-                 "Where each body is in a state: matrices, of shape (bodies, 4, 4)");
+                 "Where each body is in a state: matrices, of shape (bodies, 4, 4). Bodies of an arm have frames of "
+                 "their own, see link_pose.")
+            .def_property_readonly("links", &linksOf, "Of an arm, the name of the link of each body")
+            .def("link_pose", &linkPose, py::arg("state"), py::arg("link"),
+                 "Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape "
+                 "(4, 4)");
     }
 }

@@ -103,5 +103,4 @@ def test_a_plan_tells_what_happens_between_its_samples() -> None:
 
     with pytest.raises(oc.Error, match="^prove: there is no path$"):
         oc.plan(walled, planner="RRTConnect", motion="continuous", time=0.1).prove()
-    with pytest.raises(oc.Error, match="certificates"):
-        oc.plan(floor(), planner="RRTConnect", method="fcl", time=5.0).prove()
+    assert oc.plan(floor(), planner="RRTConnect", method="fcl", time=5.0).prove()

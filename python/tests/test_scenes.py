@@ -182,13 +182,56 @@ def test_arms_have_states_with_names(scenes: pathlib.Path) -> None:
         described = re.search(rf'name="{name}" group="arm".*?</group_state>', text, re.S)
         assert described
         values = dict(re.findall(r'<joint name="(\w+)" value="([^"]+)"', described[0]))
-        joints = [re.sub(r"\.yaw$", "", name).split(".")[-1] for name in arm.coordinates]
-        assert [float(values[joint]) for joint in joints] == state.tolist()
+        assert [float(values[joint]) for joint in arm.coordinates] == state.tolist()
     first, second = list(states.values())[:2]
     scene.add_robot(arm, first, second)
     scene.validate()
     with pytest.raises(oc.Error, match="group"):
         oc.Robot.arm_states(urdf, srdf, "leg")
+
+
+def test_arms_carry_bodies(scenes: pathlib.Path) -> None:
+    urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
+    bar = oc.AttachedBody("bar", "palm", oc.Body.sphere(0.05), (0, 0, 0.3), touch_links=["left_finger"])
+    assert repr(bar) == "<AttachedBody 'bar' on 'palm'>"
+    bare = oc.Robot.arm(urdf, srdf, "arm")
+    arm = oc.Robot.arm(urdf, srdf, "arm", attached=[bar])
+    assert arm.links == bare.links + ["bar"]
+    state = [0.1] * 6
+    assert np.allclose(arm.poses(state)[-1], arm.link_pose(state, "palm") @ np.array(
+        [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.3], [0, 0, 0, 1]]))
+    with pytest.raises(oc.Error, match="'tool'"):
+        arm.link_pose(state, "tool")
+    with pytest.raises(oc.Error, match="'none'"):
+        oc.Robot.arm(urdf, srdf, "arm", attached=[oc.AttachedBody("bar", "none", oc.Body.sphere(0.05))])
+    with pytest.raises(oc.Error, match="space"):
+        oc.AttachedBody("bar", "palm", oc.Body.disc(0.05))
+    disc = oc.Robot.rigid("disc", oc.Body.disc(0.1), [0, 0], [1, 1])
+    with pytest.raises(oc.Error, match="'disc'"):
+        disc.links
+
+
+def test_arms_find_packages_and_warn(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "far").mkdir()
+    (tmp_path / "far" / "mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (tmp_path / "near").mkdir()
+    urdf, srdf = tmp_path / "near" / "a.urdf", tmp_path / "near" / "a.srdf"
+    mesh = "<geometry><mesh filename='package://far_parts/mesh.obj'/></geometry>"
+    urdf.write_text(
+        f"<robot name='a'><link name='base'/><link name='b'><collision>{mesh}</collision>"
+        "<visual><geometry><sphere radius='1'/></geometry></visual></link>"
+        "<joint name='j' type='revolute'><parent link='base'/><child link='b'/><axis xyz='0 0 1'/>"
+        "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>")
+    srdf.write_text("<robot name='a'><group name='g'><joint name='j'/><joint name='typo'/></group></robot>")
+    packages = {"far_parts": tmp_path / "far"}
+    with pytest.warns(UserWarning, match="'typo'"):
+        arm = oc.Robot.arm(urdf, srdf, "g", packages=packages)
+    assert arm.links == ["b"]
+    with pytest.raises(oc.Error, match="package 'far_parts'"):
+        oc.Robot.arm(urdf, srdf, "g")
+    with pytest.warns(UserWarning):
+        ball = oc.Robot.arm(urdf, srdf, "g", packages=packages, visuals=True)
+    assert ball.bodies[0].bounding_radius == pytest.approx(1)
 
 
 def test_car_with_trailer_has_four_coordinates() -> None:

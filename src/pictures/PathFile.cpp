@@ -2,6 +2,7 @@
 
 #include "certificates/WholeFile.h"
 #include "ompl_certificates/control/DynamicRobot.h"
+#include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
@@ -54,6 +55,23 @@ namespace ompl_certificates
                     names.push_back(dot + "value" + std::to_string(i));
         }
 
+        /** Add the names of the coordinates of an arm, whatever spaces its joints are in. */
+        void addNames(const Arm &arm, const std::string &prefix, std::vector<std::string> &names)
+        {
+            const KinematicTree &tree = arm.getTree();
+            for (const std::string &name : arm.getGroup())
+            {
+                const auto type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                if (type == KinematicTree::JointType::PLANAR || type == KinematicTree::JointType::FLOATING)
+                    for (const char *part : type == KinematicTree::JointType::PLANAR
+                                                ? std::vector<const char *>{"x", "y", "yaw"}
+                                                : std::vector<const char *>{"x", "y", "z", "qx", "qy", "qz", "qw"})
+                        names.push_back(prefix + name + '.' + part);
+                else
+                    names.push_back(prefix + name);
+            }
+        }
+
         /** A field of a table; names come from users and may have anything in them. */
         std::string quoted(const std::string &text)
         {
@@ -93,7 +111,25 @@ namespace ompl_certificates
     std::vector<std::string> coordinateNames(const ob::StateSpace &space)
     {
         std::vector<std::string> names;
-        addNames(space, "", names);
+        const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
+        if (!team)
+            addNames(space, "", names);
+        else
+            for (const RobotPtr &robot : team->getRobots())
+                if (const auto *arm = dynamic_cast<const Arm *>(robot.get()))
+                    addNames(*arm, robot->getName() + '.', names);
+                else
+                    addNames(*robot->getStateSpace(), robot->getName(), names);
+        return names;
+    }
+
+    std::vector<std::string> coordinateNames(const Robot &robot)
+    {
+        std::vector<std::string> names;
+        if (const auto *arm = dynamic_cast<const Arm *>(&robot))
+            addNames(*arm, "", names);
+        else
+            addNames(*robot.getStateSpace(), "", names);
         return names;
     }
 

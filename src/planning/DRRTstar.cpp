@@ -3,6 +3,7 @@
 #include "LimitedRRTConnect.h"
 #include "PrioritizedSearch.h"
 #include "ProductTree.h"
+#include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
 #include "ompl_certificates/team/TeamPathLength.h"
@@ -33,8 +34,9 @@ namespace ompl_certificates
             little hope. */
         constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
 
-        /** The number of goal states that are taken from a goal region */
-        constexpr std::size_t MOST_GOALS = 10;
+        /** How many goals are taken from a goal region in each round, of how many samples. OMPL warns of each sample
+            that is not valid. */
+        constexpr unsigned int GOALS = 10, GOAL_SAMPLES = 30;
     }
 
     DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si)
@@ -89,9 +91,9 @@ namespace ompl_certificates
         Planner::clear();
         simplifier_.reset();
         tree_.reset();
+        goals_.reset();
         roadmaps_.reset();
         starts_.clear();
-        goals_.clear();
         best_.reset();
         rounds_ = 0;
         iterations_ = 0;
@@ -110,7 +112,9 @@ namespace ompl_certificates
             starts_.push_back(roadmaps_->add(start));
         if (starts_.empty())
         {
-            OMPL_ERROR("%s: there are no valid start states", getName().c_str());
+            OMPL_ERROR("%s: there are no valid start states%s", getName().c_str(),
+                       pdef_->getStartStateCount() == 0 ? ""
+                                                        : (": " + describeInvalid(pdef_->getStartState(0))).c_str());
             return ob::PlannerStatus::INVALID_START;
         }
         if (!dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
@@ -118,17 +122,35 @@ namespace ompl_certificates
             OMPL_ERROR("%s: the goal cannot be sampled", getName().c_str());
             return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
         }
-        if (goals_.empty())
+        if (goals_->size() == 0)
             if (const ob::State *goal = pis_.nextGoal(condition))
-                goals_.push_back(roadmaps_->add(goal));
-        while (const ob::State *goal = goals_.size() < MOST_GOALS ? pis_.nextGoal() : nullptr)
-            goals_.push_back(roadmaps_->add(goal));
-        if (goals_.empty())
+                goals_->add(goal);
+        if (goals_->size() == 0)
         {
             OMPL_ERROR("%s: there are no valid goal states", getName().c_str());
             return ob::PlannerStatus::INVALID_GOAL;
         }
         return ob::PlannerStatus::UNKNOWN;
+    }
+
+    std::string DRRTstar::describeInvalid(const ob::State *state) const
+    {
+        const Team &team = checker_->getTeam();
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            if (!team.getRobot(i).getStateSpace()->satisfiesBounds(team.getRobotState(state, i)))
+                return "robot '" + team.getRobot(i).getName() + "' is beyond its bounds";
+        return checker_->describeCollision(state);
+    }
+
+    void DRRTstar::takeGoals()
+    {
+        unsigned int left = GOALS;
+        for (unsigned int samples = GOAL_SAMPLES; samples > 0 && left > 0 && pis_.haveMoreGoalStates(); --samples)
+            if (const ob::State *goal = pis_.nextGoal())
+            {
+                goals_->add(goal);
+                --left;
+            }
     }
 
     void DRRTstar::planTogether(const ob::PlannerTerminationCondition &condition)
@@ -160,31 +182,19 @@ namespace ompl_certificates
                            [this](const auto &roadmap) { return roadmap->size() >= maxRoadmapSize_; });
     }
 
-    bool DRRTstar::connect(const Configuration &start, const Configuration &goal,
-                           const ob::PlannerTerminationCondition &condition)
-    {
-        const auto iterations = static_cast<unsigned int>(
-            std::min<std::uint64_t>(effort(ROBOT_ITERATIONS), std::numeric_limits<unsigned int>::max()));
-        for (unsigned int robot = 0; robot < start.size(); ++robot)
-            if (!roadmaps_->getRoadmap(robot).connect(start[robot], goal[robot], iterations, condition))
-            {
-                if (!condition)
-                    stuckRobot_ = checker_->getTeam().getRobot(robot).getName();
-                return false;
-            }
-        return true;
-    }
-
     bool DRRTstar::connect(const ob::PlannerTerminationCondition &condition)
     {
-        std::vector<ProductTree::Goal> goals;
-        for (const Configuration &goal : goals_)
-            if (std::any_of(starts_.begin(), starts_.end(),
-                            [&](const Configuration &start) { return connect(start, goal, condition); }))
-                goals.push_back({goal, {}});
-        if (goals.empty() || condition)
+        const std::vector<Configuration> chosen =
+            goals_->choose(*pdef_->getGoal(), starts_, effort(ROBOT_ITERATIONS), condition);
+        if (condition)
             return false;
-        stuckRobot_.clear();
+        const auto stuck = goals_->getStuckRobot();
+        stuckRobot_ = stuck ? checker_->getTeam().getRobot(*stuck).getName() : std::string();
+        if (chosen.empty())
+            return false;
+        std::vector<ProductTree::Goal> goals;
+        for (const Configuration &goal : chosen)
+            goals.push_back({goal, {}});
         for (ProductTree::Goal &goal : goals)
             for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
                 goal.distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]));
@@ -228,7 +238,8 @@ namespace ompl_certificates
     void DRRTstar::take(const Path &path, const ob::PlannerTerminationCondition &condition)
     {
         og::PathGeometric geometric = toGeometric(path);
-        report(geometric);
+        if (report(geometric))
+            goals_->keep(path.back());
         shorten(geometric, condition);
     }
 
@@ -304,15 +315,16 @@ namespace ompl_certificates
         return geometric;
     }
 
-    void DRRTstar::report(const og::PathGeometric &path)
+    bool DRRTstar::report(const og::PathGeometric &path)
     {
         const ob::Cost cost = path.cost(objective_);
         if (best_ && !objective_->isCostBetterThan(cost, getBestCost()))
-            return;
+            return false;
         best_ = std::make_shared<og::PathGeometric>(path);
         bestCost_ = cost.value();
         if (const auto intermediate = pdef_->getIntermediateSolutionCallback())
             intermediate(this, {best_->getStates().begin(), best_->getStates().end()}, cost);
+        return true;
     }
 
     ob::PlannerStatus DRRTstar::solve(const ob::PlannerTerminationCondition &condition)
@@ -322,6 +334,7 @@ namespace ompl_certificates
         if (!roadmaps_)
         {
             roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);
+            goals_ = std::make_unique<TeamGoals>(si_, checker_, *roadmaps_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
             simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
@@ -336,9 +349,10 @@ namespace ompl_certificates
         {
             if (rounds_ > 0)
                 growRoadmaps(condition);
+            takeGoals();
             if (!connect(condition))
             {
-                if (isAtLimit())
+                if (isAtLimit() && !pis_.haveMoreGoalStates())
                     break;
                 continue;
             }
@@ -351,8 +365,10 @@ namespace ompl_certificates
         if (!best_)
         {
             if (!stuckRobot_.empty())
-                OMPL_ERROR("%s: robot '%s' found no way from its start to its goal even alone, among %llu vertices",
-                           getName().c_str(), stuckRobot_.c_str(), static_cast<unsigned long long>(vertices_));
+                OMPL_ERROR("%s: robot '%s' found no way from its start to %s even alone, among %llu vertices",
+                           getName().c_str(), stuckRobot_.c_str(),
+                           goals_->size() == 1 ? "its goal" : "any of the goals sampled",
+                           static_cast<unsigned long long>(vertices_));
             return ob::PlannerStatus::TIMEOUT;
         }
         // A copy, which its owner may change

@@ -55,7 +55,10 @@ namespace ompl_certificates
                         const std::shared_ptr<const TeamValidityChecker> &checker,
                         const ob::PlannerTerminationCondition &condition)
     {
-        const CertificateMotionValidator validator(checker, CertificateMotionValidator::CONTINUOUS);
+        std::shared_ptr<const TeamValidityChecker> prover = checker;
+        if (checker && !makesCertificates(checker->getMethod()))
+            prover = std::make_shared<TeamValidityChecker>(*checker, Method::SHARED_PROJECTION);
+        const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);
         const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
         PathProof proof;
         std::vector<double> proved;
@@ -65,12 +68,12 @@ namespace ompl_certificates
         {
             std::pair<ob::State *, double> lastValid{last.get(), 0.0};
             // A motion is valid only if its start is, which the validator takes for granted.
-            if (!condition && checker->isValid(state(i)) && validator.checkMotion(state(i), state(i + 1), lastValid))
+            if (!condition && prover->isValid(state(i)) && validator.checkMotion(state(i), state(i + 1), lastValid))
                 continue;
             proof.unproved.push_back(i);
             proved.push_back(lastValid.second);
         }
-        Search search(*checker, space, condition);
+        Search search(*prover, space, condition);
         for (std::size_t k = 0; k < proved.size() && !proof.collision; ++k)
             proof.collision = search.find(state(proof.unproved[k]), state(proof.unproved[k] + 1), proved[k]);
         return proof;

@@ -198,6 +198,8 @@ namespace ompl_certificates
         std::vector<std::string> joints, names, ignored;
         for (const Part &part : parts)
         {
+            if (getJoints(part.group).empty())
+                failWithoutJoint(part.group);
             for (const std::string &joint : getJoints(part.group))
             {
                 if (std::find(joints.begin(), joints.end(), joint) != joints.end())
@@ -235,6 +237,16 @@ namespace ompl_certificates
             throw ompl::Exception(urdf_, (group.empty() || parts.size() > 1 ? "" : "group '" + group + "': ") +
                                              exception.what());
         }
+    }
+
+    void ArmFile::failWithoutJoint(const std::string &group) const
+    {
+        const std::string notes = boost::algorithm::join(semantics_->notes, "; ");
+        throw ompl::Exception(group.empty() ? urdf_ : srdf_,
+                              (group.empty() ? "there is no joint" : "group '" + group + "' has no joint") +
+                                  std::string(" that can move: joints that are fixed, passive, mimic others or have "
+                                              "equal limits do not count") +
+                                  (notes.empty() ? "" : "; " + notes));
     }
 
     std::vector<std::vector<std::string>> ArmFile::divideLinks(const KinematicTree &tree,

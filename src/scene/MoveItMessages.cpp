@@ -3,6 +3,7 @@
 #include "MoveItPlanes.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <ompl/util/Exception.h>
@@ -63,9 +64,20 @@ namespace ompl_certificates
             return Body::convexHull(points);
         }
 
+        /** Whether all fields of a message are empty */
+        bool isEmptyMessage(const YamlNode &node)
+        {
+            if (!node.isMap())
+                return node.isEmpty();
+            const auto keys = node.keys();
+            return std::all_of(keys.begin(), keys.end(),
+                               [&](const std::string &key) { return node.at(key).isEmpty(); });
+        }
+
         Body readPrimitive(const YamlNode &node)
         {
-            node.allow({"type", "dimensions"});
+            node.allow({"type", "dimensions", "polygon"});
+            refuse(node, {"polygon"});
             const YamlNode sizes = node.at("dimensions");
             const std::string type = node.at("type").text();
             if (type == "box" || type == "1")
@@ -93,6 +105,14 @@ namespace ompl_certificates
                 }
             }
             node.at("type").fail("must be one of box, sphere, cylinder, cone, not '" + type + "'");
+        }
+
+        /** Whether an operation on an object is to add it: by its name, or as a byte in the ways in which it is printed */
+        bool isAdd(const YamlNode &node)
+        {
+            const std::string value = node.scalar();
+            return value.empty() || value == "add" || value == "0" || value == "0x00" || value == "AA==" ||
+                   value == std::string(1, '\0');
         }
 
         std::size_t readIndex(const YamlNode &node, std::size_t count)
@@ -266,7 +286,7 @@ namespace ompl_certificates
     void refuse(const YamlNode &node, const std::vector<std::string> &keys)
     {
         for (const std::string &key : keys)
-            if (node.has(key) && !node.at(key).isEmpty())
+            if (node.has(key) && !isEmptyMessage(node.at(key)))
                 node.at(key).fail("not supported");
     }
 
@@ -284,9 +304,8 @@ namespace ompl_certificates
     {
         node.allow({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes", "mesh_poses", "planes",
                     "plane_poses", "subframe_names", "subframe_poses", "operation"});
-        if (const std::string operation = moveItText(node, "operation");
-            !operation.empty() && operation != "add" && operation != "0")
-            node.at("operation").fail("must be add or 0, not '" + operation + "'");
+        if (node.has("operation") && !isAdd(node.at("operation")))
+            node.at("operation").fail("must be add or 0, not " + node.at("operation").describe());
         MoveItObject object{node.at("id").text(), moveItFrame(node), {}, {}};
         const Pose pose =
             node.has("pose") ? readPose(node.at("pose"), "position", "orientation") : Pose(Pose::Identity());

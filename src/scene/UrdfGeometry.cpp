@@ -173,12 +173,16 @@ namespace ompl_certificates
             }
             // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often
             // have files of the same names, so a folder of another name counts last, and not if it says what it is.
-            std::vector<fs::path> candidates, others;
+            std::vector<fs::path> packages, candidates, others;
             for (fs::path above = folder; !above.empty(); above = above.parent_path())
             {
+                packages.push_back(above / package);
                 candidates.push_back(above / package / path);
                 if (above.filename() == package)
+                {
+                    packages.push_back(above);
                     candidates.push_back(above / path);
+                }
                 else if (!isOtherPackage(above, package))
                     others.push_back(above / path);
                 if (above == above.parent_path())
@@ -188,6 +192,9 @@ namespace ompl_certificates
             for (const fs::path &candidate : candidates)
                 if (isFile(candidate))
                     return candidate.lexically_normal();
+            for (const fs::path &found : packages)
+                if (fs::is_directory(found, error))
+                    missing("in '" + found.string() + "'");
             missing("from '" + folder.string() + "' upwards; tell where package '" + package + "' is");
         }
         if (name.find("://") != std::string::npos)

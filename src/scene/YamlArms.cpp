@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
+#include <set>
 #include <sstream>
 
 namespace ompl_certificates
@@ -150,6 +151,26 @@ namespace ompl_certificates
                 for (const YamlNode &link : node.at("touch_links").items(0, 1000))
                     body.touchLinks.push_back(link.text());
             return body;
+        }
+
+        /** Add the bodies of a robot to those of other parts of its mechanism, which may name the same ones. */
+        void addAttached(const YamlNode &list, YamlMeshes &meshes, std::vector<AttachedBody> &bodies)
+        {
+            std::set<std::string> own;
+            for (const YamlNode &item : list.items(0, MAX_ATTACHED))
+            {
+                AttachedBody body = readAttached(item, meshes);
+                if (!own.insert(body.name).second)
+                    item.at("name").fail("there is an attached body '" + body.name + "' already");
+                const auto same = std::find_if(bodies.begin(), bodies.end(),
+                                               [&](const AttachedBody &other) { return other.name == body.name; });
+                if (same == bodies.end())
+                    bodies.push_back(std::move(body));
+                else if (same->link != body.link || !(same->body == body.body) ||
+                         same->pose.matrix() != body.pose.matrix() || same->touchLinks != body.touchLinks)
+                    item.at("name").fail("another robot of the same file and base has another body '" + body.name +
+                                         "' attached");
+            }
         }
     }
 
@@ -309,8 +330,7 @@ namespace ompl_certificates
                 requireBounds(node.at("bounds"), bounds, names.front().name);
             readJointValues(node, movers, settings.jointValues);
             if (node.has("attached"))
-                for (const YamlNode &item : node.at("attached").items(0, MAX_ATTACHED))
-                    settings.attached.push_back(readAttached(item, meshes));
+                addAttached(node.at("attached"), meshes, settings.attached);
         }
         try
         {

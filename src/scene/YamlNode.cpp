@@ -140,6 +140,15 @@ namespace ompl_certificates
         return textUpTo(4095);
     }
 
+    std::string YamlNode::scalar() const
+    {
+        if (node_.IsNull())
+            return "";
+        if (!node_.IsScalar())
+            fail("must be a text, not " + describe());
+        return node_.Scalar();
+    }
+
     std::string YamlNode::textUpTo(std::size_t longest) const
     {
         if (!node_.IsScalar())

@@ -67,6 +67,9 @@ namespace ompl_certificates
         /** \brief The items of this list, which must be from \e least to \e most */
         std::vector<YamlNode> items(std::size_t least, std::size_t most) const;
 
+        /** \brief The text of a scalar as it stands, which may be empty or of any characters */
+        std::string scalar() const;
+
         /** \brief A text of one line that is not empty */
         std::string text() const;
 

@@ -208,7 +208,10 @@ namespace ompl_certificates
         if (node.has("bounds"))
         {
             node.at("bounds").allow({"min", "max"});
-            bounds = readBounds(node.at("bounds"), dimension);
+            bounds = readBounds(node.at("bounds"), type == "urdf" && node.at("bounds").at("min").isList() &&
+                                                           node.at("bounds").at("min").items(0, dimension).size() == 2
+                                                       ? 2
+                                                       : dimension);
         }
 
         Scene::Member member;

@@ -80,6 +80,11 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
+        const ObstaclesPtr &shareObstacles() const
+        {
+            return obstacles_;
+        }
+
         /** \brief The strategy that settles robots against the obstacles */
         CheckMethod &getCheckMethod() const
         {

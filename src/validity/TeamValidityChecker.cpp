@@ -46,6 +46,11 @@ namespace ompl_certificates
     {
     }
 
+    TeamValidityChecker::TeamValidityChecker(const TeamValidityChecker &other, Method method)
+      : TeamValidityChecker(other.getSpaceInformation(), other.getTeam(), other.check_->shareObstacles(), method)
+    {
+    }
+
     TeamValidityChecker::TeamValidityChecker(ob::SpaceInformation *si, Team team, const ObstaclesPtr &obstacles,
                                              Method method)
       : StateValidityChecker(si), check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))

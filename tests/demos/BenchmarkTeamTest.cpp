@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <sstream>
 #include <thread>
 #include <tuple>
@@ -107,6 +108,38 @@ TEST(BenchmarkTeam, keepsCompleteRunsWhenInterrupted)
         for (const auto &run : runs)
             EXPECT_GE(std::stod(run.at(static_cast<std::size_t>(time - names.begin()))), 0.5) << "only whole runs";
     }
+}
+
+TEST(BenchmarkTeam, endsWithFirstSolutionsAndProvesMotions)
+{
+    const Folder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRTstar", "--motion", "continuous",
+                                       "--first", "--runs", "2", "--time", "20", "--log", folder / "log"});
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    const std::string log = contentOf(folder / "log");
+    EXPECT_EQ(log.find("[fcl]"), std::string::npos);
+    EXPECT_EQ(log.find("[standard]"), std::string::npos);
+    std::vector<std::string> lengths;
+    for (const std::string method : {"basic", "partial", "shared"})
+    {
+        SCOPED_TRACE(method);
+        std::vector<std::string> names;
+        const auto runs = runsOf(log, "geometric_RRTstar[" + method + "]", names);
+        ASSERT_EQ(runs.size(), 2u);
+        const auto value = [&](const std::string &name)
+        { return runs[0].at(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())); };
+        EXPECT_EQ(value("solved BOOLEAN"), "1");
+        EXPECT_LT(std::stod(value("time REAL")), 15.0);
+        lengths.push_back(value("solution length REAL"));
+    }
+    EXPECT_EQ(std::set<std::string>(lengths.begin(), lengths.end()).size(), 1u);
+
+    Program refused("benchmark_team", {folder / "scene.yaml", "--methods", "fcl,shared", "--motion", "continuous"});
+    EXPECT_EQ(refused.wait(), 2);
+    EXPECT_NE(refused.errors().find("--motion: continuous needs certificates, which method fcl does not make"),
+              std::string::npos)
+        << refused.errors();
 }
 
 TEST(BenchmarkTeam, namesTheLogThatDoesNotFitOnTheDisk)

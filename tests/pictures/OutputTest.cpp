@@ -3,6 +3,7 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
+#include "support/ArmTexts.h"
 #include "support/Folder.h"
 #include "support/Svg.h"
 
@@ -298,6 +299,26 @@ namespace ompl_certificates
         EXPECT_EQ(table,
                   "length,scout.x,scout.y,\"a, b.x\",\"a, b.y\",\"a, b.yaw\",truck.car.x,truck.car.y,"
                   "truck.car.yaw,truck.trailer.yaw,time\n");
+
+        using namespace test;
+        const Folder folder;
+        folder.write("arm.urdf", robot(link("base") + link("a") + link("b") + link("c") +
+                                       joint("pan", "continuous", "base", "a", "<axis xyz='0 0 1'/>") +
+                                       joint("lift", "revolute", "a", "b", "<axis xyz='0 1 0'/>" + LIMIT) +
+                                       joint("wrist", "continuous", "b", "c", "<axis xyz='0 0 1'/>")));
+        folder.write("arm.srdf",
+                     robot("<virtual_joint name='drive' type='planar' parent_frame='floor' child_link='base'/>"
+                           "<group name='all'><joint name='drive'/><joint name='pan'/><joint name='lift'/>"
+                           "<joint name='wrist'/></group>"));
+        const Scene cell = sceneFromYaml(
+            "environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n"
+            "  - {type: urdf, name: m, file: arm.urdf, srdf: arm.srdf, group: all, "
+            "start: [0, 0, 0, 0, 0, 0], goal: [0, 0, 0, 0, 0, 0]}\n",
+            folder / "cell.yaml");
+        EXPECT_EQ(coordinateNames(*cell.makeTeam()),
+                  (std::vector<std::string>{"m.drive.x", "m.drive.y", "m.drive.yaw", "m.pan", "m.lift", "m.wrist"}));
+        EXPECT_EQ(coordinateNames(*cell.getMembers()[0].robot),
+                  (std::vector<std::string>{"drive.x", "drive.y", "drive.yaw", "pan", "lift", "wrist"}));
 
         const TeamSetupPtr drones = sceneOf("drones_3d.yaml").makeSetup();
         drones->setup();

@@ -354,6 +354,14 @@ TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)
     invalid.setStartAndGoalStates(state, state);
     plannerFor(invalid);
     EXPECT_EQ(invalid.solve(0.1), ob::PlannerStatus::INVALID_START);
+    EXPECT_NE(messages.getText().find("no valid start states: robots '"), std::string::npos) << messages.getText();
+    TeamSetup beyond(std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace()),
+                     std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    state[0] = 1000.0;
+    beyond.setStartAndGoalStates(state, state);
+    plannerFor(beyond);
+    EXPECT_EQ(beyond.solve(0.1), ob::PlannerStatus::INVALID_START);
+    EXPECT_NE(messages.getText().find("' is beyond its bounds"), std::string::npos) << messages.getText();
 
     const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
     EXPECT_THROW(DRRTstar(si).setup(), ompl::Exception);

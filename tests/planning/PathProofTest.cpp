@@ -114,10 +114,22 @@ TEST_F(PathProofTest, EndsWhereItIsToldTo)
     EXPECT_EQ(first.collision, nullptr);
 }
 
-TEST_F(PathProofTest, NeedsCertificates)
+TEST_F(PathProofTest, NeedsNoCheckerThatMakesCertificates)
 {
-    const auto setup = floor(Method::STANDARD);
-    EXPECT_THROW(provePath(through(*setup, {{-2.0, -1.0}, {2.0, -1.0}}), setup->getTeamChecker()), ompl::Exception);
+    for (const Method method : {Method::FCL, Method::STANDARD})
+    {
+        SCOPED_TRACE(nameOf(method));
+        const auto setup = floor(method);
+        const og::PathGeometric path = through(*setup, {{-2.0, -1.0}, {2.0, -1.0}, {2.0, 0.0}, {-2.0, 0.0}});
+        const PathProof proof = provePath(path, setup->getTeamChecker());
+        EXPECT_EQ(proof.unproved, std::vector<std::size_t>{2});
+        EXPECT_NE(proof.collision, nullptr);
+        EXPECT_EQ(setup->getTeamChecker()->getCertificateCount(), 0U);
+        // Among the obstacles as they are now
+        const auto empty = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
+        setup->getTeamChecker()->changeObstacles(ObstacleChange{empty, nullptr, nullptr});
+        EXPECT_TRUE(provePath(path, setup->getTeamChecker()).isProved());
+    }
 }
 
 /** Plans past a thin wall, which look where the disc is each 0.6: some go through the wall, and those are not proved. */

@@ -294,6 +294,10 @@ namespace ompl_certificates
         EXPECT_NEAR(sizeOf("robot_description"), M_SQRT1_2, 1e-12);
         folder.write("robot/package.xml", "<package><name>other</name></package>");
         EXPECT_THROW(sizeOf("robot_description"), ompl::Exception);
+        // A package that is there, but lacks the file
+        std::filesystem::remove(folder / "hand/meshes/part.obj");
+        const std::string message = messageOf([&] { sizeOf("hand"); });
+        EXPECT_NE(message.find("in '" + std::string(folder / "hand") + "'"), std::string::npos) << message;
     }
 
     TEST(ArmFile, TrimsValuesMovesBasesAndTellsScalesApart)

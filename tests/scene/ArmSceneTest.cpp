@@ -131,12 +131,12 @@ namespace ompl_certificates
             folder.write(type + ".srdf", test::robot("<virtual_joint name='v' type='" + type +
                                                      "' parent_frame='floor' child_link='base'/>"
                                                      "<group name='all'><joint name='v'/></group>"));
-        const auto read = [&](const std::string &type, const std::string &state)
+        const auto read = [&](const std::string &type, const std::string &state, const std::string &keys = "")
         {
             return sceneFromYaml(
                 "environment: {min: [-1, -2, 0], max: [1, 2, 3]}\nrobots:\n  - {type: urdf, file: "
                 "a.urdf, packages: {far: .}, group: all, srdf: " +
-                    type + ".srdf, start: " + state + ", goal: " + state + "}\n",
+                    type + ".srdf, start: " + state + ", goal: " + state + keys + "}\n",
                 folder / "scene.yaml");
         };
         const Scene planar = read("planar", "[1, 2, 7]");
@@ -145,6 +145,12 @@ namespace ompl_certificates
         EXPECT_THROW(read("planar", "[1, 2.1, 0]").validate(), ompl::Exception);
         EXPECT_EQ(read("floating", "[0, 0, 3, 0, 0, 0, 2]").getMembers()[0].start,
                   (std::vector<double>{0, 0, 3, 0, 0, 0, 1}));
+        // A position in the plane has two bounds.
+        const std::string flat = ", bounds: {min: [-3, -3], max: [3, 3]}";
+        EXPECT_NO_THROW(read("planar", "[2, 2.1, 0]", flat).validate());
+        EXPECT_THROW(read("planar", "[2, 3.1, 0]", flat).validate(), ompl::Exception);
+        EXPECT_NE(messageOf([&] { read("floating", "[0, 0, 3, 0, 0, 0, 2]", flat); }).find("3 dimensions"),
+                  std::string::npos);
     }
 
     TEST(ArmScene, NamesWhatIsWrong)

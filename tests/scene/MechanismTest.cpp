@@ -221,6 +221,10 @@ namespace ompl_certificates
         EXPECT_NEAR(
             mechanismOf(scene, 0).getLinkPose(start->as<ob::CompoundState>()->components[0], "a").translation().z(),
             1.5, 1e-12);
+        // Both may name what one of them carries.
+        const std::string bar = "attached: [{name: bar, link: tool, shape: {type: sphere, radius: ";
+        EXPECT_EQ(linksOf(mechanismOf(read(robotWith("l", bar + "0.05}}]"), robotWith("r", bar + "0.05}}]")), 1)),
+                  (std::vector<std::string>{"b", "tool", "bar"}));
         // Robots that drive are robots of their own, on whatever frame.
         const Scene driving = read(robotWith("m", "", "[0, 0, 0]"), robotWith("m", "", "[0.9, 0, 0]"));
         EXPECT_EQ(bodyPairsBetween(driving, 0, 1), 25u);
@@ -234,6 +238,10 @@ namespace ompl_certificates
         };
         expectError(robotWith("l", "joints: {up: 0.5}"), robotWith("r", "states: {u: high}"),
                     {"scene.yaml:4: robots[1]", "'up'", "1.5", "0.5"});
+        expectError(robotWith("l", bar + "0.05}}]"), robotWith("r", bar + "0.06}}]"),
+                    {"scene.yaml:4: robots[1].attached[0].name", "another body 'bar'"});
+        expectError(robotWith("l", bar + "0.05}}, {name: bar, link: a, shape: {type: sphere, radius: 1}}]"),
+                    robotWith("r", ""), {"robots[0].attached[1].name", "'bar' already"});
         expectError(robotWith("l", "joints: {right: 0.5}"), robotWith("r", ""),
                     {"robots[0].joints.right", "in the group of 'robot_1'"});
         expectError(robotWith("l", ""), robotWith("l", ""), {"robots[0]", "joint 'left'", "'robot_0'", "'robot_1'"});

@@ -69,6 +69,24 @@ namespace ompl_certificates
             }
         }
 
+        /** A message that a program prints has all its fields. */
+        TEST_F(MoveItScene, FieldsMayBeEmpty)
+        {
+            const std::string constraints =
+                "{name: '', joint_constraints: [], position_constraints: [], "
+                "orientation_constraints: [], visibility_constraints: []}";
+            for (const char *operation : {"0", "\"\\0\"", "!!binary AA==", "0x00", "''", "add"})
+            {
+                const SceneFile file = read(OBJECTS + "    - {id: a, operation: " + operation +
+                                                ", primitives: [{type: 1, dimensions: [1, 2, 3], "
+                                                "polygon: {points: []}}], primitive_poses: [{position: [9, 0, 0]}]}\n",
+                                            REQUEST + "path_constraints: " + constraints +
+                                                "\ntrajectory_constraints: {constraints: []}\n");
+                ASSERT_EQ(file.scene.getObstacles().size(), 1u) << operation;
+                EXPECT_EQ(file.scene.getObstacles()[0].body, Body::box(1, 2, 3));
+            }
+        }
+
         TEST_F(MoveItScene, ShapesAndOperationsMayBeNumbers)
         {
             const SceneFile file = read(OBJECTS +

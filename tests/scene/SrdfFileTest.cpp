@@ -35,6 +35,12 @@ namespace ompl_certificates
         EXPECT_NE(messageOf([&] { file.getJoints("none"); }).find("'chain'"), std::string::npos);
         EXPECT_NE(messageOf([&] { file.getState("chain", "none"); }).find("'bent'"), std::string::npos);
 
+        // Why a group is empty is told with it.
+        const ArmFile empty(urdf, folder.write("empty.srdf", robot("<group name='a'><joint name='typo'/></group>")));
+        const std::string message = messageOf([&] { empty.makeArm("arm", "a", {}); });
+        EXPECT_NE(message.find("empty.srdf: group 'a' has no joint that can move"), std::string::npos) << message;
+        EXPECT_NE(message.find("'typo'"), std::string::npos) << message;
+
         std::vector<std::string> notes;
         EXPECT_EQ(file.makeArm("arm", "chain", {}, &notes)->getBodyPairs().size(), 2u);
         ASSERT_EQ(notes.size(), 1u);

@@ -30,8 +30,7 @@ namespace ompl_certificates
         }
     };
 
-    /** \brief The index of a certificate in its store, in order of insertion. It is only a hint: test the certificate
-        that it names. */
+    /** \brief The index of a certificate in its store. It is only a hint: test the certificate that it names. */
     using CertificateIndex = std::uint32_t;
 
     /** \brief The index of no certificate */

@@ -18,7 +18,7 @@ namespace ompl_certificates
     /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
         A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
-        factories throw ompl::Exception for sizes that are not positive and finite. Lengths are in the scene's unit. */
+        factories throw ompl::Exception for sizes that are not positive and finite, unless 0 is allowed. Lengths are in the scene's unit. */
     class Body
     {
     public:
@@ -75,13 +75,13 @@ namespace ompl_certificates
 
         /** \brief A triangle mesh, in space
             \throws ompl::Exception if it is null
-            Cost: see Shape::mesh(). */
+            Cost: n log n for n triangles, once for a mesh. */
         static Body mesh(TriangleMeshPtr mesh);
 
         /** \brief A triangle mesh in the plane: it keeps its z, moves in x and y and turns about z. Two of them touch
             only where their z-intervals overlap.
             \throws ompl::Exception if it is null
-            Cost: see Shape::mesh(). */
+            Cost: n log n for n triangles, once for a mesh. */
         static Body planarMesh(TriangleMeshPtr mesh);
 
         /** \brief One body of several shapes, at poses in the body's frame. A rotation may be rounded to three

@@ -39,7 +39,7 @@ namespace ompl_certificates
     public:
         /** \brief The obstacles of \e map
             \throws ompl::Exception if the depth or the slice is not valid
-            Cost: linear in the nodes of the map, some 0.3 s for two million. */
+            Cost: linear in the nodes of the map, some 0.13 s for two million. */
         explicit OctomapObstacles(const octomap::OcTree &map, const OctomapOptions &options = {});
 
         /** \brief The obstacles of a map in a file, .bt or .ot

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 #define OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 
+#include "ompl_certificates/robots/Robot.h"
+
 #include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
@@ -10,8 +12,11 @@ namespace ompl_certificates
 {
     /** \brief The names of a space's coordinates, in the order of ompl::base::StateSpace::copyToReals(): those of a
         team are scout.x, scout.y, carrier.x, carrier.y, carrier.yaw and so on. In space a rotation is a quaternion:
-        qx, qy, qz, qw. */
+        qx, qy, qz, qw. Those of an arm are its joints: arm.elbow, and base.x, base.y, base.yaw of a planar one. */
     std::vector<std::string> coordinateNames(const ompl::base::StateSpace &space);
+
+    /** \brief The names of a robot's coordinates: those above without its name */
+    std::vector<std::string> coordinateNames(const Robot &robot);
 
     /** \brief A path as a table of comma-separated values: a line with the names of the columns, and a line for each
         state. This has the length of the path up to there, in the space's distance, the state's coordinates, and its

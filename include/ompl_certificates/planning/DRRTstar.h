@@ -12,6 +12,7 @@ namespace ompl_certificates
 {
     class CertificateMotionValidator;
     class ProductTree;
+    class TeamGoals;
     class TeamRoadmaps;
 
     /** \brief A planner for teams: a roadmap for each robot in its own space, and a search in their tensor product.
@@ -31,6 +32,9 @@ namespace ompl_certificates
         It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until
         the cost satisfies the objective. Equal seeds and numbers of iterations give equal paths under all methods of
         checking.
+
+        Of a goal region, each round samples ten more goals. The robots' parts of goals are mixed if the region contains
+        the result: so each robot goes to one that it reaches, and that is near.
 
         Needs a TeamStateSpace, a TeamValidityChecker and a goal that can be sampled. If the motion validator is a
         CertificateMotionValidator, it checks single robots and pairs, too; else one of its own does, in discrete mode.
@@ -55,7 +59,7 @@ namespace ompl_certificates
 
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
             search before, unless clear() was called. If a robot finds no way even alone, an error names it; then
-            planning also ends when the roadmaps have grown to their limit. */
+            planning also ends when the roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
@@ -132,8 +136,8 @@ namespace ompl_certificates
             return ompl::base::Cost(bestCost_);
         }
 
-        /** \brief The name of the robot that solve() found no way for last, from its start to its goal, even alone;
-            empty if there was none */
+        /** \brief The name of the robot that solve() found no way for last, from its start to any goal, even alone; empty
+            if there was none */
         const std::string &getStuckRobot() const
         {
             return stuckRobot_;
@@ -143,9 +147,15 @@ namespace ompl_certificates
         using Configuration = std::vector<std::uint32_t>;
         using Path = std::vector<Configuration>;
 
-        /** \brief Take the starts and goals that are new
+        /** \brief Take the starts that are new, and a goal if there is none yet
             \return what is wrong, or UNKNOWN */
         ompl::base::PlannerStatus takeInput(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief What is wrong with a state that is not valid */
+        std::string describeInvalid(const ompl::base::State *state) const;
+
+        /** \brief Take further goals for this round, if the goal region has more */
+        void takeGoals();
 
         /** \brief Let RRTConnect try its luck with the whole team: it solves what is easy for few robots at once. */
         void planTogether(const ompl::base::PlannerTerminationCondition &condition);
@@ -156,14 +166,9 @@ namespace ompl_certificates
         /** \brief Whether all roadmaps have grown to their limit */
         bool isAtLimit() const;
 
-        /** \brief Find out which goals can be reached by each robot alone, and give them to the tree
+        /** \brief Choose goals that each robot can reach alone, and give them to the tree
             \return whether there is one */
         bool connect(const ompl::base::PlannerTerminationCondition &condition);
-
-        /** \brief Whether each robot can go alone from a start to a goal. If not, and not for lack of time, notes which
-            one cannot. */
-        bool connect(const Configuration &start, const Configuration &goal,
-                     const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Look for a path by priorities */
         void searchByPriorities(const ompl::base::PlannerTerminationCondition &condition);
@@ -190,8 +195,9 @@ namespace ompl_certificates
         /** \brief A path of the roadmaps as one of the team */
         ompl::geometric::PathGeometric toGeometric(const Path &path) const;
 
-        /** \brief Keep a path if it is the best so far */
-        void report(const ompl::geometric::PathGeometric &path);
+        /** \brief Keep a path if it is the best so far
+            \return whether it is */
+        bool report(const ompl::geometric::PathGeometric &path);
 
         /** \brief How much work the present round may do: \e first, doubled in each round */
         std::uint64_t effort(unsigned int first) const;
@@ -199,9 +205,10 @@ namespace ompl_certificates
         std::shared_ptr<TeamValidityChecker> checker_;
         std::shared_ptr<const CertificateMotionValidator> validator_;
         std::unique_ptr<TeamRoadmaps> roadmaps_;
+        std::unique_ptr<TeamGoals> goals_;
         std::unique_ptr<ProductTree> tree_;
         std::unique_ptr<TeamPathSimplifier> simplifier_;
-        std::vector<Configuration> starts_, goals_;
+        std::vector<Configuration> starts_;
         ompl::base::OptimizationObjectivePtr objective_;
         std::shared_ptr<ompl::geometric::PathGeometric> best_;
         /** \brief The cost of the best path of the tree, before it was shortened */

@@ -36,9 +36,10 @@ namespace ompl_certificates
         one is invalid, but no more than 100 000 of them.
 
         Among the obstacles as they are now. The path need not be valid. What is learned is kept in \e checker, and
-        counted in its statistics. Cost: that of a motion in continuous mode for each motion, and of the samples.
+        counted in its statistics. For one that makes no certificates, by FCL or STANDARD, another checker is made, and
+        forgotten. Cost: that of a motion in continuous mode for each motion, and of the samples.
         \param condition ends the work where it becomes true. Motions that were not looked at are not proved then.
-        \throws ompl::Exception if there is no proof with this \e checker; see CertificateMotionValidator */
+        \throws ompl::Exception if the space has no continuous mode; see CertificateMotionValidator */
     PathProof
     provePath(const ompl::geometric::PathGeometric &path, const std::shared_ptr<const TeamValidityChecker> &checker,
               const ompl::base::PlannerTerminationCondition &condition = ompl::base::plannerNonTerminatingCondition());

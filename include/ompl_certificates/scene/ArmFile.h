@@ -173,6 +173,8 @@ namespace ompl_certificates
         std::vector<std::vector<std::string>> divideLinks(const KinematicTree &tree, const std::vector<Part> &parts,
                                                           const ArmOptions &options) const;
 
+        [[noreturn]] void failWithoutJoint(const std::string &group) const;
+
         KinematicTree treeFor(const std::vector<std::string> &group, const std::vector<AttachedBody> &attached) const;
 
         std::string urdf_, srdf_, name_;

@@ -39,6 +39,10 @@ namespace ompl_certificates
         TeamValidityChecker(const ompl::base::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                             const std::vector<RobotPtr> &robots, Method method = Method::STANDARD);
 
+        /** \brief A checker for the team of \e other, among the obstacles that it has now, by another method. Nothing
+            that either learns serves the other one. */
+        TeamValidityChecker(const TeamValidityChecker &other, Method method);
+
         ~TeamValidityChecker() override;
 
         /** \brief Whether the team is free in \e state: no robot touches an obstacle, itself or another robot */
