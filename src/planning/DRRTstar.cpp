@@ -193,6 +193,7 @@ namespace ompl_certificates
         if (chosen.empty())
             return false;
         std::vector<ProductTree::Goal> goals;
+        goals.reserve(chosen.size());
         for (const Configuration &goal : chosen)
             goals.push_back({goal, {}});
         for (ProductTree::Goal &goal : goals)

@@ -2,6 +2,7 @@
 
 #include "BasicMethod.h"
 #include "BodyClearance.h"
+#include "BodyPreparation.h"
 #include "ExactMethod.h"
 #include "ProjectedMethod.h"
 
@@ -86,23 +87,12 @@ namespace ompl_certificates
             }
         }
 
-        /** Builds the trees and covers of the robots' meshes now, not within the first check: 10^5 triangles take a
-            tenth of a second.
-            \param checksPairs whether bodies are checked against each other */
-        void prepareBodies(const Team &team, bool checksPairs)
+        /** The team, once its bodies are prepared; FCL alone needs nothing of that. */
+        Team prepared(Team team, Method method)
         {
-            for (const auto &robot : team.getRobots())
-                for (const Body &body : robot->getBodies())
-                {
-                    body.getConvexCovers();
-                    for (const auto &part : body.getParts())
-                        if (const TriangleMesh *mesh = part.shape.getMesh())
-                        {
-                            mesh->getTree();
-                            if (checksPairs && part.shape.getDimension() == 3)
-                                mesh->getInside();
-                        }
-                }
+            if (method != Method::FCL)
+                prepareBodies(team);
+            return team;
         }
 
         /** Has the obstacles make what FCL needs of them and of the robots' bodies, as they do when first asked about
@@ -128,7 +118,7 @@ namespace ompl_certificates
 
     TeamCheck::TeamCheck(Team team, ObstaclesPtr obstacles, Method method, std::shared_ptr<CertificateLimit> limit,
                          std::unique_ptr<CheckMethod> checkMethod)
-      : team_(std::move(team))
+      : team_(prepared(std::move(team), method))
       , obstacles_(std::move(obstacles))
       , method_(method)
       , limit_(std::move(limit))
@@ -156,8 +146,6 @@ namespace ompl_certificates
         }
         if (method == Method::FCL)
             prepareFcl(team_, *obstacles_);
-        else
-            prepareBodies(team_, pairs_.getPairCount() > 0);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const
