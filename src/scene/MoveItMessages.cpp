@@ -107,7 +107,8 @@ namespace ompl_certificates
             node.at("type").fail("must be one of box, sphere, cylinder, cone, not '" + type + "'");
         }
 
-        /** Whether an operation on an object is to add it: by its name, or as a byte in the ways in which it is printed */
+        /** Whether an operation on an object is to add it: by its name, or as a byte in the ways in which it is
+            printed */
         bool isAdd(const YamlNode &node)
         {
             const std::string value = node.scalar();

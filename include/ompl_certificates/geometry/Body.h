@@ -18,7 +18,8 @@ namespace ompl_certificates
     /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
         A body never changes and is cheap to copy: copies share its shapes, its sphere tree and its inner spheres. The
-        factories throw ompl::Exception for sizes that are not positive and finite, unless 0 is allowed. Lengths are in the scene's unit. */
+        factories throw ompl::Exception for sizes that are not positive and finite, unless 0 is allowed. Lengths are in
+        the scene's unit. */
     class Body
     {
     public:

@@ -136,8 +136,8 @@ namespace ompl_certificates
             return ompl::base::Cost(bestCost_);
         }
 
-        /** \brief The name of the robot that solve() found no way for last, from its start to any goal, even alone; empty
-            if there was none */
+        /** \brief The name of the robot that solve() found no way for last, from its start to any goal, even alone;
+            empty if there was none */
         const std::string &getStuckRobot() const
         {
             return stuckRobot_;
