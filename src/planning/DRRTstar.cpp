@@ -34,8 +34,8 @@ namespace ompl_certificates
             little hope. */
         constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
 
-        /** How many goals are taken from a goal region in each round, of how many samples. OMPL warns of each sample
-            that is not valid. */
+        /** How many goals each round takes from a goal region, and from how many samples at most: OMPL warns of each
+            sample that is not valid. */
         constexpr unsigned int GOALS = 10, GOAL_SAMPLES = 30;
     }
 
@@ -138,7 +138,7 @@ namespace ompl_certificates
         const Team &team = checker_->getTeam();
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
             if (!team.getRobot(i).getStateSpace()->satisfiesBounds(team.getRobotState(state, i)))
-                return "robot '" + team.getRobot(i).getName() + "' is beyond its bounds";
+                return "robot '" + team.getRobot(i).getName() + "' is outside the bounds";
         return checker_->describeCollision(state);
     }
 

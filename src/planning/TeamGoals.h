@@ -46,7 +46,7 @@ namespace ompl_certificates
         /** \brief Choose at most ten goals that all robots can reach alone from one of \e starts: a mixed one, that of
             keep(), and others at random if there are more
             \param region tells which mixed goals are goals
-            \param iterations of RRTConnect for each robot that the roadmaps do not lead to its goals, for all together
+            \param iterations of RRTConnect for each robot without a way in its roadmap, divided among the goals
             \return none if \e condition became true */
         std::vector<Configuration> choose(const ompl::base::Goal &region, const std::vector<Configuration> &starts,
                                           std::uint64_t iterations,

@@ -12,7 +12,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** So long one thread works alone: most bodies need less, or are prepared already. */
+        /** One thread works alone for this long: most teams need less, or are prepared already. */
         constexpr std::chrono::microseconds ALONE{300};
 
         std::size_t countTriangles(const Body &body)

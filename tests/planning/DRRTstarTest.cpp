@@ -361,7 +361,7 @@ TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)
     beyond.setStartAndGoalStates(state, state);
     plannerFor(beyond);
     EXPECT_EQ(beyond.solve(0.1), ob::PlannerStatus::INVALID_START);
-    EXPECT_NE(messages.getText().find("' is beyond its bounds"), std::string::npos) << messages.getText();
+    EXPECT_NE(messages.getText().find("' is outside the bounds"), std::string::npos) << messages.getText();
 
     const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
     EXPECT_THROW(DRRTstar(si).setup(), ompl::Exception);
