@@ -1,5 +1,6 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 
+#include "LazyConstraintSearch.h"
 #include "LimitedRRTConnect.h"
 #include "PrioritizedSearch.h"
 #include "ProductTree.h"
@@ -27,8 +28,9 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
-            shorten the path. Each later round does twice as much. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100;
+            shorten the path, steps of the search in a crowd. Each later round does twice as much. */
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100,
+                               CROWD_STEPS = 2000;
 
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
@@ -217,6 +219,20 @@ namespace ompl_certificates
                     }
     }
 
+    void DRRTstar::searchInCrowd(const ob::PlannerTerminationCondition &condition)
+    {
+        for (const ProductTree::Goal &goal : tree_->getGoals())
+            for (const Configuration &start : starts_)
+                while (const auto path = LazyConstraintSearch(*roadmaps_, start, goal.configuration, goal.distances)
+                                             .search(effort(CROWD_STEPS), condition))
+                    if (confirm(*path))
+                    {
+                        tree_->insert(*path);
+                        take(*path, condition);
+                        return;
+                    }
+    }
+
     void DRRTstar::searchTree(const ob::PlannerTerminationCondition &condition)
     {
         const std::uint64_t most = effort(TREE_ITERATIONS);
@@ -358,6 +374,8 @@ namespace ompl_certificates
                 continue;
             }
             searchByPriorities(condition);
+            if (!best_)
+                searchInCrowd(condition);
             if (!isSatisfied())
                 searchTree(condition);
             if (best_)

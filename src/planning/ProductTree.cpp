@@ -1,10 +1,8 @@
 #include "ProductTree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
-#include <utility>
 
 namespace ompl_certificates
 {
@@ -18,9 +16,6 @@ namespace ompl_certificates
         /** How often a robot goes to its goal while others explore */
         constexpr double GOAL_BIAS = 0.5;
 
-        /** How many edges the robots may try in a step, for each robot: making way for each other can go on for ever */
-        constexpr std::size_t TRIES = 100;
-
         /** The target_ in nearest-neighbor queries */
         constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max() - 1;
     }
@@ -32,7 +27,7 @@ namespace ompl_certificates
       , near_(std::make_unique<ompl::NearestNeighborsGNATNoThreadSafety<Number>>())
       , randomTargets_(roadmaps.getRobotCount())
       , goesToGoal_(roadmaps.getRobotCount())
-      , chosen_(roadmaps.getRobotCount())
+      , chooser_(roadmaps)
       , target_(si_->allocState())
     {
         const auto stateOf = [this](Number number) { return number == TARGET ? target_ : nodes_[number].state; };
@@ -104,11 +99,10 @@ namespace ompl_certificates
         const Configuration configuration = nodes_[from].configuration;
         if (!chooseStep(configuration))
             return;
-        Configuration next(configuration.size());
+        const Configuration next = chooser_.getEnd();
         double before = 0.0, after = 0.0;
         for (unsigned int robot = 0; robot < next.size(); ++robot)
         {
-            next[robot] = chosen_[robot]->to;
             before += goal_->distances[robot][configuration[robot]];
             after += goal_->distances[robot][next[robot]];
         }
@@ -149,57 +143,12 @@ namespace ompl_certificates
 
     bool ProductTree::chooseStep(const Configuration &from)
     {
-        std::fill(chosen_.begin(), chosen_.end(), nullptr);
-        triesLeft_ = TRIES * from.size();
         std::vector<unsigned int> order(from.size());
         std::iota(order.begin(), order.end(), 0U);
         random_.shuffle(order.begin(), order.end());
-        return std::all_of(order.begin(), order.end(),
-                           [&](unsigned int robot) { return chosen_[robot] || chooseEdge(from, robot); });
-    }
-
-    bool ProductTree::fits(const Configuration &from, unsigned int robot, const Roadmap::Edge &edge)
-    {
-        if (!roadmaps_.getRoadmap(robot).isFree(from[robot], edge))
-            return false;
-        for (unsigned int other = 0; other < from.size(); ++other)
-            if (other != robot && chosen_[other] &&
-                !roadmaps_.areApart(robot, from[robot], edge, other, from[other], *chosen_[other]))
-                return false;
-        return true;
-    }
-
-    bool ProductTree::chooseEdge(const Configuration &from, unsigned int robot)
-    {
-        std::vector<std::pair<double, const Roadmap::Edge *>> edges;
-        for (const Roadmap::Edge &edge : roadmaps_.getRoadmap(robot).getEdges(from[robot]))
-            if (const double rating = rate(robot, edge); std::isfinite(rating))
-                edges.emplace_back(rating, &edge);
-        // A robot stays only if no way is as good: going on along a shortest path rates as staying does.
-        std::rotate(edges.begin(), edges.begin() + (edges.empty() ? 0 : 1), edges.end());
-        std::stable_sort(edges.begin(), edges.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
-        for (const auto &[rating, edge] : edges)
-        {
-            if (triesLeft_ == 0)
-                return false;
-            --triesLeft_;
-            if (!fits(from, robot, *edge))
-                continue;
-            const std::vector<const Roadmap::Edge *> before = chosen_;
-            chosen_[robot] = edge;
-            bool allMakeWay = true;
-            for (unsigned int other = 0; other < from.size() && allMakeWay; ++other)
-                if (!chosen_[other])
-                {
-                    const Roadmap::Edge &stay = roadmaps_.getRoadmap(other).getEdges(from[other]).front();
-                    allMakeWay = roadmaps_.areApart(robot, from[robot], *edge, other, from[other], stay) ||
-                                 chooseEdge(from, other);
-                }
-            if (allMakeWay)
-                return true;
-            chosen_ = before;
-        }
-        return false;
+        chooser_.begin(from);
+        return chooser_.complete(order,
+                                 [this](unsigned int robot, const Roadmap::Edge &edge) { return rate(robot, edge); });
     }
 
     ob::Cost ProductTree::costThrough(Number parent, const ob::State *state) const

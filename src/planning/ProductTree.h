@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PLANNING_PRODUCT_TREE_
 #define OMPL_CERTIFICATES_PLANNING_PRODUCT_TREE_
 
-#include "TeamRoadmaps.h"
+#include "StepChooser.h"
 
 #include <boost/functional/hash.hpp>
 #include <limits>
@@ -14,14 +14,12 @@ namespace ompl_certificates
 
         Each iteration expands a vertex by one step of the team. As long as that leads closer to the goal, the next one
         continues there; else it begins at the vertex nearest to a random one. In a step the robots choose their edges
-        one by one, in random order, those first that lead best to their targets. One that is in the way of an edge
-        chosen before chooses next, and if it cannot make way, the edge is given up. A new vertex gets the best parent
-        around it, and becomes the parent of those to which it is the better way.
+        in random order, those first that lead best to their targets. A new vertex gets the best parent around it, and
+        becomes the parent of those to which it is the better way.
 
         @par External documentation
         R. Shome, K. Solovey, A. Dobson, D. Halperin, K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal
-        multi-robot motion planning, 2020; K. Okumura, M. Machida, X. Défago, Y. Tamura, Priority inheritance with
-        backtracking for iterative multi-agent path finding, 2022. */
+        multi-robot motion planning, 2020. */
     class ProductTree
     {
     public:
@@ -110,15 +108,9 @@ namespace ompl_certificates
         /** \brief How good it is for a robot to take an edge; less is better */
         double rate(unsigned int robot, const Roadmap::Edge &edge) const;
 
-        /** \brief Choose an edge for each robot, to chosen_
+        /** \brief Choose an edge for each robot by chooser_
             \return false if there is none for one */
         bool chooseStep(const Configuration &from);
-
-        /** \brief Choose an edge for one robot, and for those that are in its way */
-        bool chooseEdge(const Configuration &from, unsigned int robot);
-
-        /** \brief Whether a robot's edge is apart from those of the robots that have chosen */
-        bool fits(const Configuration &from, unsigned int robot, const Roadmap::Edge &edge);
 
         /** \brief Whether a path through a state of that cost may be better than \e bound */
         bool mayImprove(ompl::base::Cost bound, ompl::base::Cost cost, const ompl::base::State *state) const;
@@ -148,9 +140,7 @@ namespace ompl_certificates
         const Goal *goal_{nullptr};
         std::vector<Vertex> randomTargets_;
         std::vector<bool> goesToGoal_;
-        /** \brief What the robots have chosen in the present step */
-        std::vector<const Roadmap::Edge *> chosen_;
-        std::size_t triesLeft_{0};
+        StepChooser chooser_;
         ompl::base::State *target_;
     };
 }

@@ -89,8 +89,16 @@ namespace ompl_certificates
             data.knowledge = validator_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
             if (data.knowledge == Knowledge::FREE)
                 data.swept = sweptBy(a, b);
+            else
+                ++blocked_;
         }
         return data.knowledge == Knowledge::FREE;
+    }
+
+    void Roadmap::refute(const Edge &edge)
+    {
+        motions_[edge.motion].knowledge = Knowledge::BLOCKED;
+        ++blocked_;
     }
 
     Ball Roadmap::sweptBy(const ob::State *from, const ob::State *to) const

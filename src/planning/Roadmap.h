@@ -81,11 +81,14 @@ namespace ompl_certificates
         /** \brief Whether the robot touches no obstacle along an edge from \e from. Checked once, then remembered. */
         bool isFree(Vertex from, const Edge &edge);
 
-        /** \brief Note that an edge is not free, though isFree() said so */
-        void refute(const Edge &edge)
+        /** \brief How many motions are known to be blocked */
+        std::size_t countBlocked() const
         {
-            motions_[edge.motion].knowledge = Knowledge::BLOCKED;
+            return blocked_;
         }
+
+        /** \brief Note that an edge is not free, though isFree() said so */
+        void refute(const Edge &edge);
 
         /** \brief Note that a motion is not within getSwept(): from then on, that is without bounds */
         void forgetSwept(Motion motion)
@@ -146,6 +149,7 @@ namespace ompl_certificates
         std::vector<ompl::base::State *> states_;
         std::vector<std::vector<Edge>> edges_;
         std::vector<MotionData> motions_;
+        std::size_t blocked_{0};
         std::unique_ptr<ompl::NearestNeighbors<Vertex>> near_;
         ompl::base::State *sample_;
     };

@@ -139,6 +139,14 @@ namespace ompl_certificates
         return true;
     }
 
+    std::size_t TeamRoadmaps::countBlocked() const
+    {
+        std::size_t blocked = 0;
+        for (const auto &roadmap : roadmaps_)
+            blocked += roadmap->countBlocked();
+        return blocked;
+    }
+
     void TeamRoadmaps::refute(unsigned int robot, Vertex from, Vertex to)
     {
         getRoadmap(robot).refute(*getRoadmap(robot).findEdge(from, to));

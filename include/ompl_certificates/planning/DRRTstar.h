@@ -173,6 +173,9 @@ namespace ompl_certificates
         /** \brief Look for a path by priorities */
         void searchByPriorities(const ompl::base::PlannerTerminationCondition &condition);
 
+        /** \brief Look for any path by LazyConstraintSearch */
+        void searchInCrowd(const ompl::base::PlannerTerminationCondition &condition);
+
         /** \brief Look for better paths with the tree */
         void searchTree(const ompl::base::PlannerTerminationCondition &condition);
 

@@ -1,0 +1,119 @@
+#include "LazyConstraintSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace ompl_certificates
+{
+    LazyConstraintSearch::LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start,
+                                               const Configuration &goal,
+                                               const std::vector<std::vector<double>> &distances)
+      : roadmaps_(roadmaps)
+      , goal_(goal)
+      , distances_(distances)
+      , knownBlocked_(roadmaps.countBlocked())
+      , chooser_(roadmaps)
+    {
+        add(start, NONE);
+    }
+
+    void LazyConstraintSearch::add(Configuration configuration, Number parent)
+    {
+        const std::size_t robots = configuration.size();
+        Node node{std::move(configuration),          parent, std::vector<double>(robots),
+                  std::vector<unsigned int>(robots), {},     0};
+        for (unsigned int robot = 0; robot < robots; ++robot)
+        {
+            const double distance = distances_[robot][node.configuration[robot]];
+            double &priority = node.priorities[robot];
+            // Less than one, so that it only decides between robots that have been on their way for equally long
+            priority = parent == NONE ? distance / (1.0 + distance) : nodes_[parent].priorities[robot];
+            if (parent != NONE)
+                priority = node.configuration[robot] == goal_[robot] ? priority - std::floor(priority) : priority + 1.0;
+        }
+        std::iota(node.order.begin(), node.order.end(), 0U);
+        std::stable_sort(node.order.begin(), node.order.end(),
+                         [&node](unsigned int a, unsigned int b) { return node.priorities[a] > node.priorities[b]; });
+        node.constraints.push_back(static_cast<Number>(constraints_.size()));
+        constraints_.push_back({NONE, 0, 0, nullptr});
+        const auto number = static_cast<Number>(nodes_.size());
+        numbers_.emplace(node.configuration, number);
+        nodes_.push_back(std::move(node));
+        stack_.push_back(number);
+    }
+
+    std::optional<TeamRoadmaps::Path>
+    LazyConstraintSearch::search(std::uint64_t steps, const ompl::base::PlannerTerminationCondition &condition)
+    {
+        for (std::uint64_t step = 1; step <= steps && !stack_.empty() && !condition; ++step)
+        {
+            const Number from = stack_.back();
+            if (nodes_[from].configuration == goal_)
+                return pathTo(from);
+            if (nodes_[from].next == nodes_[from].constraints.size())
+            {
+                stack_.pop_back();
+                continue;
+            }
+            // At steps 16, 32, 64, ...: it costs a search in each roadmap.
+            if (step >= 16 && (step & (step - 1)) == 0)
+                updateDistances();
+            if (!chooseStep(nodes_[from], takeConstraint(nodes_[from])))
+                continue;
+            Configuration next = chooser_.getEnd();
+            if (const auto known = numbers_.find(next); known != numbers_.end())
+                stack_.push_back(known->second);
+            else
+                add(std::move(next), from);
+        }
+        return std::nullopt;
+    }
+
+    LazyConstraintSearch::Number LazyConstraintSearch::takeConstraint(Node &node)
+    {
+        const Number taken = node.constraints[node.next++];
+        const unsigned int depth = constraints_[taken].depth;
+        if (depth == node.order.size())
+            return taken;
+        const unsigned int robot = node.order[depth];
+        const std::size_t before = node.constraints.size();
+        for (const Roadmap::Edge &edge : roadmaps_.getRoadmap(robot).getEdges(node.configuration[robot]))
+        {
+            node.constraints.push_back(static_cast<Number>(constraints_.size()));
+            constraints_.push_back({taken, robot, depth + 1, &edge});
+        }
+        random_.shuffle(node.constraints.begin() + static_cast<std::ptrdiff_t>(before), node.constraints.end());
+        return taken;
+    }
+
+    bool LazyConstraintSearch::chooseStep(const Node &node, Number constraint)
+    {
+        chooser_.begin(node.configuration);
+        for (; constraints_[constraint].edge; constraint = constraints_[constraint].parent)
+            if (!chooser_.choose(constraints_[constraint].robot, *constraints_[constraint].edge))
+                return false;
+        return chooser_.complete(node.order, [this](unsigned int robot, const Roadmap::Edge &edge)
+                                 { return distances_[robot][edge.to]; });
+    }
+
+    void LazyConstraintSearch::updateDistances()
+    {
+        if (const std::size_t blocked = roadmaps_.countBlocked(); blocked != knownBlocked_)
+        {
+            knownBlocked_ = blocked;
+            for (unsigned int robot = 0; robot < goal_.size(); ++robot)
+                distances_[robot] = roadmaps_.getRoadmap(robot).distancesTo(goal_[robot]);
+        }
+    }
+
+    TeamRoadmaps::Path LazyConstraintSearch::pathTo(Number node) const
+    {
+        TeamRoadmaps::Path path;
+        for (; node != NONE; node = nodes_[node].parent)
+            path.push_back(nodes_[node].configuration);
+        std::reverse(path.begin(), path.end());
+        return path;
+    }
+}
