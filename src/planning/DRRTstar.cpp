@@ -39,6 +39,25 @@ namespace ompl_certificates
         /** How many goals each round takes from a goal region, and from how many samples at most: OMPL warns of each
             sample that is not valid. */
         constexpr unsigned int GOALS = 10, GOAL_SAMPLES = 30;
+
+        /** A path by LazyConstraintSearch. The last robots to arrive are the hardest for it. Among few that move,
+            priorities often succeed. */
+        std::optional<TeamRoadmaps::Path> findInCrowd(TeamRoadmaps &roadmaps, const TeamRoadmaps::Configuration &start,
+                                                      const ProductTree::Goal &goal, std::uint64_t steps,
+                                                      const ob::PlannerTerminationCondition &condition)
+        {
+            LazyConstraintSearch search(roadmaps, start, goal.configuration);
+            if (auto path = search.search(steps, condition))
+                return path;
+            TeamRoadmaps::Path path = search.getNearest();
+            const TeamRoadmaps::Configuration last = path.back();
+            const auto rest =
+                PrioritizedSearch(roadmaps, last, goal.configuration, goal.distances).search(ORDERS, condition);
+            if (!rest)
+                return std::nullopt;
+            path.insert(path.end(), rest->begin() + 1, rest->end());
+            return path;
+        }
     }
 
     DRRTstar::DRRTstar(const ob::SpaceInformationPtr &si)
@@ -209,8 +228,8 @@ namespace ompl_certificates
     {
         for (const ProductTree::Goal &goal : tree_->getGoals())
             for (const Configuration &start : starts_)
-                while (const auto path = PrioritizedSearch(*roadmaps_, start, goal.configuration, goal.distances)
-                                             .search(ORDERS, condition))
+                while (auto path = PrioritizedSearch(*roadmaps_, start, goal.configuration, goal.distances)
+                                       .search(ORDERS, condition))
                     if (confirm(*path))
                     {
                         tree_->insert(*path);
@@ -223,14 +242,19 @@ namespace ompl_certificates
     {
         for (const ProductTree::Goal &goal : tree_->getGoals())
             for (const Configuration &start : starts_)
-                while (const auto path = LazyConstraintSearch(*roadmaps_, start, goal.configuration, goal.distances)
-                                             .search(effort(CROWD_STEPS), condition))
-                    if (confirm(*path))
+            {
+                Path path{start};
+                while (const auto rest = findInCrowd(*roadmaps_, path.back(), goal, effort(CROWD_STEPS), condition))
+                {
+                    path.insert(path.end(), rest->begin() + 1, rest->end());
+                    if (confirm(path))
                     {
-                        tree_->insert(*path);
-                        take(*path, condition);
+                        tree_->insert(path);
+                        take(path, condition);
                         return;
                     }
+                }
+            }
     }
 
     void DRRTstar::searchTree(const ob::PlannerTerminationCondition &condition)
@@ -239,7 +263,7 @@ namespace ompl_certificates
         std::uint64_t left = most;
         while (tree_->grow(left, treeCost_, condition))
         {
-            const Path path = tree_->getPath();
+            Path path = tree_->getPath();
             if (!confirm(path))
             {
                 if (condition)
@@ -271,19 +295,22 @@ namespace ompl_certificates
         return best_ && objective_->isSatisfied(getBestCost());
     }
 
-    bool DRRTstar::confirm(const Path &path)
+    bool DRRTstar::confirm(Path &path)
     {
         og::PathGeometric geometric = toGeometric(path);
-        bool holds = true;
+        std::size_t held = path.size();
         for (std::size_t step = 0; step + 1 < path.size(); ++step)
             if (!si_->checkMotion(geometric.getState(static_cast<unsigned int>(step)),
                                   geometric.getState(static_cast<unsigned int>(step + 1))))
             {
-                holds = false;
+                held = std::min(held, step + 1);
                 refute(path[step], path[step + 1]);
                 tree_->cut(path[step], path[step + 1]);
             }
-        return holds;
+        if (held == path.size())
+            return true;
+        path.resize(held);
+        return false;
     }
 
     void DRRTstar::refute(const Configuration &from, const Configuration &to)

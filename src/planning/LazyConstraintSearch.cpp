@@ -8,14 +8,10 @@
 namespace ompl_certificates
 {
     LazyConstraintSearch::LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start,
-                                               const Configuration &goal,
-                                               const std::vector<std::vector<double>> &distances)
-      : roadmaps_(roadmaps)
-      , goal_(goal)
-      , distances_(distances)
-      , knownBlocked_(roadmaps.countBlocked())
-      , chooser_(roadmaps)
+                                               const Configuration &goal)
+      : roadmaps_(roadmaps), goal_(goal), distances_(goal.size()), chooser_(roadmaps)
     {
+        updateDistances();
         add(start, NONE);
     }
 
@@ -79,8 +75,11 @@ namespace ompl_certificates
             return taken;
         const unsigned int robot = node.order[depth];
         const std::size_t before = node.constraints.size();
-        for (const Roadmap::Edge &edge : roadmaps_.getRoadmap(robot).getEdges(node.configuration[robot]))
+        Roadmap &roadmap = roadmaps_.getRoadmap(robot);
+        for (const Roadmap::Edge &edge : roadmap.getEdges(node.configuration[robot]))
         {
+            if (!roadmap.isFree(node.configuration[robot], edge))
+                continue;
             node.constraints.push_back(static_cast<Number>(constraints_.size()));
             constraints_.push_back({taken, robot, depth + 1, &edge});
         }
@@ -100,12 +99,26 @@ namespace ompl_certificates
 
     void LazyConstraintSearch::updateDistances()
     {
-        if (const std::size_t blocked = roadmaps_.countBlocked(); blocked != knownBlocked_)
+        if (const std::size_t blocked = roadmaps_.countBlocked(); knownBlocked_ != blocked)
         {
             knownBlocked_ = blocked;
             for (unsigned int robot = 0; robot < goal_.size(); ++robot)
                 distances_[robot] = roadmaps_.getRoadmap(robot).distancesTo(goal_[robot]);
         }
+    }
+
+    TeamRoadmaps::Path LazyConstraintSearch::getNearest() const
+    {
+        const auto rest = [this](const Node &node)
+        {
+            double sum = 0.0;
+            for (unsigned int robot = 0; robot < goal_.size(); ++robot)
+                sum += distances_[robot][node.configuration[robot]];
+            return sum;
+        };
+        const auto nearest = std::min_element(nodes_.begin(), nodes_.end(),
+                                              [&](const Node &a, const Node &b) { return rest(a) < rest(b); });
+        return pathTo(static_cast<Number>(nearest - nodes_.begin()));
     }
 
     TeamRoadmaps::Path LazyConstraintSearch::pathTo(Number node) const

@@ -3,12 +3,11 @@
 
 #include "StepChooser.h"
 
+#include <boost/functional/hash.hpp>
 #include <limits>
 #include <ompl/util/RandomNumbers.h>
 #include <optional>
 #include <unordered_map>
-
-#include <boost/functional/hash.hpp>
 
 namespace ompl_certificates
 {
@@ -26,15 +25,17 @@ namespace ompl_certificates
     public:
         using Configuration = TeamRoadmaps::Configuration;
 
-        /** \brief A search from \e start to \e goal
-            \param distances for each robot, the distances of all vertices to its goal; see Roadmap::distancesTo() */
-        LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start, const Configuration &goal,
-                             const std::vector<std::vector<double>> &distances);
+        /** \brief A search from \e start to \e goal. Cost: that of Dijkstra's algorithm for each robot. */
+        LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start, const Configuration &goal);
 
         /** \brief Try at most that many more steps
             \return a path; none if the steps are used up, there is no path, or \e condition becomes true */
         std::optional<TeamRoadmaps::Path> search(std::uint64_t steps,
                                                  const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief The path to the configuration, among those found, from which the robots have the least way to go in
+            sum. Cost: linear in the number of configurations. */
+        TeamRoadmaps::Path getNearest() const;
 
     private:
         using Number = std::uint32_t;
@@ -79,8 +80,9 @@ namespace ompl_certificates
 
         TeamRoadmaps &roadmaps_;
         const Configuration goal_;
+        /** \brief For each robot, the distances of all vertices to its goal; as of \e knownBlocked_ blocked motions */
         std::vector<std::vector<double>> distances_;
-        std::size_t knownBlocked_;
+        std::optional<std::size_t> knownBlocked_;
         StepChooser chooser_;
         ompl::RNG random_;
         std::vector<Node> nodes_;

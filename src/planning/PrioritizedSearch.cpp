@@ -75,7 +75,7 @@ namespace ompl_certificates
         Roadmap &roadmap = roadmaps_.getRoadmap(robot);
         if (!roadmap.isFree(from, edge))
             return false;
-        const Ball &swept = roadmap.getSwept(edge.motion);
+        const Ball &swept = roadmap.getSwept(edge.motion).all;
         const auto avoids = [&](const Move &other)
         {
             const double reach = swept.radius + other.swept.radius;
@@ -90,7 +90,7 @@ namespace ompl_certificates
     {
         const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
         const Roadmap::Edge &stay = roadmap.getEdges(goal_[robot]).front();
-        return {roadmap.getSwept(stay.motion), robot, goal_[robot], &stay};
+        return {roadmap.getSwept(stay.motion).all, robot, goal_[robot], &stay};
     }
 
     void PrioritizedSearch::keep(unsigned int robot, const std::vector<Vertex> &path)
@@ -106,7 +106,7 @@ namespace ompl_certificates
             if (step + 1 < path.size())
             {
                 const Roadmap::Edge *edge = roadmap.findEdge(path[step], path[step + 1]);
-                moves_[step].push_back({roadmap.getSwept(edge->motion), robot, path[step], edge});
+                moves_[step].push_back({roadmap.getSwept(edge->motion).all, robot, path[step], edge});
                 durations_[step] = std::max(durations_[step], edge->length);
             }
             else

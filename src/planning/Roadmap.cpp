@@ -59,7 +59,8 @@ namespace ompl_certificates
             return nearest.front();
         }
         edges_.push_back({{vertex, static_cast<Motion>(motions_.size()), 0.0}});
-        motions_.push_back({sweptBy(state, state), Knowledge::FREE});
+        motions_.push_back({});
+        setFree(edges_.back().front().motion, vertex, vertex);
         for (const Vertex other : nearest)
             join(vertex, other, Knowledge::UNCHECKED);
         near_->add(vertex);
@@ -70,29 +71,43 @@ namespace ompl_certificates
     {
         if (const Edge *edge = knowledge == Knowledge::FREE ? findEdge(a, b) : nullptr)
         {
-            motions_[edge->motion] = {sweptBy(states_[a], states_[b]), knowledge};
+            setFree(edge->motion, a, b);
             return;
         }
         const double length = space_.distance(states_[a], states_[b]);
         const auto motion = static_cast<Motion>(motions_.size());
         edges_[a].push_back({b, motion, length});
         edges_[b].push_back({a, motion, length});
-        motions_.push_back({knowledge == Knowledge::FREE ? sweptBy(states_[a], states_[b]) : Ball(), knowledge});
+        motions_.push_back({knowledge, 0});
+        if (knowledge == Knowledge::FREE)
+            setFree(motion, a, b);
     }
 
     bool Roadmap::isFree(Vertex from, const Edge &edge)
     {
-        MotionData &data = motions_[edge.motion];
-        if (data.knowledge == Knowledge::UNCHECKED)
+        if (motions_[edge.motion].knowledge == Knowledge::UNCHECKED)
         {
-            const ob::State *a = states_[from], *b = states_[edge.to];
-            data.knowledge = validator_.isRobotMotionFree(robot_, a, b) ? Knowledge::FREE : Knowledge::BLOCKED;
-            if (data.knowledge == Knowledge::FREE)
-                data.swept = sweptBy(a, b);
+            if (validator_.isRobotMotionFree(robot_, states_[from], states_[edge.to]))
+                setFree(edge.motion, from, edge.to);
             else
-                ++blocked_;
+                refute(edge);
         }
-        return data.knowledge == Knowledge::FREE;
+        return motions_[edge.motion].knowledge == Knowledge::FREE;
+    }
+
+    void Roadmap::setFree(Motion motion, Vertex a, Vertex b)
+    {
+        MotionData &data = motions_[motion];
+        if (data.knowledge != Knowledge::FREE)
+        {
+            data = {Knowledge::FREE, static_cast<std::uint32_t>(swept_.size())};
+            swept_.emplace_back();
+        }
+        Swept &swept = swept_[data.swept];
+        const ob::State *from = states_[std::min(a, b)], *to = states_[std::max(a, b)];
+        swept.all = sweptBy(from, to, 0.5, 1.0);
+        for (std::size_t i = 0; i < swept.quarters.size(); ++i)
+            swept.setQuarter(i, a == b ? swept.all : sweptBy(from, to, 0.125 + 0.25 * static_cast<double>(i), 0.25));
     }
 
     void Roadmap::refute(const Edge &edge)
@@ -101,13 +116,22 @@ namespace ompl_certificates
         ++blocked_;
     }
 
-    Ball Roadmap::sweptBy(const ob::State *from, const ob::State *to) const
+    void Roadmap::forgetSwept(Motion motion)
+    {
+        const Ball everywhere{Eigen::Vector3d::Zero(), std::numeric_limits<double>::infinity()};
+        Swept &swept = swept_[motions_[motion].swept];
+        swept.all = everywhere;
+        for (std::size_t i = 0; i < swept.quarters.size(); ++i)
+            swept.setQuarter(i, everywhere);
+    }
+
+    Ball Roadmap::sweptBy(const ob::State *from, const ob::State *to, double time, double duration) const
     {
         const Robot &robot = validator_.getChecker().getTeam().getRobot(robot_);
         const std::size_t bodies = robot.getBodies().size();
         std::vector<Pose> poses(bodies);
         std::vector<MotionBound> bounds(bodies);
-        space_.interpolate(from, to, 0.5, sample_);
+        space_.interpolate(from, to, time, sample_);
         robot.computePoses(sample_, poses.data());
         robot.computeMotionBounds(from, to, bounds.data());
         std::vector<Ball> balls;
@@ -115,7 +139,7 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < bodies; ++i)
         {
             const Ball &own = robot.getBodies()[i].getSphereTree().getRoot();
-            balls.push_back({poses[i] * own.center, own.radius + 0.5 * bounds[i].at(own.center.norm())});
+            balls.push_back({poses[i] * own.center, own.radius + 0.5 * duration * bounds[i].at(own.center.norm())});
         }
         Ball all = balls.front();
         for (const Ball &ball : balls)

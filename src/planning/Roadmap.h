@@ -1,7 +1,8 @@
 #ifndef OMPL_CERTIFICATES_PLANNING_ROADMAP_
 #define OMPL_CERTIFICATES_PLANNING_ROADMAP_
 
-#include "ompl_certificates/geometry/Ball.h"
+#include "Swept.h"
+
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <cstdint>
@@ -72,10 +73,11 @@ namespace ompl_certificates
         /** \brief The edge from a vertex to another one, or to itself; null if there is none */
         const Edge *findEdge(Vertex from, Vertex to) const;
 
-        /** \brief A ball of the workspace that contains the robot for all of a motion that is free */
-        const Ball &getSwept(Motion motion) const
+        /** \brief Balls that contain the robot during a motion that is free. Those of the quarters go from the vertex
+            of lower number to that of the higher one. */
+        const Swept &getSwept(Motion motion) const
         {
-            return motions_[motion].swept;
+            return swept_[motions_[motion].swept];
         }
 
         /** \brief Whether the robot touches no obstacle along an edge from \e from. Checked once, then remembered. */
@@ -91,10 +93,7 @@ namespace ompl_certificates
         void refute(const Edge &edge);
 
         /** \brief Note that a motion is not within getSwept(): from then on, that is without bounds */
-        void forgetSwept(Motion motion)
-        {
-            motions_[motion].swept.radius = std::numeric_limits<double>::infinity();
-        }
+        void forgetSwept(Motion motion);
 
         /** \brief Add a copy of a free state, and join it to those around it. An equal vertex is taken if there is
             one. */
@@ -125,8 +124,9 @@ namespace ompl_certificates
 
         struct MotionData
         {
-            Ball swept;
             Knowledge knowledge;
+            /** \brief Its number in swept_, if it is free */
+            std::uint32_t swept;
         };
 
         void join(Vertex a, Vertex b, Knowledge knowledge);
@@ -140,7 +140,12 @@ namespace ompl_certificates
         bool plan(Vertex start, Vertex goal, unsigned int iterations,
                   const ompl::base::PlannerTerminationCondition &condition);
 
-        Ball sweptBy(const ompl::base::State *from, const ompl::base::State *to) const;
+        /** \brief Note that a motion is free, and what it sweeps */
+        void setFree(Motion motion, Vertex a, Vertex b);
+
+        /** \brief A ball that contains the robot in the part of a motion whose middle is at \e time, and which takes
+            \e duration, of the motion's time from 0 to 1 */
+        Ball sweptBy(const ompl::base::State *from, const ompl::base::State *to, double time, double duration) const;
 
         const CertificateMotionValidator &validator_;
         const unsigned int robot_;
@@ -149,6 +154,7 @@ namespace ompl_certificates
         std::vector<ompl::base::State *> states_;
         std::vector<std::vector<Edge>> edges_;
         std::vector<MotionData> motions_;
+        std::vector<Swept> swept_;
         std::size_t blocked_{0};
         std::unique_ptr<ompl::NearestNeighbors<Vertex>> near_;
         ompl::base::State *sample_;

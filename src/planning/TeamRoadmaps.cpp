@@ -104,9 +104,10 @@ namespace ompl_certificates
                                 unsigned int second, Vertex secondFrom, const Roadmap::Edge &secondEdge)
     {
         const Roadmap &one = getRoadmap(first), &other = getRoadmap(second);
-        const Ball &a = one.getSwept(firstEdge.motion), &b = other.getSwept(secondEdge.motion);
-        const double reach = a.radius + b.radius;
-        if ((a.center - b.center).squaredNorm() > 1.0001 * reach * reach)
+        const Swept &a = one.getSwept(firstEdge.motion), &b = other.getSwept(secondEdge.motion);
+        const double reach = a.all.radius + b.all.radius;
+        if ((a.all.center - b.all.center).squaredNorm() > 1.0001 * reach * reach ||
+            a.isApartFrom(b, (firstFrom < firstEdge.to) != (secondFrom < secondEdge.to)))
             return true;
         const PairMotion key = keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge);
         if (const auto known = pairMotions_.find(key); known != pairMotions_.end())

@@ -26,7 +26,9 @@ namespace ompl_certificates
         - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its
           goal in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
         - A prioritized search plans robot by robot around those planned before.
-        - A tree in the tensor product (dRRT*) looks for the first solution where priorities fail, and for better ones.
+        - Where priorities fail, a depth-first search (LaCAM) takes one step after the other, in which robots make way
+          for those that have been on their way for longest.
+        - A tree in the tensor product (dRRT*) looks for better solutions, and for the first one, too.
         - A TeamPathSimplifier shortens what was found robot by robot; see setSmoothing().
 
         It is probabilistically complete, and its paths approach the best ones. It runs until it is stopped, or until
@@ -43,7 +45,8 @@ namespace ompl_certificates
         @par External documentation
         K. Solovey, O. Salzman, D. Halperin, Finding a needle in an exponential haystack: discrete RRT for exploration
         of implicit roadmaps in multi-robot motion planning, 2016; R. Shome, K. Solovey, A. Dobson, D. Halperin,
-        K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal multi-robot motion planning, 2020. */
+        K. E. Bekris, dRRT*: Scalable and informed asymptotically-optimal multi-robot motion planning, 2020; K. Okumura,
+        LaCAM: Search-based algorithm for quick multi-agent pathfinding, 2023. */
     class DRRTstar : public ompl::base::Planner
     {
     public:
@@ -188,9 +191,10 @@ namespace ompl_certificates
         /** \brief Shorten a path if none is good enough yet, and report it if that makes it the best */
         void shorten(ompl::geometric::PathGeometric path, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Check a path of the roadmaps as a path of the team; remove what does not hold
+        /** \brief Check a path of the roadmaps as a path of the team; remember what does not hold, and end the path
+            before it
             \return whether all of it holds */
-        bool confirm(const Path &path);
+        bool confirm(Path &path);
 
         /** \brief Find out which robots or pairs make a step invalid, and remember it */
         void refute(const Configuration &from, const Configuration &to);
