@@ -16,7 +16,6 @@
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <cstdio>
-#include <numeric>
 #include <ompl/base/PlannerData.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -89,13 +88,7 @@ namespace demos
         {
             ScenePicture picture(scene);
             if (setup.haveSolutionPath())
-            {
-                // The states of equal steps are at equal times, however far they are from each other.
-                const auto path = setup.getSolutionPath().asGeometric();
-                std::vector<double> times(path.getStateCount());
-                std::iota(times.begin(), times.end(), 0.0);
-                picture.setPath(path, times);
-            }
+                picture.setPath(setup.getSolutionPath());
             if (options.pictureTree)
                 picture.setTree(tree);
             if (options.pictureCertificates)
@@ -117,9 +110,9 @@ namespace demos
                                                     " is a planning scene of MoveIt");
         const Scene scene = loadScene(options.scene, true);
         scene.validate();
-        const TeamStateSpacePtr team = scene.makeTeam();
-        TeamControlSetup setup(team, scene.makeObstacles(), methodOf(options.method), modeOf(options));
-        setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team), options.goalTolerance);
+        const TeamControlSetupPtr owner =
+            scene.makeControlSetup(options.goalTolerance, methodOf(options.method), modeOf(options));
+        TeamControlSetup &setup = *owner;
         setup.setPlanner(makeControlPlanner(planner, setup.getSpaceInformation()));
         setParameters(options, *setup.getPlanner());
         prepareOutputs(outputsOf(options), {options.scene});

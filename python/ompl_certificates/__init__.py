@@ -20,6 +20,7 @@ from ._core import (
     AttachedBody,
     Body,
     Checker,
+    ControlPlan,
     Error,
     Plan,
     Proof,
@@ -27,6 +28,9 @@ from ._core import (
     Scene,
     __version__,
     _plan,
+    _plan_controls,
+    control_planner_names,
+    control_planner_parameters,
     load_moveit,
     load_scene,
     planner_names,
@@ -39,6 +43,7 @@ __all__ = [
     "AttachedBody",
     "Body",
     "Checker",
+    "ControlPlan",
     "Error",
     "Plan",
     "Proof",
@@ -46,15 +51,24 @@ __all__ = [
     "Scene",
     "View",
     "__version__",
+    "control_planner_names",
+    "control_planner_parameters",
     "load_moveit",
     "load_scene",
     "plan",
+    "plan_controls",
     "planner_names",
     "planner_parameters",
     "scene_from_yaml",
 ]
 
 Parameter = Union[str, int, float, bool, "np.integer[Any]", "np.floating[Any]", np.bool_]
+
+
+def _require_range(name: str, number: Optional[int], most: int) -> None:
+    """Raise an Error that names an argument which is not from 1 to most; None is fine."""
+    if number is not None and not 1 <= number <= most:
+        raise Error(f"{name}: must be from 1 to {most}, not {number}")
 
 
 def plan(
@@ -94,9 +108,8 @@ def plan(
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.
     """
-    for name, number, most in (("iterations", iterations, 2**64 - 1), ("seed", seed, 2**32 - 1)):
-        if number is not None and not 1 <= number <= most:
-            raise Error(f"{name}: must be from 1 to {most}, not {number}")
+    _require_range("iterations", iterations, 2**64 - 1)
+    _require_range("seed", seed, 2**32 - 1)
     if isinstance(scene, Checker):
         for name, value in (("method", method), ("motion", motion)):
             if value is not None:
@@ -121,4 +134,60 @@ def plan(
         dict(parameters or {}),
         start,
         goal,
+    )
+
+
+def plan_controls(
+    scene: Scene,
+    planner: str = "RRT",
+    method: str = "shared",
+    time: float = 10.0,
+    seed: int = 1,
+    callback: Optional[Callable[[float, float], object]] = None,
+    *,
+    motion: str = "discrete",
+    goal_tolerance: float = 0.5,
+    iterations: Optional[int] = None,
+    nearest: str = "kdtree",
+    parameters: Optional[Mapping[str, Parameter]] = None,
+    start: Optional[ArrayLike] = None,
+    goal: Optional[ArrayLike] = None,
+    step: float = 0.1,
+    min_steps: int = 1,
+    max_steps: int = 10,
+) -> ControlPlan:
+    """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
+
+    planner: one of control_planner_names()
+    motion: discrete checks the states at the ends of steps, continuous proves each step free between them
+    goal_tolerance: how far from the goal the team may end, in its space's distance (docs/controls.md)
+    nearest: what RRT and SST look for near states in, kdtree or gnat
+    parameters: of the planner, such as {"goal_bias": 0.1}; control_planner_parameters() names them
+    step: how long a step takes, in seconds
+    min_steps, max_steps: for how many steps a control is held
+
+    method, time, seed, callback, iterations, start and goal are as of plan(). So is what it does with threads and
+    Ctrl-C.
+    """
+    _require_range("iterations", iterations, 2**64 - 1)
+    _require_range("seed", seed, 2**32 - 1)
+    _require_range("max_steps", max_steps, 2**31 - 1)
+    _require_range("min_steps", min_steps, max_steps)
+    return _plan_controls(
+        scene,
+        planner,
+        method,
+        time,
+        iterations or 0,
+        seed,
+        callback,
+        motion,
+        goal_tolerance,
+        nearest,
+        dict(parameters or {}),
+        start,
+        goal,
+        step,
+        min_steps,
+        max_steps,
     )

@@ -10,6 +10,8 @@ __version__: str
 
 Path = Union[str, os.PathLike[str]]
 
+Limits = Union[float, Tuple[float, float]]
+
 class Error(RuntimeError):
     """What was given makes no sense; one line that names the file or the argument, and the value."""
 
@@ -68,7 +70,7 @@ class AttachedBody:
         body and the touch_links, such as fingers. No link may have that name."""
 
 class Robot:
-    """One member of a team: a rigid body, a car with a trailer, or an arm"""
+    """One member of a team: a rigid body, a car with a trailer, an arm, or a robot that moves by controls"""
     @staticmethod
     def rigid(name: str, body: Body, low: ArrayLike, high: ArrayLike, turns: bool = True) -> Robot:
         """A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y and, if it turns,
@@ -78,6 +80,49 @@ class Robot:
         name: str, car: Body, trailer: Body, hitch_length: float, low: ArrayLike, high: ArrayLike
     ) -> Robot:
         """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle"""
+    @staticmethod
+    def integrator(
+        name: str,
+        body: Body,
+        low: ArrayLike,
+        high: ArrayLike,
+        velocity: ArrayLike,
+        acceleration: Optional[ArrayLike] = None,
+    ) -> Robot:
+        """A robot that moves by controls and does not turn. Its controls are its velocities along the axes; with an
+        acceleration its accelerations, and then the velocities are part of its state. Limits are a number v for -v to v
+        along each axis, or (low, high), or an array of shape (dimension, 2)."""
+    @staticmethod
+    def unicycle(
+        name: str,
+        body: Body,
+        low: ArrayLike,
+        high: ArrayLike,
+        linear: Limits,
+        angular: Limits,
+        linear_acceleration: Optional[Limits] = None,
+        angular_acceleration: Optional[Limits] = None,
+    ) -> Robot:
+        """A robot in the plane that moves by controls: along its heading, and by turns. Its controls are these two
+        speeds; with both accelerations these, and then the speeds are part of its state. Limits are a number v for -v
+        to v, or (low, high)."""
+    @staticmethod
+    def car(
+        name: str,
+        body: Body,
+        low: ArrayLike,
+        high: ArrayLike,
+        speed: Limits,
+        steering: Limits,
+        wheelbase: float,
+        trailer: Optional[Body] = None,
+        hitch_length: Optional[float] = None,
+        max_hinge_angle: Optional[float] = None,
+    ) -> Robot:
+        """A car that moves by controls: the speed of its rear axle, where its frame's origin is, and the steering
+        angle. Limits are a number v for -v to v, or (low, high). wheelbase is the distance between the axles. With a
+        trailer, whose origin is hitch_length behind the car's, the headings of both differ by at most
+        max_hinge_angle."""
     @staticmethod
     def arm(
         urdf: Path,
@@ -110,6 +155,9 @@ class Robot:
     @property
     def coordinates(self) -> List[str]:
         """The names of the numbers of a state"""
+    @property
+    def control_names(self) -> List[str]:
+        """The names of its controls; none if it moves without"""
     @property
     def dimension(self) -> int:
         """The dimension of the workspace: 2 or 3"""
@@ -339,10 +387,57 @@ class Plan:
         too."""
     def __bool__(self) -> bool: ...
 
-def load_scene(file: Path) -> Scene:
-    """The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app"""
-def scene_from_yaml(text: str, source: str = "scene.yaml") -> Scene:
-    """The scene in a text. Errors name source, and meshes are looked for in its folder."""
+class ControlPlan:
+    """What came of a plan by controls"""
+    @property
+    def solved(self) -> bool:
+        """Whether a solution was found"""
+    @property
+    def reason(self) -> Optional[str]:
+        """Why there is no solution, in a few words; None if there is one"""
+    @property
+    def cost(self) -> float:
+        """The duration of the path, in seconds; infinite without a solution"""
+    @property
+    def path(self) -> NDArray[np.float64]:
+        """The states of the solution, one for each step, of shape (n, coordinates); n is 0 without"""
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """When the team is at each state, in seconds, of shape (n,)"""
+    @property
+    def coordinates(self) -> List[str]:
+        """The names of the columns of path, such as scout.x"""
+    @property
+    def controls(self) -> NDArray[np.float64]:
+        """The controls that are held from each state to the next, of shape (n - 1, controls)"""
+    @property
+    def control_names(self) -> List[str]:
+        """The names of the columns of controls, such as cart.linear"""
+    @property
+    def report(self) -> Dict[str, Any]:
+        """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
+        the planner's tree: some seconds for a hundred thousand states."""
+    def save(self, file: Path) -> None:
+        """Write times, states and controls as a table of comma-separated values (docs/controls.md)."""
+    def save_report(self, file: Path) -> None:
+        """Write the report as JSON."""
+    def at(self, times: ArrayLike) -> NDArray[np.float64]:
+        """Where the team is at some times, in seconds, of shape (n, coordinates), or for one time (coordinates,).
+        Between two states of the path it moves as the controls move it; before the first and after the last it
+        rests."""
+    def save_picture(self, file: Path, *, tree: bool = False, certificates: bool = False) -> None:
+        """Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if asked. The
+        name must end in .svg."""
+    def view(self, path: Optional[Path] = None) -> View:
+        """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
+        too."""
+    def __bool__(self) -> bool: ...
+
+def load_scene(file: Path, *, dynamics: bool = False) -> Scene:
+    """The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app. With dynamics robots of db-CBS move
+    by controls, and their velocities count; there may be no others."""
+def scene_from_yaml(text: str, source: str = "scene.yaml", *, dynamics: bool = False) -> Scene:
+    """The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its folder."""
 def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path) -> Scene:
     """The scene in MoveIt's planning scene and motion plan request (YAML)"""
 def planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:
@@ -364,3 +459,25 @@ def _plan(
     start: Optional[ArrayLike],
     goal: Optional[ArrayLike],
 ) -> Plan: ...
+def control_planner_names() -> List[str]:
+    """The names of the planners of plan_controls()"""
+def control_planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:
+    """The parameters of a planner of plan_controls(), as planner_parameters() tells them"""
+def _plan_controls(
+    scene: Scene,
+    planner: str,
+    method: str,
+    time: float,
+    iterations: int,
+    seed: int,
+    callback: Optional[Callable[[float, float], object]],
+    motion: str,
+    goal_tolerance: float,
+    nearest: str,
+    parameters: Mapping[str, Any],
+    start: Optional[ArrayLike],
+    goal: Optional[ArrayLike],
+    step: float,
+    min_steps: int,
+    max_steps: int,
+) -> ControlPlan: ...

@@ -67,6 +67,14 @@ namespace ompl_certificates_python
         }
     }
 
+    void requireOneState(const Doubles &values, std::size_t count, const std::string &what)
+    {
+        if (values.ndim() == 0 || static_cast<std::size_t>(values.size()) != count ||
+            values.shape(values.ndim() - 1) != values.size())
+            throw ompl::Exception(what,
+                                  "must be an array of shape (" + std::to_string(count) + ",), not " + shapeOf(values));
+    }
+
     std::string shapeOf(const py::array &array)
     {
         std::string text = "(";

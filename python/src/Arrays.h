@@ -56,6 +56,10 @@ namespace ompl_certificates_python
         other */
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
 
+    /** \brief Refuse what is not one state of \e count numbers, by its shape.
+        \throws ompl::Exception that names \e what */
+    void requireOneState(const Doubles &values, std::size_t count, const std::string &what);
+
     /** \brief The shape of an array as Python writes it, such as (3, 2) */
     std::string shapeOf(const py::array &array);
 }

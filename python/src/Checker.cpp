@@ -3,10 +3,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
-#include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/util/Exception.h>
 #include <utility>
 
@@ -19,35 +17,13 @@ namespace ompl_certificates_python
     {
         /** How much the length of a quaternion may differ from 1 */
         constexpr double QUATERNION_ROUNDING = 1e-6;
+    }
 
-        CertificateMotionValidator::Mode modeOf(const std::string &motion)
-        {
-            if (motion != "discrete" && motion != "continuous")
-                throw ompl::Exception("motion", "must be discrete or continuous, not '" + motion + "'");
-            return motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
-                                          : CertificateMotionValidator::DISCRETE;
-        }
-
-        /** Where the angles and quaternions are among the numbers of a state, from \e position on */
-        void findRotations(const ob::StateSpace &space, std::size_t &position, std::vector<std::size_t> &angles,
-                           std::vector<std::size_t> &quaternions)
-        {
-            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
-            {
-                for (const ob::StateSpacePtr &part : compound->getSubspaces())
-                    findRotations(*part, position, angles, quaternions);
-                return;
-            }
-            if (space.getType() == ob::STATE_SPACE_SO2)
-                angles.push_back(position++);
-            else if (space.getType() == ob::STATE_SPACE_SO3)
-            {
-                quaternions.push_back(position);
-                position += 4;
-            }
-            else
-                position += space.getDimension();
-        }
+    CertificateMotionValidator::Mode modeOf(const std::string &motion)
+    {
+        if (motion != "discrete" && motion != "continuous")
+            throw ompl::Exception("motion", "must be discrete or continuous, not '" + motion + "'");
+        return motion == "continuous" ? CertificateMotionValidator::CONTINUOUS : CertificateMotionValidator::DISCRETE;
     }
 
     /** A state that takes the numbers of one row after the other. Another thread may write to the array meanwhile, so
@@ -67,15 +43,9 @@ namespace ompl_certificates_python
         const ob::State *read(const double *values)
         {
             std::copy_n(values, numbers_.size(), numbers_.begin());
-            constexpr double pi = boost::math::constants::pi<double>();
-            for (const std::size_t i : checker_.angles_)
-                if (!(numbers_[i] >= -pi && numbers_[i] < pi))
-                {
-                    const double angle = std::remainder(numbers_[i], 2.0 * pi);
-                    numbers_[i] = angle == pi ? -pi : angle;
-                }
+            checker_.rotations_.wrapAngles(numbers_);
             // OMPL takes no rounded quaternions, and Debian's aborts.
-            for (const std::size_t i : checker_.quaternions_)
+            for (const std::size_t i : checker_.rotations_.quaternions)
             {
                 Eigen::Map<Eigen::Vector4d> quaternion(&numbers_[i]);
                 const double length = quaternion.norm();
@@ -108,7 +78,7 @@ namespace ompl_certificates_python
     };
 
     Checker::Checker(const Scene &scene, const std::string &method, const std::string &motion)
-      : scene_(scene), motion_(motion), world_(scene)
+      : scene_(scene), motion_(motion), rotations_(*scene.makeTeam()), world_(scene)
     {
         if (scene.getMembers().empty())
             throw ompl::Exception(scene.getSource(), "robots: a scene needs at least one robot");
@@ -116,22 +86,22 @@ namespace ompl_certificates_python
         setup_ = std::make_unique<TeamSetup>(team, world_.getObstacles(), methodOf(method), modeOf(motion));
         setup_->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
         setup_->getSpaceInformation()->setup();
-        findRotations(*team, count_, angles_, quaternions_);
     }
 
     std::size_t Checker::countRows(const Doubles &states, const char *what) const
     {
         const auto dimensions = states.ndim();
-        if ((dimensions != 1 && dimensions != 2) || static_cast<std::size_t>(states.shape(dimensions - 1)) != count_)
+        if ((dimensions != 1 && dimensions != 2) ||
+            static_cast<std::size_t>(states.shape(dimensions - 1)) != rotations_.count)
             throw ompl::Exception(
-                what, "must be an array of shape (n, " + std::to_string(count_) + "), not of " +
+                what, "must be an array of shape (n, " + std::to_string(rotations_.count) + "), not of " +
                           std::to_string(dimensions) + " dimensions" +
                           (dimensions > 0 ? " with " + std::to_string(states.shape(dimensions - 1)) + " columns" : ""));
         const auto rows = dimensions == 1 ? 1 : static_cast<std::size_t>(states.shape(0));
         for (std::size_t row = 0; row < rows; ++row)
-            for (const std::size_t i : quaternions_)
+            for (const std::size_t i : rotations_.quaternions)
             {
-                const double *q = states.data() + row * count_ + i;
+                const double *q = states.data() + row * rotations_.count + i;
                 const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
                 if (std::abs(length - 1.0) > QUATERNION_ROUNDING)
                     throw ompl::Exception(what, (dimensions == 1 ? "" : "row " + std::to_string(row) + ": ") +
@@ -152,7 +122,7 @@ namespace ompl_certificates_python
         Signals signals;
         for (std::size_t i = 0; i < rows; ++i, signals.handle())
         {
-            const ob::State *state = row.read(values + i * count_);
+            const ob::State *state = row.read(values + i * rotations_.count);
             valid[i] = state && checker.isValid(state);
         }
         return result;
@@ -170,7 +140,7 @@ namespace ompl_certificates_python
         Signals signals;
         for (std::size_t i = 0; i < rows; ++i, signals.handle())
         {
-            const ob::State *state = row.read(values + i * count_);
+            const ob::State *state = row.read(values + i * rotations_.count);
             clearances[i] = state ? checker.clearance(state) : -std::numeric_limits<double>::infinity();
         }
         return result;
@@ -189,7 +159,7 @@ namespace ompl_certificates_python
         const ob::SpaceInformation &si = *setup_->getSpaceInformation();
         Row start(*this), end(*this);
         Signals signals;
-        for (std::size_t i = 0; i < rows; ++i, from += count_, to += count_, signals.handle())
+        for (std::size_t i = 0; i < rows; ++i, from += rotations_.count, to += rotations_.count, signals.handle())
         {
             const ob::State *first = start.read(from), *last = end.read(to);
             // OMPL's spaces abort the program where an angle is no number.
@@ -200,10 +170,7 @@ namespace ompl_certificates_python
 
     void Checker::requireState(const Doubles &values, const char *what) const
     {
-        if (values.ndim() == 0 || static_cast<std::size_t>(values.size()) != count_ ||
-            values.shape(values.ndim() - 1) != values.size())
-            throw ompl::Exception(what, "must be an array of shape (" + std::to_string(count_) + ",), not " +
-                                            shapeOf(values));
+        requireOneState(values, rotations_.count, what);
         countRows(values, what);
     }
 

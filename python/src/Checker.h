@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PYTHON_CHECKER_
 
 #include "Arrays.h"
+#include "Rotations.h"
 #include "World.h"
 
 #include <atomic>
@@ -13,6 +14,10 @@ namespace ompl_certificates_python
     using ompl_certificates::ObstacleSet;
     using ompl_certificates::Scene;
     using ompl_certificates::TeamSetup;
+
+    /** \brief How motions are checked, by its name: discrete or continuous
+        \throws ompl::Exception for another one */
+    ompl_certificates::CertificateMotionValidator::Mode modeOf(const std::string &motion);
 
     /** \brief A scene's team among its obstacles, which may change. Checks batches of states and motions, and keeps
         what is known of the obstacles. All methods may be called from many threads at once.
@@ -86,7 +91,7 @@ namespace ompl_certificates_python
         /** \brief The numbers of a state */
         std::size_t getCoordinateCount() const
         {
-            return count_;
+            return rotations_.count;
         }
 
         /** \brief The dimension of the workspace: 2 or 3 */
@@ -124,8 +129,7 @@ namespace ompl_certificates_python
 
         Scene scene_;
         std::string motion_;
-        std::size_t count_{0};
-        std::vector<std::size_t> angles_, quaternions_;
+        Rotations rotations_;
         World world_;
         std::unique_ptr<TeamSetup> setup_;
         mutable std::mutex changing_;

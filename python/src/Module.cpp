@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, module)
     ompl_certificates_python::bindScenes(module);
     ompl_certificates_python::bindChecker(module);
     ompl_certificates_python::bindPlanning(module);
+    ompl_certificates_python::bindControlPlanning(module);
 }

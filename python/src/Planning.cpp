@@ -1,23 +1,18 @@
 #include "Bindings.h"
 #include "Checker.h"
 #include "Plan.h"
+#include "PlanOptions.h"
 #include "Progress.h"
+#include "Quiet.h"
 
+#include <ompl_certificates/control/DynamicRobot.h>
 #include <ompl_certificates/planning/Planners.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/TeamObjective.h>
 
-#include <algorithm>
-#include <cmath>
-#include <mutex>
 #include <ompl/base/goals/GoalState.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
-#include <ompl/util/RandomNumbers.h>
-#include <optional>
 #include <pybind11/stl.h>
-#include <set>
-#include <sstream>
 
 namespace ompl_certificates_python
 {
@@ -26,74 +21,11 @@ namespace ompl_certificates_python
 
     namespace
     {
-        struct Options
+        struct Options : PlanOptions
         {
-            std::string planner, objective;
-            double seconds;
-            std::uint64_t iterations;
-            std::uint32_t seed;
-            py::object callback;
+            std::string objective;
             bool first, simplify;
-            std::map<std::string, py::object> parameters;
         };
-
-        /** OMPL prints only what has this level or a higher one while this lives. The level is one for the process, and
-            plans of several threads overlap: the highest level counts, and the last one restores what was before. */
-        class Quiet
-        {
-        public:
-            explicit Quiet(ompl::msg::LogLevel level) : level_(level)
-            {
-                const std::lock_guard<std::mutex> lock(mutex());
-                if (levels().empty())
-                    before() = ompl::msg::getLogLevel();
-                levels().insert(level_);
-                setLevel();
-            }
-            Quiet(const Quiet &) = delete;
-            Quiet &operator=(const Quiet &) = delete;
-            ~Quiet()
-            {
-                const std::lock_guard<std::mutex> lock(mutex());
-                levels().erase(levels().find(level_));
-                setLevel();
-            }
-
-        private:
-            static void setLevel()
-            {
-                ompl::msg::setLogLevel(levels().empty() ? before() : *levels().rbegin());
-            }
-
-            static std::mutex &mutex()
-            {
-                static std::mutex theMutex;
-                return theMutex;
-            }
-
-            /** All levels that are asked for now */
-            static std::multiset<ompl::msg::LogLevel> &levels()
-            {
-                static std::multiset<ompl::msg::LogLevel> theLevels;
-                return theLevels;
-            }
-
-            /** The level that was there before the first */
-            static ompl::msg::LogLevel &before()
-            {
-                static ompl::msg::LogLevel theLevel{ompl::msg::LOG_INFO};
-                return theLevel;
-            }
-
-            const ompl::msg::LogLevel level_;
-        };
-
-        void seedRandomNumbers(std::uint32_t seed)
-        {
-            // OMPL warns of a second seed, which is meant for programs that plan once.
-            const Quiet quiet(ompl::msg::LOG_NONE);
-            ompl::RNG::setSeed(seed);
-        }
 
         ob::PlannerPtr plannerOf(const Options &options, const TeamSetup &setup)
         {
@@ -101,12 +33,7 @@ namespace ompl_certificates_python
             if (name.empty())
                 name = setup.getTeam().getRobotCount() > 1 ? "DRRTstar" : "RRTConnect";
             ob::PlannerPtr planner = makePlanner(name, setup.getSpaceInformation());
-            const py::object numpyBool = py::module_::import("numpy").attr("bool_");
-            for (const auto &[key, value] : options.parameters)
-            {
-                const bool isBool = py::isinstance<py::bool_>(value) || py::isinstance(value, numpyBool);
-                setParameter(*planner, key, isBool ? (py::bool_(value) ? "1" : "0") : std::string(py::str(value)));
-            }
+            setParameters(*planner, options);
             return planner;
         }
 
@@ -170,12 +97,7 @@ namespace ompl_certificates_python
                     if (!report.solved)
                         report.reason = reasonOf(status, *setup.getPlanner());
                 });
-            report.approximate = !report.solved && setup.haveSolutionPath();
-            report.totalSeconds = setup.getLastPlanComputationTime();
-            report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
-            report.checks = setup.getStatistics().getCounts();
-            report.iterations = progress.getEvaluations();
-            report.certificates = setup.getTeamChecker()->getCertificateCount();
+            setCounts(report, setup, progress.getEvaluations());
             if (report.solved)
                 report.cost = costOf(setup, options);
         }
@@ -205,8 +127,12 @@ namespace ompl_certificates_python
         {
             Checker &checker = *owner;
             const auto planning = checker.beginPlanning();
-            if (!(options.seconds > 0.0))
-                throw ompl::Exception("time", "must be positive, not " + std::to_string(options.seconds));
+            requirePositive(options.seconds, "time");
+            for (const RobotPtr &robot : checker.getSetup().getTeam().getRobots())
+                if (dynamic_cast<const DynamicRobot *>(robot.get()))
+                    throw ompl::Exception(checker.getSceneName(), "robot '" + robot->getName() +
+                                                                      "' moves by controls: plan_controls() plans for "
+                                                                      "such robots");
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
             TeamSetup &setup = checker.getSetup();
@@ -226,9 +152,7 @@ namespace ompl_certificates_python
             plan.report.motion = checker.getMotion();
             plan.report.objective = options.objective;
             plan.report.seed = options.seed;
-            plan.coordinates = coordinateNames(*setup.getStateSpace());
-            plan.path = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(checker.getCoordinateCount())});
-            plan.times = Doubles(0);
+            setNames(plan, *setup.getStateSpace());
             solve(setup, options, plan.report);
             // An approximate path would be taken for a solution.
             if (plan.report.solved && options.simplify)
@@ -239,19 +163,15 @@ namespace ompl_certificates_python
             return plan;
         }
 
-        /** The parameters of a planner, with their values and the ranges that OMPL suggests, in a team of two discs */
-        py::dict parametersOf(const std::string &name)
+        /** The parameters of a planner, in a team of two discs */
+        py::dict parametersOfPlanner(const std::string &name)
         {
             const Quiet quiet(ompl::msg::LOG_ERROR);
             const ob::RealVectorBounds bounds = toBounds({0.0, 0.0}, {1.0, 1.0});
             Scene scene(name, name, bounds);
             for (const char *robot : {"first", "second"})
                 scene.addMember({RigidRobot::inR2(robot, Body::disc(0.1), bounds), {0.0, 0.0}, {1.0, 1.0}});
-            py::dict parameters;
-            const ob::PlannerPtr planner = makePlanner(name, scene.makeSetup()->getSpaceInformation());
-            for (const auto &[key, parameter] : planner->params().getParams())
-                parameters[py::str(key)] = py::make_tuple(parameter->getValue(), parameter->getRangeSuggestion());
-            return parameters;
+            return parametersOf(*makePlanner(name, scene.makeSetup()->getSpaceInformation()));
         }
     }
 
@@ -260,7 +180,7 @@ namespace ompl_certificates_python
         bindPlan(module);
         module.def("planner_names", &plannerNames, "The names of all planners: OMPL's classes, and DRRTstar");
         module.def(
-            "planner_parameters", &parametersOf, py::arg("planner"),
+            "planner_parameters", &parametersOfPlanner, py::arg("planner"),
             "The parameters of a planner: a dict from their names to their values and the ranges that OMPL suggests, "
             "as texts such as 0.:1.:10000., which is from 0 in steps of 1 to 10000");
         module.def(
@@ -271,7 +191,7 @@ namespace ompl_certificates_python
                const py::object &start, const py::object &goal)
             {
                 return planWith(checker,
-                                {planner, objective, time, iterations, seed, callback, first, simplified, parameters},
+                                {{planner, time, iterations, seed, callback, parameters}, objective, first, simplified},
                                 start, goal);
             },
             py::arg("checker"), py::arg("planner"), py::arg("time"), py::arg("iterations"), py::arg("seed"),

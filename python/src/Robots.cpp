@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "DynamicRobots.h"
 
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
@@ -146,9 +147,10 @@ namespace ompl_certificates_python
             .def("__repr__",
                  [](const AttachedBody &self) { return "<AttachedBody '" + self.name + "' on '" + self.link + "'>"; });
 
-        py::class_<Robot, RobotHolder>(module, "Robot",
-                                       "One member of a team: a rigid body, a car with a trailer, or "
-                                       "an arm")
+        py::class_<Robot, RobotHolder> robots(module, "Robot",
+                                              "One member of a team: a rigid body, a car with a trailer, an arm, or a "
+                                              "robot that moves by controls");
+        robots
             .def_static("rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
                         py::arg("turns") = true,
                         "A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y "
@@ -195,5 +197,6 @@ namespace ompl_certificates_python
             .def("link_pose", &linkPose, py::arg("state"), py::arg("link"),
                  "Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape "
                  "(4, 4)");
+        bindDynamicRobots(robots);
     }
 }

@@ -1,6 +1,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
-#include "Plan.h"
+#include "Outcome.h"
+#include "Rotations.h"
 #include "World.h"
 
 #include <ompl_certificates/obstacles/CellObstacles.h>
@@ -103,7 +104,7 @@ namespace ompl_certificates_python
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
                       double weight)
         {
-            const std::vector<double> start = toNumbers(from, "start"), goal = toNumbers(to, "goal");
+            std::vector<double> start = toNumbers(from, "start"), goal = toNumbers(to, "goal");
             const auto refuse = [&](const std::string &what, double value)
             {
                 throw ompl::Exception(scene.getSource(),
@@ -115,6 +116,11 @@ namespace ompl_certificates_python
                 for (const double coordinate : *coordinates)
                     if (!std::isfinite(coordinate))
                         refuse(coordinates == &start ? "start must be finite" : "goal must be finite", coordinate);
+            const Rotations rotations(*robot->getStateSpace());
+            for (auto *coordinates : {&start, &goal})
+                // Another number of them is refused below.
+                if (coordinates->size() == rotations.count)
+                    rotations.wrapAngles(*coordinates);
             scene.addMember({robot, start, goal, weight});
         }
 
@@ -190,7 +196,7 @@ namespace ompl_certificates_python
                 .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
                      "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
                      "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
-                .def("add_robot", &addRobot, py::arg("robot"), py::arg("start"), py::arg("goal"),
+                .def("add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
                      py::arg("weight") = 1.0,
                      "Add a robot, with its start and goal; its distances count weight times.");
         }
@@ -260,13 +266,17 @@ namespace ompl_certificates_python
                 py::arg("file"), "Write a picture of the scene, as SVG. The name must end in .svg.");
 
         module.def(
-            "load_scene", [](const std::filesystem::path &file) { return loadScene(file); }, py::arg("file"),
-            "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app");
+            "load_scene", [](const std::filesystem::path &file, bool dynamics) { return loadScene(file, dynamics); },
+            py::arg("file"), py::kw_only(), py::arg("dynamics") = false,
+            "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app. With dynamics robots of "
+            "db-CBS move by controls, and their velocities count; there may be no others.");
         module.def(
             "scene_from_yaml",
-            [](const std::string &text, const std::string &source) { return sceneFromYaml(text, source); },
-            py::arg("text"), py::arg("source") = "scene.yaml",
-            "The scene in a text. Errors name source, and meshes are looked for in its folder.");
+            [](const std::string &text, const std::string &source, bool dynamics)
+            { return sceneFromYaml(text, source, dynamics); },
+            py::arg("text"), py::arg("source") = "scene.yaml", py::kw_only(), py::arg("dynamics") = false,
+            "The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its "
+            "folder.");
         module.def(
             "load_moveit",
             [](const std::filesystem::path &file, const std::filesystem::path &request,

@@ -37,7 +37,7 @@ def test_snippets_run(monkeypatch: pytest.MonkeyPatch, room: oc.Scene) -> None:
     snippets = []
     for page in ("README.md", "docs/python.md"):
         snippets += re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
-    assert len(snippets) == 11
+    assert len(snippets) == 12
     for snippet in snippets:
         exec(snippet, names)  # pylint: disable=exec-used
     checker = names["CertificateChecker"](SpaceInformation(), oc.Checker(room))
@@ -56,7 +56,7 @@ def test_every_public_name_is_explained() -> None:
 
 def test_stubs_name_what_there_is() -> None:
     text = (ROOT / "python" / "ompl_certificates" / "_core.pyi").read_text(encoding="utf-8")
-    for name in ("Body", "Robot", "Scene", "Checker", "Plan"):
+    for name in ("Body", "Robot", "Scene", "Checker", "Plan", "ControlPlan"):
         section = re.search(rf"class {name}:\n(.*?)(?=\n\S|\Z)", text, re.DOTALL)
         assert section
         stubs = set(re.findall(r"^    (?:def )?([a-z]\w*)\b", section[1], re.MULTILINE)) - {"def", "self", "name:"}

@@ -234,6 +234,18 @@ def test_arms_find_packages_and_warn(tmp_path: pathlib.Path) -> None:
     assert ball.bodies[0].bounding_radius == pytest.approx(1)
 
 
+def test_angles_may_be_any() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_robot(oc.Robot.rigid("box", oc.Body.box(1, 0.5), [0, 0], [10, 10]), [1, 1, 7.0], [9, 9, -4.0])
+    assert np.isclose(scene.start[2], 7.0 - 2 * np.pi) and np.isclose(scene.goal[2], 2 * np.pi - 4.0)
+    scene.validate()
+    assert oc.plan(scene, "RRTConnect", time=20).solved
+    with pytest.raises(oc.Error, match=r"start: must have 3 coordinates, not 2$"):
+        scene.add_robot(oc.Robot.rigid("other", oc.Body.box(1, 0.5), [0, 0], [10, 10]), [1, 1], [9, 9, 0])
+    with pytest.raises(TypeError):
+        scene.add_robot(None, [1, 1], [9, 9])  # type: ignore[arg-type]
+
+
 def test_car_with_trailer_has_four_coordinates() -> None:
     car = oc.Robot.car_with_trailer("car", oc.Body.box(1, 0.5), oc.Body.box(1, 0.5), 1.2, [0, 0], [10, 10])
     assert len(car.coordinates) == 4

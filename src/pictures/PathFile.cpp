@@ -85,21 +85,6 @@ namespace ompl_certificates
 
         using ControlType = ompl::control::RealVectorControlSpace::ControlType;
 
-        std::vector<std::string> controlNames(const ob::StateSpace &space)
-        {
-            std::vector<std::string> names;
-            const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
-            for (const RobotPtr &robot : team ? team->getRobots() : std::vector<RobotPtr>{nullptr})
-            {
-                const auto *dynamic = dynamic_cast<const DynamicRobot *>(robot.get());
-                if (!dynamic)
-                    throw ompl::Exception(space.getName(), "is not the space of a team of DynamicRobots");
-                for (const std::string &control : dynamic->getControlNames())
-                    names.push_back(robot->getName() + '.' + control);
-            }
-            return names;
-        }
-
         /** All digits of \e value that tell it from its neighbors, and no more */
         std::string digitsOf(double value)
         {
@@ -127,9 +112,29 @@ namespace ompl_certificates
     {
         std::vector<std::string> names;
         if (const auto *arm = dynamic_cast<const Arm *>(&robot))
+        {
             addNames(*arm, "", names);
-        else
-            addNames(*robot.getStateSpace(), "", names);
+            return names;
+        }
+        // Parts of its space may be called by its name themselves.
+        addNames(*robot.getStateSpace(), robot.getName(), names);
+        for (std::string &name : names)
+            name.erase(0, robot.getName().empty() ? 0 : robot.getName().size() + 1);
+        return names;
+    }
+
+    std::vector<std::string> controlNames(const ob::StateSpace &space)
+    {
+        std::vector<std::string> names;
+        const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
+        for (const RobotPtr &robot : team ? team->getRobots() : std::vector<RobotPtr>{nullptr})
+        {
+            const auto *dynamic = dynamic_cast<const DynamicRobot *>(robot.get());
+            if (!dynamic)
+                throw ompl::Exception(space.getName(), "is not the space of a team of DynamicRobots");
+            for (const std::string &control : dynamic->getControlNames())
+                names.push_back(robot->getName() + '.' + control);
+        }
         return names;
     }
 
@@ -167,11 +172,11 @@ namespace ompl_certificates
         const std::vector<std::string> controls = controlNames(space);
         for (const std::string &name : controls)
             text += ',' + quoted(name);
-        double time = 0.0;
+        const std::vector<double> times = stateTimes(path);
         std::vector<double> reals;
         for (std::size_t i = 0; i < path.getStateCount(); ++i)
         {
-            text += '\n' + digitsOf(time);
+            text += '\n' + digitsOf(times[i]);
             space.copyToReals(reals, path.getState(static_cast<unsigned int>(i)));
             for (const double real : reals)
                 text += ',' + digitsOf(real);
@@ -180,8 +185,6 @@ namespace ompl_certificates
                 moves ? path.getControl(static_cast<unsigned int>(i))->as<ControlType>()->values : nullptr;
             for (std::size_t k = 0; k < controls.size(); ++k)
                 text += ',' + (values ? digitsOf(values[k]) : "");
-            if (moves)
-                time += path.getControlDuration(static_cast<unsigned int>(i));
         }
         return text + '\n';
     }

@@ -81,14 +81,9 @@ namespace ompl_certificates
         ompl::control::PathControl path(original);
         path.interpolate();
         std::vector<const ob::State *> states(path.getStateCount());
-        std::vector<double> times(path.getStateCount(), 0.0);
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
-        {
             states[i] = path.getState(i);
-            if (i > 0)
-                times[i] = times[i - 1] + path.getControlDuration(i - 1);
-        }
-        setStates(states, times);
+        setStates(states, stateTimes(path));
     }
 
     void PlanViewer::setTree(const ob::PlannerData &data)

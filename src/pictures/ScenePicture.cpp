@@ -169,6 +169,15 @@ namespace ompl_certificates
         }
     }
 
+    void ScenePicture::setPath(const ompl::control::PathControl &original)
+    {
+        SceneDrawing(scene_).requireTeam(original.getSpaceInformation()->getStateSpace());
+        // Between the states that it had, its robots do not move straight: all steps are drawn.
+        ompl::control::PathControl path(original);
+        path.interpolate();
+        setPath(path.asGeometric(), stateTimes(path));
+    }
+
     void ScenePicture::setTree(const ob::PlannerData &data)
     {
         edges_ = SceneDrawing(scene_).edgesOf(data);

@@ -200,6 +200,15 @@ namespace ompl_certificates
         return setup;
     }
 
+    TeamControlSetupPtr Scene::makeControlSetup(double goalTolerance, Method method,
+                                                CertificateMotionValidator::Mode mode) const
+    {
+        const TeamStateSpacePtr team = makeTeam();
+        auto setup = std::make_shared<TeamControlSetup>(team, makeObstacles(), method, mode);
+        setup->setStartAndGoalStates(makeStart(team), makeGoal(team), goalTolerance);
+        return setup;
+    }
+
     void Scene::validate() const
     {
         if (members_.empty())

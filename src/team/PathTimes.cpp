@@ -34,4 +34,12 @@ namespace ompl_certificates
         }
         return times;
     }
+
+    std::vector<double> stateTimes(const ompl::control::PathControl &path)
+    {
+        std::vector<double> times(path.getStateCount(), 0.0);
+        for (unsigned int i = 1; i < path.getStateCount(); ++i)
+            times[i] = times[i - 1] + path.getControlDuration(i - 1);
+        return times;
+    }
 }

@@ -294,6 +294,8 @@ namespace ompl_certificates
                                              "a, b.y",      "a, b.yaw",      "truck.car.x",
                                              "truck.car.y", "truck.car.yaw", "truck.trailer.yaw"};
         EXPECT_EQ(coordinateNames(*setup->getStateSpace()), names);
+        EXPECT_EQ(coordinateNames(*plane.getMembers()[2].robot),
+                  (std::vector<std::string>{"car.x", "car.y", "car.yaw", "trailer.yaw"}));
         setup->setup();
         const std::string table = toCsv(ompl::geometric::PathGeometric(setup->getSpaceInformation()));
         EXPECT_EQ(table,

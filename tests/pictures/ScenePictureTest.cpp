@@ -111,6 +111,42 @@ namespace ompl_certificates
             EXPECT_THROW(picture.setPath(*planned.path, {0.0, 1.0}), ompl::Exception);
         }
 
+        TEST(ScenePicture, APathOfControlsHasTheTimesOfItsControls)
+        {
+            const Scene scene = sceneFromYaml(PLANE, "scene", true);
+            const TeamControlSetupPtr setup = scene.makeControlSetup(0.5);
+            const ompl::control::SpaceInformationPtr si = setup->getSpaceInformation();
+            si->setPropagationStepSize(10.0);
+            si->setup();
+            ompl::control::PathControl path(si);
+            ob::ScopedState<> state = scene.makeStart(std::dynamic_pointer_cast<TeamStateSpace>(si->getStateSpace()));
+            ompl::control::Control *control = si->allocControl();
+            double *values = control->as<ompl::control::RealVectorControlSpace::ControlType>()->values;
+            // Both on for 40 s, then one back at half that speed, for 20 s
+            std::fill_n(values, 4, 0.0);
+            values[0] = values[2] = 0.5;
+            for (const unsigned int steps : {4U, 2U})
+            {
+                path.append(state.get(), control, steps * si->getPropagationStepSize());
+                si->propagate(state.get(), control, static_cast<int>(steps), state.get());
+                values[0] = -0.25;
+            }
+            path.append(state.get());
+            si->freeControl(control);
+
+            ScenePicture picture(scene);
+            picture.setPath(path);
+            const std::string svg = picture.toSvg();
+            for (int number = 1; number <= 5; ++number)
+            {
+                const auto places = placesOf(svg, number);
+                ASSERT_EQ(places.size(), 2u) << number;
+                const double x = number < 5 ? 5.0 * number : 17.5;
+                EXPECT_LT((places[0] - Eigen::Vector2d(x, 20)).norm(), 0.01) << number;
+                EXPECT_LT((places[1] - Eigen::Vector2d(5.0 * number, 40)).norm(), 0.01) << number;
+            }
+        }
+
         TEST(ScenePicture, TheLegendTellsWhatIsDrawn)
         {
             const PlannedPath planned(PLANE, {20, 20, 30, 40});

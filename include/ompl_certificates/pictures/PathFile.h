@@ -18,6 +18,10 @@ namespace ompl_certificates
     /** \brief The names of a robot's coordinates: those above without its name */
     std::vector<std::string> coordinateNames(const Robot &robot);
 
+    /** \brief The names of the controls of a team's space, in the order of its control space, such as scout.steering
+        \throws ompl::Exception if it is not a TeamStateSpace of DynamicRobots */
+    std::vector<std::string> controlNames(const ompl::base::StateSpace &space);
+
     /** \brief A path as a table of comma-separated values: a line with the names of the columns, and a line for each
         state. This has the length of the path up to there, in the space's distance, the state's coordinates, and its
         time by stateTimes(), all in full precision. See docs/plan-team.md. */

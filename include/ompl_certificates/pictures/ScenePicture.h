@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
 #include <ompl/base/PlannerData.h>
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
 #include <utility>
@@ -33,6 +34,10 @@ namespace ompl_certificates
         /** \brief The same, with the time of each state: finite, none less than the one before
             \throws ompl::Exception also if there are not as many times as states */
         void setPath(const ompl::geometric::PathGeometric &path, const std::vector<double> &times);
+
+        /** \brief Add a path of controls, with the bodies at equal times
+            \throws ompl::Exception as the first one */
+        void setPath(const ompl::control::PathControl &path);
 
         /** \brief Add a planner's tree, projected to each robot's position in the workspace. Of very large trees every
             n-th edge is drawn.

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_SCENE_
 #define OMPL_CERTIFICATES_SCENE_SCENE_
 
+#include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
@@ -161,6 +162,13 @@ namespace ompl_certificates
         /** \brief A setup of the scene's team among its obstacles, with start and goal */
         TeamSetupPtr makeSetup(Method method = Method::SHARED_PROJECTION,
                                CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
+
+        /** \brief A setup of the scene's team, whose robots move by controls, among its obstacles, with start and goal
+            \param goalTolerance how far from the goal the team may end, in its space's distance
+            \throws ompl::Exception as TeamControlSetup does, such as for a robot that is no DynamicRobot */
+        TeamControlSetupPtr
+        makeControlSetup(double goalTolerance, Method method = Method::SHARED_PROJECTION,
+                         CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
 
         /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone
             \throws ompl::Exception that names the source, the key and the value if there is no robot, or a start or a

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_TEAM_PATH_TIMES_
 
 #include <ompl/base/StateSpace.h>
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace ompl_certificates
 
     /** \brief When the team is at each state of \e path: 0 at the first, later by the motionTime() of each motion */
     std::vector<double> stateTimes(const ompl::geometric::PathGeometric &path);
+
+    /** \brief When a team that moves by controls is at each state of \e path, in seconds: 0 at the first, later by how
+        long each control is held */
+    std::vector<double> stateTimes(const ompl::control::PathControl &path);
 }
 
 #endif

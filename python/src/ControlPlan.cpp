@@ -1,0 +1,91 @@
+#include "ControlPlan.h"
+
+#include <ompl_certificates/team/PathTimes.h>
+
+#include <algorithm>
+#include <limits>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
+#include <sstream>
+
+namespace ompl_certificates_python
+{
+    namespace ob = ompl::base;
+    namespace control = ompl::control;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        /** The path's duration, infinite without one */
+        double durationOf(const ControlPlan &plan)
+        {
+            return plan.solution ? plan.report.cost : std::numeric_limits<double>::infinity();
+        }
+
+        std::string describe(const ControlPlan &plan)
+        {
+            if (!plan.solution)
+                return "<ControlPlan: not solved: " + plan.report.reason + ">";
+            std::ostringstream text;
+            text << "<ControlPlan: solved, " << durationOf(plan) << " s, " << plan.controls.shape(0) << " steps>";
+            return text.str();
+        }
+
+        /** Where the controls bring the team to at some times: one row for each */
+        Doubles controlPlanAt(const ControlPlan &plan, const py::object &times)
+        {
+            if (!plan.solution)
+                throw ompl::Exception("at", "there is no path");
+            // That of the setup may look for proofs, which parts of a step do not need.
+            const TeamPropagator propagator(plan.setup->getSpaceInformation());
+            const ob::StateSpacePtr &space = plan.setup->getStateSpace();
+            return statesAt(times, space, stateTimes(*plan.solution),
+                            [&](unsigned int before, double since, ob::State *state)
+                            {
+                                const ob::State *from = plan.solution->getState(before);
+                                if (since > 0.0)
+                                    propagator.propagate(from, plan.solution->getControl(before), since, state);
+                                else
+                                    space->copyState(state, from);
+                            });
+        }
+    }
+
+    void setSolution(ControlPlan &plan, const control::PathControl &solution)
+    {
+        const auto path = std::make_shared<control::PathControl>(solution);
+        path->interpolate();
+        plan.path = toRows(*plan.setup->getStateSpace(), static_cast<unsigned int>(path->getStateCount()),
+                           [&path](unsigned int i) { return path->getState(i); });
+        plan.times = Doubles(static_cast<py::ssize_t>(path->getStateCount()), stateTimes(*path).data());
+        const auto columns = static_cast<py::ssize_t>(plan.controlNames.size());
+        plan.controls = Doubles({static_cast<py::ssize_t>(path->getControlCount()), columns});
+        double *values = plan.controls.mutable_data();
+        for (unsigned int i = 0; i < path->getControlCount(); ++i)
+            values = std::copy_n(path->getControl(i)->as<control::RealVectorControlSpace::ControlType>()->values,
+                                 columns, values);
+        plan.solution = path;
+    }
+
+    void bindControlPlan(py::module_ &module)
+    {
+        py::class_<ControlPlan> plan(module, "ControlPlan", "What came of a plan by controls");
+        bindOutcome(plan);
+        plan.def("__repr__", &describe)
+            .def_property_readonly("cost", &durationOf,
+                                   "The duration of the path, in seconds; infinite without a solution")
+            .def_readonly("path", &ControlPlan::path,
+                          "The states of the solution, one for each step, of shape (n, coordinates); n is 0 without")
+            .def_readonly("times", &ControlPlan::times, "When the team is at each state, in seconds, of shape (n,)")
+            .def_readonly("controls", &ControlPlan::controls,
+                          "The controls that are held from each state to the next, of shape (n - 1, controls)")
+            .def_readonly("control_names", &ControlPlan::controlNames,
+                          "The names of the columns of controls, such as cart.linear")
+            .def("save", &savePath<ControlPlan>, py::arg("file"),
+                 "Write times, states and controls as a table of comma-separated values (docs/controls.md).")
+            .def(
+                "at", &controlPlanAt, py::arg("times"),
+                "Where the team is at some times, in seconds, of shape (n, coordinates), or for one time "
+                "(coordinates,). Between two states of the path it moves as the controls move it; before the first and "
+                "after the last it rests.");
+    }
+}

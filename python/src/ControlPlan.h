@@ -1,0 +1,35 @@
+#ifndef OMPL_CERTIFICATES_PYTHON_CONTROL_PLAN_
+#define OMPL_CERTIFICATES_PYTHON_CONTROL_PLAN_
+
+#include "Outcome.h"
+
+#include <ompl_certificates/control/TeamControlSetup.h>
+
+#include <memory>
+#include <ompl/control/PathControl.h>
+
+namespace ompl_certificates_python
+{
+    /** \brief What came of a plan by controls. Its path has a state for each step. */
+    struct ControlPlan : Outcome
+    {
+        std::vector<std::string> controlNames;
+
+        /** \brief The controls that are held from each state but the last one on, one in each row */
+        Doubles controls;
+
+        /** \brief Its states are those of path; null without a solution */
+        std::shared_ptr<const ompl::control::PathControl> solution;
+
+        /** \brief What the planner needs to live */
+        ompl_certificates::TeamControlSetupPtr setup;
+    };
+
+    /** \brief Fill in the solution, step by step, with states, times and controls. */
+    void setSolution(ControlPlan &plan, const ompl::control::PathControl &solution);
+
+    /** \brief Adds the class to the module. */
+    void bindControlPlan(py::module_ &module);
+}
+
+#endif

@@ -1,0 +1,193 @@
+#include "Bindings.h"
+#include "Checker.h"
+#include "ControlPlan.h"
+#include "PlanOptions.h"
+#include "Progress.h"
+#include "Quiet.h"
+#include "Rotations.h"
+
+#include <ompl_certificates/control/ControlPlanners.h>
+#include <ompl_certificates/control/Integrator.h>
+#include <ompl_certificates/neighbors/PlannerNeighbors.h>
+#include <ompl_certificates/robots/RigidRobot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+#include <pybind11/stl.h>
+
+namespace ompl_certificates_python
+{
+    namespace ob = ompl::base;
+    using namespace ompl_certificates;
+
+    namespace
+    {
+        struct ControlOptions : PlanOptions
+        {
+            std::string method, motion, nearest;
+            double goalTolerance, step;
+            unsigned int minSteps, maxSteps;
+        };
+
+        /** Refuse what no plan can be made of */
+        void requireSense(const Scene &scene, const ControlOptions &options)
+        {
+            requirePositive(options.seconds, "time");
+            requirePositive(options.goalTolerance, "goal_tolerance", true);
+            requirePositive(options.step, "step", true);
+            if (modeOf(options.motion) == CertificateMotionValidator::CONTINUOUS &&
+                !makesCertificates(methodOf(options.method)))
+                throw ompl::Exception("motion", "continuous needs certificates, which method " + options.method +
+                                                    " does not make");
+            std::string without;
+            for (const Scene::Member &member : scene.getMembers())
+                if (!dynamic_cast<const DynamicRobot *>(member.robot.get()))
+                    without += (without.empty() ? "'" : ", '") + member.robot->getName() + "'";
+            if (!without.empty())
+                throw ompl::Exception(scene.getName(),
+                                      "these robots have no controls: " + without +
+                                          ". Robot.unicycle() and the like do, and load_scene(file, dynamics=True) "
+                                          "reads those of db-CBS");
+        }
+
+        /** The scene with another start and goal, unless these are None */
+        Scene withEnds(const Scene &scene, const py::object &start, const py::object &goal)
+        {
+            const Rotations rotations(*scene.makeTeam());
+            const auto read = [&](const py::object &object, const char *what)
+            {
+                if (object.is_none())
+                    return std::vector<double>();
+                const Doubles values = toDoubles(object, what);
+                requireOneState(values, rotations.count, what);
+                std::vector<double> numbers(values.data(), values.data() + values.size());
+                if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
+                    throw ompl::Exception(what, "all numbers must be finite");
+                rotations.wrapAngles(numbers);
+                return numbers;
+            };
+            const std::vector<double> first = read(start, "start"), last = read(goal, "goal");
+            Scene result = scene.withFirstRobots(0);
+            std::size_t begin = 0;
+            for (Scene::Member member : scene.getMembers())
+            {
+                const std::size_t size = member.start.size();
+                if (!first.empty())
+                    std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(begin), size, member.start.begin());
+                if (!last.empty())
+                    std::copy_n(last.begin() + static_cast<std::ptrdiff_t>(begin), size, member.goal.begin());
+                begin += size;
+                result.addMember(member);
+            }
+            return result;
+        }
+
+        TeamControlSetupPtr makeSetup(const Scene &scene, const ControlOptions &options)
+        {
+            TeamControlSetupPtr setup =
+                scene.makeControlSetup(options.goalTolerance, methodOf(options.method), modeOf(options.motion));
+            setup->getSpaceInformation()->setPropagationStepSize(options.step);
+            setup->getSpaceInformation()->setMinMaxControlDuration(options.minSteps, options.maxSteps);
+            setup->setPlanner(makeControlPlanner(options.planner, setup->getSpaceInformation()));
+            setParameters(*setup->getPlanner(), options);
+            setup->setNearestStructure(nearestStructureOf(options.nearest));
+            return setup;
+        }
+
+        /** Plan, and fill in the report. */
+        void solve(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
+        {
+            Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
+            progress.run(
+                [&]
+                {
+                    setup.setup();
+                    setup.getStatistics().reset();
+                    const auto clock = std::make_shared<NearestClock>();
+                    const bool timed = timeNearest(*setup.getPlanner(), clock);
+                    const ob::PlannerStatus status = setup.solve(progress.condition());
+                    report.solved = status == ob::PlannerStatus::EXACT_SOLUTION;
+                    if (!report.solved)
+                        report.reason = reasonOf(status, *setup.getPlanner());
+                    if (timed)
+                        report.nearestSeconds = clock->getSeconds();
+                });
+            setCounts(report, setup, progress.getEvaluations());
+            if (report.solved)
+                report.cost = setup.getSolutionPath().length();  // its duration
+        }
+
+        ControlPlan planControls(const Scene &original, const ControlOptions &options, const py::object &start,
+                                 const py::object &goal)
+        {
+            requireSense(original, options);
+            const Quiet quiet(ompl::msg::LOG_ERROR);
+            seedRandomNumbers(options.seed);
+            const auto scene = std::make_shared<const Scene>(withEnds(original, start, goal));
+            scene->validate();
+
+            ControlPlan plan;
+            plan.scene = scene;
+            plan.setup = makeSetup(*scene, options);
+            plan.planner = plan.setup->getPlanner();
+            plan.report.scene = scene->getName();
+            plan.report.planner = options.planner;
+            plan.report.method = options.method;
+            plan.report.motion = options.motion;
+            plan.report.objective = "duration";
+            plan.report.seed = options.seed;
+            setNames(plan, *plan.setup->getStateSpace());
+            plan.controlNames = controlNames(*plan.setup->getStateSpace());
+            plan.controls = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(plan.controlNames.size())});
+            solve(*plan.setup, options, plan.report);
+            if (plan.report.solved)
+                setSolution(plan, plan.setup->getSolutionPath());
+            plan.certificates = plan.setup->getTeamChecker()->getCertificates();
+            return plan;
+        }
+
+        /** The parameters of a planner, for a disc that is pushed */
+        py::dict parametersOfControlPlanner(const std::string &name)
+        {
+            const Quiet quiet(ompl::msg::LOG_ERROR);
+            const ob::RealVectorBounds bounds = toBounds({0.0, 0.0}, {1.0, 1.0});
+            Scene scene(name, name, bounds);
+            scene.addMember({Integrator::firstOrder(RigidRobot::inR2("disc", Body::disc(0.1), bounds), bounds),
+                             {0.0, 0.0},
+                             {1.0, 1.0}});
+            return parametersOf(*makeControlPlanner(name, scene.makeControlSetup(0.5)->getSpaceInformation()));
+        }
+    }
+
+    void bindControlPlanning(py::module_ &module)
+    {
+        bindControlPlan(module);
+        module.def("control_planner_names", &controlPlannerNames, "The names of the planners of plan_controls()");
+        module.def("control_planner_parameters", &parametersOfControlPlanner, py::arg("planner"),
+                   "The parameters of a planner of plan_controls(), as planner_parameters() tells them");
+        module.def(
+            "_plan_controls",
+            [](const Scene &scene, const std::string &planner, const std::string &method, double time,
+               std::uint64_t iterations, std::uint32_t seed, const py::object &callback, const std::string &motion,
+               double goalTolerance, const std::string &nearest, const std::map<std::string, py::object> &parameters,
+               const py::object &start, const py::object &goal, double step, unsigned int minSteps,
+               unsigned int maxSteps)
+            {
+                return planControls(scene,
+                                    {{planner, time, iterations, seed, callback, parameters},
+                                     method,
+                                     motion,
+                                     nearest,
+                                     goalTolerance,
+                                     step,
+                                     minSteps,
+                                     maxSteps},
+                                    start, goal);
+            },
+            py::arg("scene"), py::arg("planner"), py::arg("method"), py::arg("time"), py::arg("iterations"),
+            py::arg("seed"), py::arg("callback"), py::arg("motion"), py::arg("goal_tolerance"), py::arg("nearest"),
+            py::arg("parameters"), py::arg("start"), py::arg("goal"), py::arg("step"), py::arg("min_steps"),
+            py::arg("max_steps"));
+    }
+}

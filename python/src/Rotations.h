@@ -1,0 +1,29 @@
+#ifndef OMPL_CERTIFICATES_PYTHON_ROTATIONS_
+#define OMPL_CERTIFICATES_PYTHON_ROTATIONS_
+
+#include <cstddef>
+#include <ompl/base/StateSpace.h>
+#include <vector>
+
+namespace ompl_certificates_python
+{
+    /** \brief Where the angles and quaternions are among the numbers of a space's states */
+    struct Rotations
+    {
+        explicit Rotations(const ompl::base::StateSpace &space);
+
+        /** \brief Bring each angle of a state into [-pi, pi), where OMPL wants it. */
+        void wrapAngles(std::vector<double> &numbers) const;
+
+        /** \brief Where each angle is */
+        std::vector<std::size_t> angles;
+
+        /** \brief Where each quaternion begins */
+        std::vector<std::size_t> quaternions;
+
+        /** \brief How many numbers a state has */
+        std::size_t count{0};
+    };
+}
+
+#endif
