@@ -28,7 +28,8 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
-            shorten the path, steps of the search in a crowd. Each later round does twice as much. */
+            shorten the path, steps of the search in a crowd for all starts and goals. Each later round does twice as
+            much. */
         constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100,
                                CROWD_STEPS = 2000;
 
@@ -49,6 +50,8 @@ namespace ompl_certificates
             LazyConstraintSearch search(roadmaps, start, goal.configuration);
             if (auto path = search.search(steps, condition))
                 return path;
+            if (condition)
+                return std::nullopt;
             TeamRoadmaps::Path path = search.getNearest();
             const TeamRoadmaps::Configuration last = path.back();
             const auto rest =
@@ -219,7 +222,11 @@ namespace ompl_certificates
             goals.push_back({goal, {}});
         for (ProductTree::Goal &goal : goals)
             for (unsigned int robot = 0; robot < goal.configuration.size(); ++robot)
+            {
+                if (condition)
+                    return false;
                 goal.distances.push_back(roadmaps_->getRoadmap(robot).distancesTo(goal.configuration[robot]));
+            }
         tree_->setGoals(std::move(goals));
         return true;
     }
@@ -240,11 +247,14 @@ namespace ompl_certificates
 
     void DRRTstar::searchInCrowd(const ob::PlannerTerminationCondition &condition)
     {
+        const std::uint64_t steps = effort(CROWD_STEPS) / (tree_->getGoals().size() * starts_.size()) + 1;
         for (const ProductTree::Goal &goal : tree_->getGoals())
             for (const Configuration &start : starts_)
             {
+                if (condition)
+                    return;
                 Path path{start};
-                while (const auto rest = findInCrowd(*roadmaps_, path.back(), goal, effort(CROWD_STEPS), condition))
+                while (const auto rest = findInCrowd(*roadmaps_, path.back(), goal, steps, condition))
                 {
                     path.insert(path.end(), rest->begin() + 1, rest->end());
                     if (confirm(path))

@@ -7,12 +7,35 @@
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        /** How many numbers of robots in configurations, and constraints, are kept */
+        constexpr std::size_t MOST_KEPT = 20'000'000;
+    }
+
     LazyConstraintSearch::LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start,
                                                const Configuration &goal)
       : roadmaps_(roadmaps), goal_(goal), distances_(goal.size()), chooser_(roadmaps)
     {
         updateDistances();
         add(start, NONE);
+        if (!isSolvable())
+            stack_.clear();
+    }
+
+    bool LazyConstraintSearch::isSolvable() const
+    {
+        // Motions go both ways, so what holds of the start holds of all configurations.
+        const Configuration &start = nodes_.front().configuration;
+        for (unsigned int robot = 0; robot < start.size(); ++robot)
+            if (!std::isfinite(distances_[robot][start[robot]]))
+                return false;
+        return true;
+    }
+
+    bool LazyConstraintSearch::isFull() const
+    {
+        return nodes_.size() * goal_.size() + constraints_.size() > MOST_KEPT;
     }
 
     void LazyConstraintSearch::add(Configuration configuration, Number parent)
@@ -25,7 +48,7 @@ namespace ompl_certificates
             const double distance = distances_[robot][node.configuration[robot]];
             double &priority = node.priorities[robot];
             // Less than one, so that it only decides between robots that have been on their way for equally long
-            priority = parent == NONE ? distance / (1.0 + distance) : nodes_[parent].priorities[robot];
+            priority = parent == NONE ? 1.0 - 1.0 / (1.0 + distance) : nodes_[parent].priorities[robot];
             if (parent != NONE)
                 priority = node.configuration[robot] == goal_[robot] ? priority - std::floor(priority) : priority + 1.0;
         }
@@ -43,7 +66,7 @@ namespace ompl_certificates
     std::optional<TeamRoadmaps::Path>
     LazyConstraintSearch::search(std::uint64_t steps, const ompl::base::PlannerTerminationCondition &condition)
     {
-        for (std::uint64_t step = 1; step <= steps && !stack_.empty() && !condition; ++step)
+        for (std::uint64_t step = 1; step <= steps && !stack_.empty() && !isFull() && !condition; ++step)
         {
             const Number from = stack_.back();
             if (nodes_[from].configuration == goal_)
@@ -55,7 +78,11 @@ namespace ompl_certificates
             }
             // At steps 16, 32, 64, ...: it costs a search in each roadmap.
             if (step >= 16 && (step & (step - 1)) == 0)
+            {
                 updateDistances();
+                if (!isSolvable())
+                    break;
+            }
             if (!chooseStep(nodes_[from], takeConstraint(nodes_[from])))
                 continue;
             Configuration next = chooser_.getEnd();
@@ -109,16 +136,20 @@ namespace ompl_certificates
 
     TeamRoadmaps::Path LazyConstraintSearch::getNearest() const
     {
-        const auto rest = [this](const Node &node)
+        Number nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (Number number = 0; number < nodes_.size(); ++number)
         {
-            double sum = 0.0;
+            double rest = 0.0;
             for (unsigned int robot = 0; robot < goal_.size(); ++robot)
-                sum += distances_[robot][node.configuration[robot]];
-            return sum;
-        };
-        const auto nearest = std::min_element(nodes_.begin(), nodes_.end(),
-                                              [&](const Node &a, const Node &b) { return rest(a) < rest(b); });
-        return pathTo(static_cast<Number>(nearest - nodes_.begin()));
+                rest += distances_[robot][nodes_[number].configuration[robot]];
+            if (rest < least)
+            {
+                least = rest;
+                nearest = number;
+            }
+        }
+        return pathTo(nearest);
     }
 
     TeamRoadmaps::Path LazyConstraintSearch::pathTo(Number node) const

@@ -15,8 +15,8 @@ namespace ompl_certificates
 
         From each configuration the search goes on by one step at a time. In a step robots go towards their goals, those
         first that have been on their way for longest, and the others make way. Whenever the search comes back to a
-        configuration, a step from there is constrained to be another one: first one robot has to take a given edge,
-        later two, and so on. So in the end all steps are tried, and the search is complete.
+        configuration, a step from there is constrained anew: first one robot has to take a given edge, later two, and
+        so on. So in the end all steps are tried, and the search is complete.
 
         @par External documentation
         K. Okumura, LaCAM: Search-based algorithm for quick multi-agent pathfinding, 2023. */
@@ -29,7 +29,8 @@ namespace ompl_certificates
         LazyConstraintSearch(TeamRoadmaps &roadmaps, const Configuration &start, const Configuration &goal);
 
         /** \brief Try at most that many more steps
-            \return a path; none if the steps are used up, there is no path, or \e condition becomes true */
+            \return a path; none if the steps are used up, there is no path, \e condition becomes true, or the search
+            has taken some 500 MB */
         std::optional<TeamRoadmaps::Path> search(std::uint64_t steps,
                                                  const ompl::base::PlannerTerminationCondition &condition);
 
@@ -75,6 +76,12 @@ namespace ompl_certificates
 
         /** \brief Bring distances_ up to date if motions were found to be blocked */
         void updateDistances();
+
+        /** \brief Whether each robot alone can reach its goal by motions that are not known to be blocked */
+        bool isSolvable() const;
+
+        /** \brief Whether the search has taken all the memory that it may take */
+        bool isFull() const;
 
         TeamRoadmaps::Path pathTo(Number node) const;
 

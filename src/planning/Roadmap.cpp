@@ -112,8 +112,8 @@ namespace ompl_certificates
 
     void Roadmap::refute(const Edge &edge)
     {
+        blocked_ += motions_[edge.motion].knowledge == Knowledge::BLOCKED ? 0 : 1;
         motions_[edge.motion].knowledge = Knowledge::BLOCKED;
-        ++blocked_;
     }
 
     void Roadmap::forgetSwept(Motion motion)

@@ -83,7 +83,7 @@ namespace ompl_certificates
         /** \brief Whether the robot touches no obstacle along an edge from \e from. Checked once, then remembered. */
         bool isFree(Vertex from, const Edge &edge);
 
-        /** \brief How many motions are known to be blocked */
+        /** \brief How many motions were found to be blocked */
         std::size_t countBlocked() const
         {
             return blocked_;

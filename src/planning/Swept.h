@@ -18,7 +18,7 @@ namespace ompl_certificates
         /** \brief Set a ball of the quarters */
         void setQuarter(std::size_t quarter, const Ball &ball);
 
-        /** \brief Whether all balls are apart from those of another motion at the same time
+        /** \brief Whether the balls of the quarters are apart from those of another motion at the same time
             \param isReversed whether one of the two motions goes the other way */
         bool isApartFrom(const Swept &other, bool isReversed) const;
     };

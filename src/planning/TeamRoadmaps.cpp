@@ -159,7 +159,7 @@ namespace ompl_certificates
         const Roadmap::Edge &a = *getRoadmap(first).findEdge(firstFrom, firstTo);
         const Roadmap::Edge &b = *getRoadmap(second).findEdge(secondFrom, secondTo);
         pairMotions_[keyOf(first, firstFrom, a, second, secondFrom, b)] = false;
-        // Where the way back is another curve, it may leave the ball around the way there.
+        // Where the way back is another curve, it may leave the balls around the way there, or these around the other.
         getRoadmap(first).forgetSwept(a.motion);
         getRoadmap(second).forgetSwept(b.motion);
     }

@@ -69,7 +69,7 @@ namespace ompl_certificates
             and all robots stay apart */
         bool isStepFree(const Configuration &from, const Configuration &to);
 
-        /** \brief How many motions are known to be blocked: from time to time, to see whether more are */
+        /** \brief How many motions were found to be blocked: it grows when distances may have changed */
         std::size_t countBlocked() const;
 
         /** \brief Note that a robot is not free in a step, though Roadmap::isFree() said so */
