@@ -32,8 +32,8 @@ namespace ompl_certificates
             \return whether it does */
         bool choose(unsigned int robot, const Roadmap::Edge &edge);
 
-        /** \brief Choose edges for all robots that have none, in this order. A robot that could not make way is not asked
-            to again before its turn comes: else the time would grow exponentially with the number of robots.
+        /** \brief Choose edges for all robots that have none, in this order. A robot that could not make way is not
+            asked to again before its turn comes: else the time would grow exponentially with the number of robots.
             \return false if that fails */
         bool complete(const std::vector<unsigned int> &order, const Rating &rate);
 

@@ -26,8 +26,8 @@ namespace ompl_certificates
         - The roadmaps grow; each round adds twice as many vertices as the one before. Where a robot cannot reach its
           goal in its roadmap, RRTConnect looks for a way of this robot alone, which becomes part of the roadmap.
         - A prioritized search plans robot by robot around those planned before.
-        - As long as there is no solution, a depth-first search (LaCAM) takes one step after the other, in which robots make way
-          for those that have been on their way for longest.
+        - As long as there is no solution, a depth-first search (LaCAM) takes one step after the other, in which robots
+          make way for those that have been on their way for longest.
         - A tree in the tensor product (dRRT*) looks for better solutions, and for the first one, too.
         - A TeamPathSimplifier shortens what was found robot by robot; see setSmoothing().
 
