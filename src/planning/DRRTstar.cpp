@@ -28,10 +28,9 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
-            shorten the path, steps of the search in a crowd for all starts and goals. Each later round does twice as
-            much. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100,
-                               CROWD_STEPS = 2000;
+            shorten the path, steps of the search in a crowd for each robot, and for all starts and goals. Each later
+            round does twice as much. */
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100, CROWD_STEPS = 40;
 
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
@@ -247,7 +246,8 @@ namespace ompl_certificates
 
     void DRRTstar::searchInCrowd(const ob::PlannerTerminationCondition &condition)
     {
-        const std::uint64_t steps = effort(CROWD_STEPS) / (tree_->getGoals().size() * starts_.size()) + 1;
+        const std::uint64_t steps =
+            effort(CROWD_STEPS) * roadmaps_->getRobotCount() / (tree_->getGoals().size() * starts_.size()) + 1;
         for (const ProductTree::Goal &goal : tree_->getGoals())
             for (const Configuration &start : starts_)
             {
