@@ -2,9 +2,14 @@
 
 import pathlib
 import signal
+import threading
+import time
+from typing import Callable
 
 import ompl_certificates as oc
 import pytest
+
+TurnsDuring = Callable[[Callable[[], object]], int]
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -30,3 +35,27 @@ def room() -> oc.Scene:
         body = oc.Body.disc(0.5)
         scene.add_robot(oc.Robot.rigid(name, body, [0, 0], [10, 10], turns=False), start, goal)
     return scene
+
+
+@pytest.fixture()
+def turns_during() -> TurnsDuring:
+    """How often another thread of Python, which sleeps for a millisecond each time, gets its turn during a call"""
+
+    def count(call: Callable[[], object]) -> int:
+        turns = 0
+
+        def work() -> None:
+            nonlocal turns
+            while not done.is_set():
+                turns += 1
+                time.sleep(0.001)
+
+        done = threading.Event()
+        thread = threading.Thread(target=work)
+        thread.start()
+        call()
+        done.set()
+        thread.join()
+        return turns
+
+    return count

@@ -13,6 +13,7 @@ from typing import Any, Dict, List
 import numpy as np
 import ompl_certificates as oc
 import pytest
+from conftest import TurnsDuring
 from test_view import floats, shown_in
 
 LOW, HIGH = [0, 0], [6, 4]
@@ -308,19 +309,5 @@ def test_callback_and_interrupt_end_the_plan(closed: oc.Scene) -> None:
     assert time.monotonic() - begin < 20
 
 
-def test_python_runs_while_it_is_planned(closed: oc.Scene) -> None:
-    turns = 0
-
-    def work() -> None:
-        nonlocal turns
-        while not done.is_set():
-            turns += 1
-            time.sleep(0.001)
-
-    done = threading.Event()
-    thread = threading.Thread(target=work)
-    thread.start()
-    oc.plan_controls(closed, time=0.5, motion="continuous")
-    done.set()
-    thread.join()
-    assert turns > 50
+def test_python_runs_while_it_is_planned(closed: oc.Scene, turns_during: TurnsDuring) -> None:
+    assert turns_during(lambda: oc.plan_controls(closed, time=0.5, motion="continuous")) > 50

@@ -13,6 +13,7 @@ from typing import Dict, List, Tuple
 import numpy as np
 import ompl_certificates as oc
 import pytest
+from conftest import TurnsDuring
 from ompl_certificates import Parameter
 
 MANY_THREADS = ("AnytimePathShortening", "CForest", "DRRTstar", "PRMstar", "SPARS", "pRRT", "pSBL")
@@ -198,22 +199,8 @@ def test_interrupt_ends_the_plan(room: oc.Scene, planner: str) -> None:
     timer.join()
 
 
-def test_python_runs_while_it_is_planned(room: oc.Scene) -> None:
-    turns = 0
-
-    def work() -> None:
-        nonlocal turns
-        while not done.is_set():
-            turns += 1
-            time.sleep(0.001)
-
-    done = threading.Event()
-    thread = threading.Thread(target=work)
-    thread.start()
-    oc.plan(room, "RRTstar", time=0.5)
-    done.set()
-    thread.join()
-    assert turns > 50
+def test_python_runs_while_it_is_planned(room: oc.Scene, turns_during: TurnsDuring) -> None:
+    assert turns_during(lambda: oc.plan(room, "RRTstar", time=0.5)) > 50
 
 
 def test_checker_plans_again_in_a_changed_world(room: oc.Scene) -> None:
