@@ -40,6 +40,7 @@ namespace
         double time{10.0};
         std::size_t states{500}, motions{50};
         unsigned int seed{1};
+        double range{0.0};
     };
 
     void declare(CLI::App &app, Options &options)
@@ -57,6 +58,8 @@ namespace
         benchmarks::addPositive(app, "--states", options.states, "Random states to check in each scene");
         benchmarks::addPositive(app, "--motions", options.motions, "Random motions to check in each scene");
         benchmarks::addPositive(app, "--seed", options.seed, "Seed of all plans");
+        app.add_option("--range", options.range,
+                       "The length of the planners' steps; by default Arm::getPlannerRange()");
         app.footer(
             "An interrupt ends it after the present row, with the means of what is done.\n"
             "Returns 1 if a tree or a verdict differs from that of FCL alone, 2 for bad input.");
@@ -84,6 +87,7 @@ namespace
             task.iterations = 1000000000;
             task.seconds = options.time;
             task.seed = options.seed;
+            task.range = options.range;
             task.keepGoing = false;
             const benchmarks::PlanResult result = benchmarks::run(task);
             planSeconds.push_back(result.totalSeconds);

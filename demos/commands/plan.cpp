@@ -189,11 +189,12 @@ namespace
             {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
         if (!isMoveItScene(options.scene))
         {
+            SceneFile scene = readSceneFile(options.scene);
             for (const auto &[option, file] : files)
                 if (!file.empty())
                     throw ompl::Exception(option,
                                           "is for planning scenes of MoveIt, which " + options.scene + " is not");
-            return readSceneFile(options.scene);
+            return scene;
         }
         for (const auto &[option, file] : files)
             if (file.empty())

@@ -1,5 +1,7 @@
 #include "Arrays.h"
 
+#include "Rotations.h"
+
 #include <cmath>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -22,7 +24,7 @@ namespace ompl_certificates_python
         /** The rotation of a quaternion or matrix that may be rounded, made exact */
         Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion)
         {
-            if (!(std::abs(quaternion.norm() - 1.0) < 1e-6))
+            if (!(std::abs(quaternion.norm() - 1.0) <= Rotations::QUATERNION_ROUNDING))
                 throw ompl::Exception("pose",
                                       "a quaternion must have length 1, not " + std::to_string(quaternion.norm()));
             return quaternion.normalized().toRotationMatrix();

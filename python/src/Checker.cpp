@@ -1,7 +1,6 @@
 #include "Checker.h"
 #include "Signals.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,12 +11,6 @@ namespace ompl_certificates_python
 {
     namespace ob = ompl::base;
     using namespace ompl_certificates;
-
-    namespace
-    {
-        /** How much the length of a quaternion may differ from 1 */
-        constexpr double QUATERNION_ROUNDING = 1e-6;
-    }
 
     CertificateMotionValidator::Mode modeOf(const std::string &motion)
     {
@@ -45,15 +38,8 @@ namespace ompl_certificates_python
             std::copy_n(values, numbers_.size(), numbers_.begin());
             checker_.rotations_.wrapAngles(numbers_);
             // OMPL takes no rounded quaternions, and Debian's aborts.
-            for (const std::size_t i : checker_.rotations_.quaternions)
-            {
-                Eigen::Map<Eigen::Vector4d> quaternion(&numbers_[i]);
-                const double length = quaternion.norm();
-                if (!(std::abs(length - 1.0) <= QUATERNION_ROUNDING))
-                    return nullptr;
-                if (std::abs(length - 1.0) > 1e-10)
-                    quaternion /= length;
-            }
+            if (checker_.rotations_.normalizeQuaternions(numbers_) != 1.0)
+                return nullptr;
             for (std::size_t i = 0; i < addresses_.size(); ++i)
                 *addresses_[i] = numbers_[i];
             return state_.get();
@@ -103,7 +89,7 @@ namespace ompl_certificates_python
             {
                 const double *q = states.data() + row * rotations_.count + i;
                 const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-                if (std::abs(length - 1.0) > QUATERNION_ROUNDING)
+                if (std::abs(length - 1.0) > Rotations::QUATERNION_ROUNDING)
                     throw ompl::Exception(what, (dimensions == 1 ? "" : "row " + std::to_string(row) + ": ") +
                                                     "a quaternion must have length 1, not " + std::to_string(length));
             }

@@ -1,5 +1,6 @@
 #include "Rotations.h"
 
+#include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <ompl/base/StateSpaceTypes.h>
@@ -45,5 +46,19 @@ namespace ompl_certificates_python
                 const double angle = std::remainder(numbers[i], 2.0 * pi);
                 numbers[i] = angle == pi ? -pi : angle;
             }
+    }
+
+    double Rotations::normalizeQuaternions(std::vector<double> &numbers) const
+    {
+        for (const std::size_t i : quaternions)
+        {
+            Eigen::Map<Eigen::Vector4d> quaternion(&numbers[i]);
+            const double length = quaternion.norm();
+            if (!(std::abs(length - 1.0) <= QUATERNION_ROUNDING))
+                return length;
+            if (std::abs(length - 1.0) > 1e-10)
+                quaternion /= length;
+        }
+        return 1.0;
     }
 }

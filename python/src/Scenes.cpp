@@ -120,7 +120,14 @@ namespace ompl_certificates_python
             for (auto *coordinates : {&start, &goal})
                 // Another number of them is refused below.
                 if (coordinates->size() == rotations.count)
+                {
                     rotations.wrapAngles(*coordinates);
+                    const double length = rotations.normalizeQuaternions(*coordinates);
+                    if (length != 1.0)
+                        refuse(coordinates == &start ? "start: a quaternion must have length 1"
+                                                     : "goal: a quaternion must have length 1",
+                               length);
+                }
             scene.addMember({robot, start, goal, weight});
         }
 

@@ -36,11 +36,18 @@ namespace ompl_certificates_python
 
     ObstaclesPtr World::getObstacles() const
     {
+        // Who adds a cloud for each scan and clears the last one should not pay for all that there were.
+        const auto isEmpty = [](const Sensed &sensed)
+        {
+            const auto *cloud = dynamic_cast<const PointCloudObstacles *>(sensed.obstacles.get());
+            return cloud && cloud->size() == 0;
+        };
         std::vector<ObstaclesPtr> all;
-        if (bodies_.size() > 0 || sensed_.empty())
-            all.push_back(bodiesNow_);
         for (const Sensed &sensed : sensed_)
-            all.push_back(sensed.obstacles);
+            if (!isEmpty(sensed))
+                all.push_back(sensed.obstacles);
+        if (bodies_.size() > 0 || all.empty())
+            all.insert(all.begin(), bodiesNow_);
         return all.size() == 1 ? all.front() : std::make_shared<MixedObstacles>(all);
     }
 

@@ -92,6 +92,17 @@ def test_angles_wrap_and_quaternions_have_length_one() -> None:
     with pytest.raises(oc.Error, match="^states: row 1: a quaternion must have length 1, not 2"):
         oc.Checker(space).is_valid([[1, 1, 1, 0, 0, 0, 1], [1, 1, 1, 0, 0, 0, 2]])
 
+    # Starts, goals and states may be rounded, as people write them down.
+    for digits in (0.707, 0.7071, 0.70710678):
+        written = oc.Scene([0] * 3, [10] * 3)
+        written.add_robot(box, [1, 1, 1, 0, 0, digits, digits], [9, 9, 9, digits, 0, 0, digits])
+        written.validate()
+        plan = oc.plan(written, "RRTConnect", time=5)
+        assert plan.solved and abs(np.linalg.norm(plan.path[0][3:]) - 1) < 1e-9
+        assert oc.Checker(written).is_valid([1, 1, 1, 0, 0, digits, digits])
+    with pytest.raises(oc.Error, match="robot 'box': goal: a quaternion must have length 1, not 1.41"):
+        oc.Scene([0] * 3, [10] * 3).add_robot(box, [1, 1, 1, 0, 0, 0, 1], [9, 9, 9, 1, 0, 0, 1])
+
     # Those of single precision are not quite of length 1, for which OMPL would end the program.
     space.add_obstacle(oc.Body.box(3, 3, 3), (5, 5, 5))
     poses = np.random.default_rng(1).normal(size=(200, 7))

@@ -207,3 +207,22 @@ def test_the_team_is_no_part_of_what_it_sees(dimension: int) -> None:
         checker.without_robots(np.zeros((3, 4)), scene.start)
     with pytest.raises(oc.Error, match="padding"):
         checker.without_robots(points, scene.start, padding=-1.0)
+
+
+def test_clouds_that_are_empty_are_in_nobodys_way() -> None:
+    scene, first = world(3, np.array([[2.0, 5, 5]]))
+    checker = oc.Checker(scene)
+    here, there = [2, 5, 5], [5, 5, 5]
+    for _ in range(3):
+        scan = checker.add_cloud([[2, 2, 2]], RADIUS)
+        assert not checker.is_valid([2, 2, 2])
+        checker.change_cloud(scan, clear=([0, 0, 0], [3, 3, 3]))
+        assert checker.is_valid([2, 2, 2])
+    assert not checker.is_valid(here) and not checker.is_valid(there)
+    checker.change_cloud(first, remove=[[2, 5, 5]])
+    assert checker.is_valid(here) and not checker.is_valid(there)
+    checker.remove_obstacle(0)
+    assert checker.is_valid([here, there]).all()
+    checker.change_cloud(scan, insert=[[2, 2, 2]])
+    assert not checker.is_valid([2, 2, 2]) and checker.is_valid(here)
+    assert "cloud 3" in checker.describe_collision([2, 2, 2])

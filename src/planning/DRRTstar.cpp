@@ -178,11 +178,13 @@ namespace ompl_certificates
 
     void DRRTstar::planTogether(const ob::PlannerTerminationCondition &condition)
     {
+        const auto &team = *si_->getStateSpace()->as<TeamStateSpace>();
         auto problem = std::make_shared<ob::ProblemDefinition>(si_);
         for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
             problem->addStartState(pdef_->getStartState(i));
         problem->setGoal(pdef_->getGoal());
-        if (const auto path = planByRRTConnect(problem, TEAM_ITERATIONS[roadmaps_->getRobotCount()], condition))
+        if (const auto path =
+                planByRRTConnect(problem, team.getPlannerRange(), TEAM_ITERATIONS[team.getRobotCount()], condition))
         {
             report(*path);
             shorten(*path, condition);

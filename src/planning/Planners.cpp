@@ -3,7 +3,9 @@
 #include "Suggestion.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/team/TeamStateSpace.h"
 
+#include <boost/lexical_cast.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -48,6 +50,7 @@
 #include <ompl/geometric/planners/sbl/pSBL.h>
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
+#include <ompl/tools/config/MagicConstants.h>
 #include <ompl/util/Exception.h>
 #include <utility>
 
@@ -242,7 +245,22 @@ namespace ompl_certificates
 
     ob::PlannerPtr makePlanner(const std::string &name, const ob::SpaceInformationPtr &si, const SolveHooks &hooks)
     {
-        return find(name).make(si, hooks);
+        ob::PlannerPtr planner = find(name).make(si, hooks);
+        configureRange(*planner);
+        return planner;
+    }
+
+    void configureRange(ob::Planner &planner)
+    {
+        const ob::SpaceInformation &si = *planner.getSpaceInformation();
+        const auto *team = dynamic_cast<const TeamStateSpace *>(si.getStateSpace().get());
+        std::string present;
+        if (!team || !planner.params().getParam("range", present) || std::stod(present) != 0.0)
+            return;
+        // Where the two are equal it is left to OMPL, to the last bit.
+        const double range = team->getPlannerRange();
+        if (range < (1.0 - 1e-9) * ompl::magic::MAX_MOTION_LENGTH_AS_SPACE_EXTENT_FRACTION * team->getMaximumExtent())
+            planner.params().setParam("range", boost::lexical_cast<std::string>(range));
     }
 
     void setParameter(ob::Planner &planner, const std::string &key, const std::string &value)

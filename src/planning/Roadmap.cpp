@@ -223,7 +223,8 @@ namespace ompl_certificates
         auto problem = std::make_shared<ob::ProblemDefinition>(si);
         problem->setStartAndGoalStates(ob::ScopedState<>(si->getStateSpace(), states_[start]),
                                        ob::ScopedState<>(si->getStateSpace(), states_[goal]));
-        const auto path = planByRRTConnect(problem, iterations, condition);
+        const auto path = planByRRTConnect(
+            problem, validator_.getChecker().getTeam().getRobot(robot_).getPlannerRange(), iterations, condition);
         if (!path)
             return false;
         Vertex last = start;

@@ -1,6 +1,7 @@
 #include "ompl_certificates/planning/TeamSetup.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/planning/TeamPathSimplifier.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -181,6 +182,8 @@ namespace ompl_certificates
         choosePlanner();
         if (!planner_ || !planner_->isSetup())
             chooseObjective();
+        if (planner_ && !planner_->isSetup())
+            configureRange(*planner_);
         SimpleSetup::setup();
         if (nearestStructure_ == NearestStructure::KD_TREE)
             useKdTree(*planner_);

@@ -4,6 +4,7 @@
 #include "SpaceBounds.h"
 
 #include <algorithm>
+#include <ompl/tools/config/MagicConstants.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -61,6 +62,11 @@ namespace ompl_certificates
                                            [](const JointChain &a, const JointChain &b)
                                            { return a.getJointCount() < b.getJointCount(); });
         return static_cast<std::size_t>(chains.rend() - last) - 1;
+    }
+
+    double Arm::getPlannerRange() const
+    {
+        return ompl::magic::MAX_MOTION_LENGTH_AS_SPACE_EXTENT_FRACTION * model_->steeringExtent();
     }
 
     Pose Arm::getLinkPose(const ob::State *state, const std::string &link) const

@@ -112,6 +112,32 @@ namespace ompl_certificates
         space = isPlain_ ? compound->getSubspace(0) : compound;
     }
 
+    double ArmModel::steeringExtent() const
+    {
+        double extent = 0.0;
+        for (std::size_t i = 0, joint = 0; i < components_.size(); ++i)
+        {
+            const ob::StateSpace &component =
+                isPlain_ ? *space : *space->as<ob::CompoundStateSpace>()->getSubspaces()[i];
+            if (!isLimited(components_[i].type))
+            {
+                extent += component.getMaximumExtent();
+                ++joint;
+                continue;
+            }
+            double squares = 0.0;
+            for (std::size_t last = joint + components_[i].coordinates; joint < last; ++joint)
+            {
+                const KinematicTree::Joint &description = tree.getLinks()[tree.getChildOf(group[joint])].joint;
+                const double width = description.upper - description.lower;
+                const double counted = description.type == JointType::REVOLUTE ? std::min(width, M_PI) : width;
+                squares += counted * counted;
+            }
+            extent += std::sqrt(squares);
+        }
+        return extent;
+    }
+
     void ArmModel::makeBodies()
     {
         std::vector<bool> owned(tree.getLinks().size(), !options.links);

@@ -45,6 +45,9 @@ namespace ompl_certificates
         /** \brief The frames of a state, in memory of this thread: valid until the next call */
         const JointFrames::Frame *framesOf(const ompl::base::State *state) const;
 
+        /** \brief The extent of the space, if a REVOLUTE joint had limits of half a turn at most */
+        double steeringExtent() const;
+
         /** \brief See Arm::computePoseBatch() */
         PoseError computePoseBatch(const ompl::base::State *const *states, PoseBatch *poses) const;
 

@@ -1,6 +1,7 @@
 #include "ompl_certificates/robots/Robot.h"
 
 #include <algorithm>
+#include <ompl/tools/config/MagicConstants.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -27,6 +28,11 @@ namespace ompl_certificates
         // Those who use joint cells read values by their locations.
         if (!bodyPairs_.empty())
             space_->computeLocations();
+    }
+
+    double Robot::getPlannerRange() const
+    {
+        return ompl::magic::MAX_MOTION_LENGTH_AS_SPACE_EXTENT_FRACTION * space_->getMaximumExtent();
     }
 
     void Robot::placeBodies(const ompl::base::State *state, Pose *poses) const

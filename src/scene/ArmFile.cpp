@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/join.hpp>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -37,17 +38,26 @@ namespace ompl_certificates
             return keys;
         }
 
-        void remove(std::vector<LinkPair> &pairs, const LinkPair &pair)
+        void remove(std::vector<LinkPair> &pairs, const std::set<LinkPair> &removed)
         {
-            pairs.erase(std::remove(pairs.begin(), pairs.end(), pair), pairs.end());
+            pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                                       [&](const LinkPair &pair) { return removed.count(pair) > 0; }),
+                        pairs.end());
         }
 
-        /** The pairs that \e attached must not be checked in */
+        /** The pairs that \e attached must not be checked in. Bodies that one link carries may touch each other, as
+            they do for MoveIt: they never move against each other. */
         bool mayTouch(const std::vector<AttachedBody> &attached, const LinkPair &pair)
         {
-            const auto allows = [](const AttachedBody &body, const std::string &other)
+            const auto areCarriedTogether = [&](const AttachedBody &body, const std::string &other)
             {
-                return other == body.link ||
+                return std::any_of(attached.begin(), attached.end(),
+                                   [&](const AttachedBody &another)
+                                   { return another.name == other && another.link == body.link; });
+            };
+            const auto allows = [&](const AttachedBody &body, const std::string &other)
+            {
+                return other == body.link || areCarriedTogether(body, other) ||
                        std::find(body.touchLinks.begin(), body.touchLinks.end(), other) != body.touchLinks.end();
             };
             return std::any_of(attached.begin(), attached.end(),
@@ -157,30 +167,37 @@ namespace ompl_certificates
                                    [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
                     pairs.end());
         const Arm all(names, tree, joints, options);
+        std::set<LinkPair> apart;
         std::vector<std::string> together;
         for (const auto &[pair, collides] : pairsThatStay(all))
             if (!collides)
-                remove(pairs, pair);
+                apart.insert(pair);
             else
                 together.push_back(nameOf(pair));
+        remove(pairs, apart);
         if (!sampled && !together.empty())
             notes.push_back(names + ": these links collide in all states, and " +
                             (settings.mayTouch ? "may not: " : "the SRDF file does not allow it: ") +
                             boost::algorithm::join(together, ", "));
         if (sampled)
         {
+            const std::vector<LinkPair> always = pairsThatAlwaysCollide(all);
+            remove(pairs, {always.begin(), always.end()});
             std::vector<std::string> colliding;
-            for (const LinkPair &pair : pairsThatAlwaysCollide(all))
-            {
-                remove(pairs, pair);
+            colliding.reserve(always.size());
+            for (const LinkPair &pair : always)
                 colliding.push_back(nameOf(pair));
-            }
             notes.push_back(names + ": without an SRDF file, " + std::to_string(pairs.size()) +
                             " pairs of links are checked against each other" +
                             (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
                             boost::algorithm::join(colliding, ", "));
         }
         return options;
+    }
+
+    std::string ArmFile::getParentFrame() const
+    {
+        return semantics_->virtualJoint ? semantics_->virtualJoint->parentFrame : "";
     }
 
     std::shared_ptr<const Arm> ArmFile::makeArm(const std::string &name, const std::string &group,

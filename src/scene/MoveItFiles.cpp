@@ -2,6 +2,7 @@
 
 #include "MoveItMessages.h"
 #include "MoveItPlanes.h"
+#include "SrdfReader.h"
 #include "YamlText.h"
 #include "certificates/WholeFile.h"
 
@@ -28,10 +29,12 @@ namespace ompl_certificates
         using Pair = std::pair<std::string, std::string>;
 
         /** The poses of frames that obstacles can be in */
-        Frames readFrames(const YamlNode &root, const KinematicTree &tree, const MoveItRobotState &state)
+        Frames readFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state)
         {
+            const KinematicTree &tree = robot.getTree();
             Frames frames{{"", Pose::Identity()},
-                          {tree.getLinks().front().name, state.base.value_or(Pose::Identity())}};
+                          {tree.getLinks().front().name, state.base.value_or(Pose::Identity())},
+                          {robot.getParentFrame(), Pose::Identity()}};
             std::string planningFrame;
             for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
             {
@@ -111,7 +114,7 @@ namespace ompl_certificates
                 if (value.boolean())
                     value.fail("names that may touch everything are not supported");
             const auto rows = matrix.at("entry_values").items(names.size(), names.size());
-            std::set<Pair> allowed;
+            std::set<Pair> allowed, forbidden;
             for (std::size_t i = 0; i < rows.size(); ++i)
             {
                 if (rows[i].isMap())
@@ -120,12 +123,20 @@ namespace ompl_certificates
                     (rows[i].isMap() ? rows[i].at("enabled") : rows[i]).items(names.size(), names.size());
                 for (std::size_t k = 0; k < values.size(); ++k)
                 {
-                    if (!values[k].boolean())
-                        continue;
+                    const bool mayTouch = values[k].boolean();
                     for (const auto &[obstacle, link] : {Pair{names[i], names[k]}, {names[k], names[i]}})
-                        if (obstacles.count(obstacle) > 0 && isRobot(link))
+                        if (mayTouch && obstacles.count(obstacle) > 0 && isRobot(link))
                             values[k].fail("obstacle '" + obstacle + "' that '" + link +
                                            "' may touch is not supported");
+                    const Pair pair = std::minmax(names[i], names[k]);
+                    if ((mayTouch ? forbidden : allowed).count(pair) > 0)
+                        values[k].fail("must be as for '" + names[k] + "' and '" + names[i] +
+                                       "': the matrix must be symmetric");
+                    if (!mayTouch)
+                    {
+                        forbidden.insert(pair);
+                        continue;
+                    }
                     allowed.insert({names[i], names[k]});
                     allowed.insert({names[k], names[i]});
                 }
@@ -164,7 +175,9 @@ namespace ompl_certificates
             const auto found = values.find(name);
             if (found == values.end())
                 node.fail("has no position of joint '" + name + "'");
-            if (joint.type != JointType::CONTINUOUS || (found->second >= -M_PI && found->second < M_PI))
+            if (joint.type != JointType::CONTINUOUS)
+                return withinLimits(joint, found->second);
+            if (found->second >= -M_PI && found->second < M_PI)
                 return found->second;
             const double angle = std::remainder(found->second, 2.0 * M_PI);
             return angle < M_PI ? angle : -M_PI;
@@ -253,9 +266,12 @@ namespace ompl_certificates
             return bounds;
         }
 
-        /** Let what \e start says overrule \e state. */
+        /** Let what \e start says overrule \e state. If it says that it is no difference, the robot holds only what it
+            names. */
         void merge(const MoveItRobotState &start, MoveItRobotState &state)
         {
+            if (start.isWhole)
+                state.attached.clear();
             for (const auto &[joint, value] : start.joints)
                 state.joints[joint] = value;
             if (start.base)
@@ -316,7 +332,7 @@ namespace ompl_certificates
         MoveItRobotState state;
         if (root.has("robot_state"))
             state = readMoveItRobotState(root.at("robot_state"), tree, folder);
-        const World world = readWorld(root.at("world"), readFrames(root, tree, state), folder);
+        const World world = readWorld(root.at("world"), readFrames(root, robot, state), folder);
 
         if (wish.has("start_state"))
             merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);

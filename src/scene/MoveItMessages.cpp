@@ -281,7 +281,9 @@ namespace ompl_certificates
         if (!node.has("header"))
             return "";
         node.at("header").allow({"seq", "stamp", "frame_id"});
-        return moveItText(node.at("header"), "frame_id");
+        // Frames had a slash at first.
+        const std::string frame = moveItText(node.at("header"), "frame_id");
+        return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame;
     }
 
     void refuse(const YamlNode &node, const std::vector<std::string> &keys)
@@ -331,6 +333,7 @@ namespace ompl_certificates
     {
         node.allow({"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
         MoveItRobotState state;
+        state.isWhole = node.has("is_diff") && !node.at("is_diff").boolean();
         if (node.has("joint_state"))
             readJointState(node.at("joint_state"), tree, state);
         if (node.has("multi_dof_joint_state"))

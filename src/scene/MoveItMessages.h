@@ -23,6 +23,9 @@ namespace ompl_certificates
 
         /** \brief The objects that it holds */
         std::vector<AttachedBody> attached;
+
+        /** \brief Whether it says that it is no difference to another state */
+        bool isWhole{false};
     };
 
     /** \brief An object of MoveIt: its shapes and planes, each at its pose in the object's header frame */

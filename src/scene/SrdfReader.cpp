@@ -121,12 +121,26 @@ namespace ompl_certificates
             std::map<std::string, Node> nodes_;
         };
 
+        bool isLimited(const KinematicTree::Joint &joint)
+        {
+            return joint.type == KinematicTree::JointType::REVOLUTE ||
+                   joint.type == KinematicTree::JointType::PRISMATIC;
+        }
+
         bool canMove(const KinematicTree::Joint &joint)
         {
-            using Type = KinematicTree::JointType;
-            const bool limited = joint.type == Type::REVOLUTE || joint.type == Type::PRISMATIC;
-            return joint.type != Type::FIXED && !joint.mimic && (!limited || joint.lower < joint.upper);
+            return joint.type != KinematicTree::JointType::FIXED && !joint.mimic &&
+                   (!isLimited(joint) || joint.lower < joint.upper);
         }
+    }
+
+    double withinLimits(const KinematicTree::Joint &joint, double value)
+    {
+        constexpr double ROUNDING = 1e-3;
+        if (!isLimited(joint))
+            return value;
+        const double nearest = std::clamp(value, joint.lower, joint.upper);
+        return std::abs(value - nearest) <= ROUNDING ? nearest : value;
     }
 
     SrdfModel::SrdfModel(const KinematicTree &tree)
@@ -141,6 +155,8 @@ namespace ompl_certificates
     {
         const XmlFile xml(file, "robot");
         const Node root = xml.getRoot();
+        if (xml.hasPrefix("xacro:"))
+            xml.fail("is a xacro file; expand it first");
         if (const std::string name = root.attribute("name").value(); name != robot)
             notes.push_back(file + ": describes robot '" + name + "', not '" + robot + "'");
         const std::string &rootLink = tree.getLinks().front().name;
@@ -205,7 +221,7 @@ namespace ompl_certificates
                 else if (!parseNumber(text, value) || !std::isfinite(value))
                     xml.fail(child, "joint '" + *joint + "', value: must be a finite number, not '" + text + "'");
                 else
-                    values[*joint] = value;
+                    values[*joint] = withinLimits(tree.getLinks()[tree.getChildOf(*joint)].joint, value);
             }
         }
         Names missing;

@@ -12,6 +12,10 @@
 
 namespace ompl_certificates
 {
+    /** \brief The value of a joint as a file has it, which may be rounded to three or four digits: if it is beyond a
+        limit by no more than that, the limit */
+    double withinLimits(const KinematicTree::Joint &joint, double value);
+
     /** \brief What an SRDF file says about the robot of a URDF file */
     struct SrdfModel
     {
@@ -39,7 +43,7 @@ namespace ompl_certificates
         /** \brief The values of the joints in each state of a group, by group and state. */
         std::map<std::string, std::map<std::string, std::map<std::string, double>>> states;
 
-        /** \brief The joint between the root and the world, if there is one that moves */
+        /** \brief The joint between the root and the world, if there is one */
         std::optional<VirtualJoint> virtualJoint;
 
         /** \brief What a user should know, one line each */

@@ -163,8 +163,11 @@ namespace ompl_certificates
         if (const auto rest = after("package://", name))
         {
             const std::size_t slash = rest->find('/');
+            // Two slashes are as good as one.
+            const std::size_t begin = rest->find_first_not_of('/', slash);
             const std::string package = rest->substr(0, slash),
-                              path = slash == std::string::npos ? "" : rest->substr(slash + 1);
+                              path =
+                                  begin == std::string::npos || slash == std::string::npos ? "" : rest->substr(begin);
             if (const auto known = options_.packages.find(package); known != options_.packages.end())
             {
                 if (!isFile(fs::path(known->second) / path))

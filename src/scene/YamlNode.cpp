@@ -163,10 +163,12 @@ namespace ompl_certificates
 
     bool YamlNode::boolean() const
     {
+        // All spellings of YAML's core schema; Python writes True.
         const std::string value = text();
-        if (value != "true" && value != "false")
+        const bool isTrue = value == "true" || value == "True" || value == "TRUE";
+        if (!isTrue && value != "false" && value != "False" && value != "FALSE")
             fail("must be true or false, not " + describe());
-        return value == "true";
+        return isTrue;
     }
 
     double YamlNode::number() const

@@ -8,9 +8,13 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Takes no notice of what a document holds. */
+        /** Takes no notice of what a document holds, but whether it holds anything. */
         class Ignored : public YAML::EventHandler
         {
+        public:
+            bool isEmpty{true};
+
+        private:
             void OnDocumentStart(const YAML::Mark & /*mark*/) override
             {
             }
@@ -22,14 +26,17 @@ namespace ompl_certificates
             }
             void OnAlias(const YAML::Mark & /*mark*/, YAML::anchor_t /*anchor*/) override
             {
+                isEmpty = false;
             }
             void OnScalar(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                           const std::string & /*value*/) override
             {
+                isEmpty = false;
             }
             void OnSequenceStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                                  YAML::EmitterStyle::value /*style*/) override
             {
+                isEmpty = false;
             }
             void OnSequenceEnd() override
             {
@@ -37,6 +44,7 @@ namespace ompl_certificates
             void OnMapStart(const YAML::Mark & /*mark*/, const std::string & /*tag*/, YAML::anchor_t /*anchor*/,
                             YAML::EmitterStyle::value /*style*/) override
             {
+                isEmpty = false;
             }
             void OnMapEnd() override
             {
@@ -54,7 +62,9 @@ namespace ompl_certificates
             Ignored ignored;
             if (!parser.HandleNextDocument(ignored))
                 throw ompl::Exception(source, "is empty");
-            if (parser.HandleNextDocument(ignored))
+            // rostopic echo ends each message with the beginning of another document.
+            Ignored second;
+            if (parser.HandleNextDocument(second) && (!second.isEmpty || parser.HandleNextDocument(ignored)))
                 throw ompl::Exception(source, "must hold one YAML document, not several");
             return YamlNode(YAML::Load(text), "", source);
         }

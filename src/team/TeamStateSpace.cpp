@@ -135,15 +135,26 @@ namespace ompl_certificates
         return metric_ == SUM ? Composition::SUM : Composition::EUCLIDEAN;
     }
 
-    double TeamStateSpace::getMaximumExtent() const
+    double TeamStateSpace::combine(const std::function<double(unsigned int)> &lengthOf) const
     {
-        if (metric_ == SUM)
-            return CompoundStateSpace::getMaximumExtent();
-        double squares = 0.0;
+        double sum = 0.0;
         for (unsigned int i = 0; i < componentCount_; ++i)
             if (weights_[i] >= std::numeric_limits<double>::epsilon())  // 0 times infinity is NaN
-                squares += std::pow(weights_[i] * components_[i]->getMaximumExtent(), 2);
-        return std::sqrt(squares);
+            {
+                const double length = weights_[i] * lengthOf(i);
+                sum += metric_ == SUM ? length : length * length;
+            }
+        return metric_ == SUM ? sum : std::sqrt(sum);
+    }
+
+    double TeamStateSpace::getMaximumExtent() const
+    {
+        return combine([this](unsigned int robot) { return components_[robot]->getMaximumExtent(); });
+    }
+
+    double TeamStateSpace::getPlannerRange() const
+    {
+        return combine([this](unsigned int robot) { return robots_[robot]->getPlannerRange(); });
     }
 
     double TeamStateSpace::distance(const ob::State *state1, const ob::State *state2) const

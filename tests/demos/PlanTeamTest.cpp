@@ -410,6 +410,8 @@ TEST_F(PlanTeam, readsPlanningScenesOfMoveIt)
     EXPECT_NE(errors_.find("needs --urdf"), std::string::npos) << errors_;
     EXPECT_EQ(planWith(folder_ / "moveit.yaml", 0), 2);
     EXPECT_NE(errors_.find("needs --request"), std::string::npos) << errors_;
+    EXPECT_EQ(planWith(folder_.write("torn.yaml", "world:\n  collision_objects: [\n"), 2), 2);
+    EXPECT_NE(errors_.find("torn.yaml:3: not valid YAML"), std::string::npos) << errors_;
     EXPECT_EQ(planWith(scene(), 2), 2);
     EXPECT_NE(errors_.find("--request: is for planning scenes of MoveIt"), std::string::npos) << errors_;
     writeFile(folder_ / "request.yaml", start);

@@ -81,7 +81,7 @@ if(OMPL_CERTIFICATES_SANITIZE)
 endif()
 ompl_certificates_compile_options(doc_snippets)
 # A snippet may name again what it is given, and need not use what it makes.
-target_compile_options(doc_snippets PRIVATE -Wno-shadow -Wno-unused -Wno-unused-but-set-variable)
+target_compile_options(doc_snippets PRIVATE -O0 -Wno-shadow -Wno-unused -Wno-unused-but-set-variable)
 target_include_directories(doc_snippets PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
 target_link_libraries(doc_snippets PRIVATE
   $<IF:$<TARGET_EXISTS:ompl_certificates_scene>,ompl_certificates::scene,ompl_certificates::ompl_certificates>)

@@ -1,11 +1,17 @@
 #include "ompl_certificates/planning/Planners.h"
 
+#include "ompl_certificates/obstacles/FclObstacles.h"
+#include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/Arm.h"
+#include "ompl_certificates/robots/RigidRobot.h"
+
 #include <array>
 #include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -53,6 +59,76 @@ TEST(Planners, ThatAreNotThereAreToldOf)
     const auto si = squareWithoutObstacles();
     EXPECT_EQ(complaintOf([&] { makePlanner("RRT*", si); }), "There is no planner 'RRT*'; did you mean RRTstar?");
     EXPECT_NE(complaintOf([&] { makePlanner("xyz", si); }).find("; the planners are ABITstar, "), std::string::npos);
+}
+
+namespace
+{
+    /** An arm of two joints that turn \e limit to either side, and a sphere */
+    TeamStateSpacePtr armAndBall(double limit)
+    {
+        using Joint = KinematicTree::Joint;
+        Joint first, second;
+        first.name = "first";
+        first.type = KinematicTree::JointType::REVOLUTE;
+        first.lower = -limit;
+        first.upper = limit;
+        second = first;
+        second.name = "second";
+        second.origin.translation().x() = 1.0;
+        KinematicTree tree("base");
+        tree.addLink("base", first, "upper", Body::sphere(0.1));
+        tree.addLink("upper", second, "lower", Body::sphere(0.1));
+        ob::RealVectorBounds bounds(3);
+        bounds.setLow(-1.0);
+        bounds.setHigh(1.0);
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(std::make_shared<Arm>("arm", tree, std::vector<std::string>{"first", "second"}));
+        team->addRobot(RigidRobot::sphere("ball", 0.1, bounds));
+        return team;
+    }
+
+    double rangeOf(const ob::Planner &planner)
+    {
+        std::string range;
+        EXPECT_TRUE(planner.params().getParam("range", range));
+        return std::stod(range);
+    }
+}
+
+TEST(Planners, StepAsTheTeamSaysIfThereAreArmsAndNoOtherRangeIsGiven)
+{
+    const auto team = armAndBall(6.0);
+    const double range = 0.2 * std::sqrt(2.0 * M_PI * M_PI + 3.0 * 4.0);
+    EXPECT_NEAR(team->getPlannerRange(), range, 1e-12);
+    const auto noObstacles = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3);
+    TeamSetup setup(team, noObstacles);
+    for (const char *name : {"RRT", "RRTConnect", "RRTstar", "EST", "KPIECE1"})
+        EXPECT_NEAR(rangeOf(*makePlanner(name, setup.getSpaceInformation())), range, 1e-5) << name;
+
+    // Planners that a program makes itself, too, and those that it allocates
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{0.0, 0.0, 0.9, 0.9, 0.9};
+    goal = std::vector<double>{0.0, 0.5, -0.9, 0.9, 0.9};
+    setup.setStartAndGoalStates(start, goal);
+    const auto rrt = std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation());
+    setup.setPlanner(rrt);
+    setup.setup();
+    EXPECT_DOUBLE_EQ(rrt->getRange(), range);
+    const auto given = std::make_shared<ompl::geometric::RRT>(setup.getSpaceInformation());
+    given->setRange(0.3);
+    setup.setPlanner(given);
+    setup.setup();
+    EXPECT_EQ(given->getRange(), 0.3);
+    TeamSetup allocating(team, noObstacles);
+    allocating.setStartAndGoalStates(start, goal);
+    allocating.setPlannerAllocator([](const ob::SpaceInformationPtr &si)
+                                   { return std::make_shared<ompl::geometric::RRT>(si); });
+    allocating.setup();
+    EXPECT_NEAR(rangeOf(*allocating.getPlanner()), range, 1e-5);
+
+    // Narrow joints leave it to OMPL.
+    TeamSetup narrow(armAndBall(1.0), noObstacles);
+    EXPECT_EQ(rangeOf(*makePlanner("RRT", narrow.getSpaceInformation())), 0.0);
 }
 
 TEST(Planners, TakeTheirOwnParametersAndNoOthers)

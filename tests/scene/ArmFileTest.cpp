@@ -140,7 +140,7 @@ namespace ompl_certificates
                           visual = "<visual><geometry><box size='9 9 9'/></geometry></visual>";
         const std::string urdf =
             robot(link("base", box + cylinder + visual) +
-                  link("arm", mesh("package://parts/meshes/a.obj", "1 2 -3") + mesh("package://robots/meshes.obj") +
+                  link("arm", mesh("package://parts/meshes/a.obj", "1 2 -3") + mesh("package://robots//meshes.obj") +
                                   mesh("b.obj") + mesh("file://" + folder / "robots/urdf/b.obj") +
                                   mesh("package://elsewhere/a.obj")) +
                   joint("a", "continuous", "base", "arm"));

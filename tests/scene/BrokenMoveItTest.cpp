@@ -72,6 +72,10 @@ namespace ompl_certificates
                  place + ".meshes[0]: "},
                 {"world: {octomap: {octomap: {data: [1]}}}\n",
                  "scene.yaml:1: world.octomap.octomap.data: not supported"},
+                {BALL + "allowed_collision_matrix: {entry_names: [base, tip], entry_values: [[false, false], [true, "
+                        "false]]}\n",
+                 "scene.yaml:4: allowed_collision_matrix.entry_values[1][0]: must be as for 'base' and 'tip': the matrix "
+                 "must be symmetric"},
                 {BALL + "link_padding: [{link_name: tip, padding: 0.01}]\n",
                  "scene.yaml:4: link_padding[0].padding: is not supported but as 0"},
                 {BALL + "link_scale: [{link_name: tip, scale: 1}, {link_name: tip, scale: 0}]\n",

@@ -26,6 +26,7 @@ namespace ompl_certificates
             {"Syntax", "environment: {min: [0, 0}\nrobots: []", "f.yaml:1: not valid YAML"},
             {"SyntaxLater", "name: x\nenvironment:\n  min: [0, 0]\n max: [1, 1]\n", "f.yaml:4: not valid YAML"},
             {"Documents", "name: x\n---\nname: y\n", "f.yaml: must hold one YAML document"},
+            {"DocumentBehindNone", "name: x\n---\n---\nname: y\n", "f.yaml: must hold one YAML document"},
             {"DocumentsForEver", " ,x: 1", "f.yaml: must hold one YAML document"},
             {"NoMap", "[1, 2]", "f.yaml:1: must be a map, not a list"},
             {"Scalar", "hello", "f.yaml:1: must be a map, not hello"},

@@ -2,6 +2,7 @@
 #include "support/MoveItScene.h"
 #include "support/Random.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
 
@@ -198,6 +199,45 @@ namespace ompl_certificates
                          attached("0.02") + "}\n" + GOAL);
             EXPECT_EQ(armOf(file).getBodies().size(), 5u);
             EXPECT_EQ(armOf(file).getBodies().back(), Body::sphere(0.02));
+            // A start that is no difference holds what it names, here nothing.
+            const std::string start =
+                "group_name: arm\nstart_state: {joint_state: {name: [turn, bend, slide], "
+                "position: [1, 0.5, 0.1]}, is_diff: ";
+            const std::string scene = BALL + "robot_state: {" + attached("0.01") + "}\n";
+            EXPECT_EQ(armOf(read(scene, start + "True}\n" + GOAL)).getBodies().size(), 5u);
+            EXPECT_EQ(armOf(read(scene, start + "False}\n" + GOAL)).getBodies().size(), 4u);
+        }
+
+        TEST_F(MoveItScene, WhatOneLinkCarriesMayTouch)
+        {
+            const auto held = [](const std::string &link)
+            {
+                return "robot_state:\n  attached_collision_objects:\n"
+                       "    - {link_name: tip, touch_links: [lower], object: {id: glass, header: {frame_id: tip}, "
+                       "primitives: [{type: sphere, "
+                       "dimensions: [0.1]}], primitive_poses: [{}]}}\n"
+                       "    - {link_name: " +
+                       link + ", touch_links: [lower, tip], object: {id: lid, header: {frame_id: " + link +
+                       "}, primitives: [{type: sphere, dimensions: [0.1]}], "
+                       "primitive_poses: [{}]}}\n";
+            };
+            const auto isChecked = [&](const std::string &link)
+            {
+                const auto pairs = pairsOf(armOf(read(BALL + held(link))));
+                return std::count(pairs.begin(), pairs.end(), "glass lid") > 0;
+            };
+            EXPECT_FALSE(isChecked("tip"));
+            EXPECT_TRUE(isChecked("upper"));
+        }
+
+        TEST_F(MoveItScene, MayBeAsProgramsPrintThem)
+        {
+            // The frame that MoveIt plans in is that of the virtual joint, also with a slash; Python writes True, and
+            // rostopic a line behind each message.
+            const SceneFile file = read("is_diff: False\n" + OBJECTS +
+                                        "    - {id: ball, header: {frame_id: /world}, primitives: [{type: sphere, "
+                                        "dimensions: [0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n---\n");
+            EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
         }
 
         TEST_F(MoveItScene, AnEmptyMatrixOfADifferenceChangesNothing)

@@ -55,6 +55,21 @@ namespace ompl_certificates
         EXPECT_NO_THROW(checkRobot(*mobile, 200));
     }
 
+    TEST(SrdfFile, ReadsValuesThatAreRoundedBeyondALimit)
+    {
+        const test::Folder folder;
+        const ArmFile file(folder.write("a.urdf", chain()), folder.write("a.srdf", robot(R"(
+            <group name='chain'><chain base_link='base' tip_link='hand'/></group>
+            <group_state name='high' group='chain'><joint name='first' value='2.0004'/></group_state>
+            <group_state name='low' group='chain'><joint name='first' value='-1.0000000001'/></group_state>
+            <group_state name='wrong' group='chain'><joint name='first' value='2.01'/></group_state>
+            <group_state name='round' group='chain'><joint name='second' value='4'/></group_state>)")));
+        EXPECT_EQ(file.getState("chain", "high").at("first"), 2.0);
+        EXPECT_EQ(file.getState("chain", "low").at("first"), -1.0);
+        EXPECT_EQ(file.getState("chain", "wrong").at("first"), 2.01);
+        EXPECT_EQ(file.getState("chain", "round").at("second"), 4.0);
+    }
+
     TEST(SrdfFile, NamesWhatIsWrong)
     {
         const std::vector<std::pair<std::string, std::vector<std::string>>> cases{

@@ -147,6 +147,22 @@ TEST(TeamStateSpace, HasTheExtentOfItsWeightedRobots)
     EXPECT_NEAR(team.getMaximumExtent(), std::sqrt(std::pow(2.0 * 3.0, 2) * 2.0 + std::pow(0.5 * 4.0, 2) * 2.0), 1e-9);
 }
 
+TEST(TeamStateSpace, HasThePlannerRangeOfItsWeightedRobots)
+{
+    for (const auto metric : {TeamStateSpace::EUCLIDEAN, TeamStateSpace::SUM})
+    {
+        TeamStateSpace team(metric);
+        team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.5)), 2.0);
+        team.addRobot(RigidRobot::disc("b", 1.0, cubeBounds(2, 2.0)), 0.5);
+        team.addRobot(RigidRobot::disc("c", 1.0, cubeBounds(2, 1e9)), 0.0);
+        EXPECT_DOUBLE_EQ(team.getPlannerRange(), 0.2 * team.getMaximumExtent());
+        if (metric == TeamStateSpace::SUM)
+        {
+            EXPECT_EQ(team.getMaximumExtent(), team.CompoundStateSpace::getMaximumExtent());
+        }
+    }
+}
+
 TEST(TeamStateSpace, RefusesRobotsThatDoNotFit)
 {
     TeamStateSpace team;

@@ -25,7 +25,12 @@ namespace ompl_certificates
         \throws ompl::Exception like makePlanner() */
     std::string plannerDescription(const std::string &name);
 
-    /** \brief DRRTstar, or OMPL's geometric planner of that class name, such as RRTConnect
+    /** \brief Set the parameter range of \e planner to TeamStateSpace::getPlannerRange(), if it is 0, which stands for
+        OMPL's own choice, and the planner has one and plans for a team with arms. TeamSetup::setup() and makePlanner() do
+        so. Call it before the planner's setup(). */
+    void configureRange(ompl::base::Planner &planner);
+
+    /** \brief DRRTstar, or OMPL's geometric planner of that class name, such as RRTConnect, after configureRange()
         \throws ompl::Exception if there is none; the message suggests a similar name, or lists all */
     ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si,
                                        const SolveHooks &hooks = {});

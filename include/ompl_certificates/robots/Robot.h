@@ -77,6 +77,10 @@ namespace ompl_certificates
             return 0;
         }
 
+        /** \brief How long a step of a planner's tree should be at most for this robot alone, in its space's distance.
+            By default a fifth of the space's extent, as OMPL has it for each space. */
+        virtual double getPlannerRange() const;
+
         /** \brief The dimension of the workspace: 2 or 3 */
         unsigned int getWorkspaceDimension() const
         {

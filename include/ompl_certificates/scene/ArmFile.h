@@ -29,7 +29,7 @@ namespace ompl_certificates
         /** \brief Its pose in the link's frame */
         Pose pose{Pose::Identity()};
 
-        /** \brief Other links that may touch it, such as fingers */
+        /** \brief Other links that may touch it, such as fingers. What the same link carries may, too. */
         std::vector<std::string> touchLinks{};
     };
 
@@ -118,6 +118,9 @@ namespace ompl_certificates
         {
             return tree_;
         }
+
+        /** \brief The frame that the SRDF file fixes the root link to, such as world; empty if it names none */
+        std::string getParentFrame() const;
 
         /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can
             move. */

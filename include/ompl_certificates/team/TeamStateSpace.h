@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <ompl/base/StateSpace.h>
 #include <vector>
@@ -138,6 +139,10 @@ namespace ompl_certificates
         /** \brief The largest distance() of two states within the bounds */
         double getMaximumExtent() const override;
 
+        /** \brief How long a step of a planner's tree should be at most: Robot::getPlannerRange() of all robots, in the
+            team's metric. OMPL's own choice, a fifth of the extent, unless there are arms. */
+        double getPlannerRange() const;
+
         /** \brief The distance in the team's metric; see Metric */
         double distance(const ompl::base::State *state1, const ompl::base::State *state2) const override;
 
@@ -169,6 +174,9 @@ namespace ompl_certificates
         void setup() override;
 
     private:
+        /** What a length of each robot makes together, in the team's metric and by its weights */
+        double combine(const std::function<double(unsigned int)> &lengthOf) const;
+
         void copyReferences(const StateType *destination, const StateType *source) const;
 
         const Metric metric_;
