@@ -169,6 +169,8 @@ def plan_controls(
     method, time, seed, callback, iterations, start and goal are as of plan(). So is what it does with threads and
     Ctrl-C.
     """
+    if not isinstance(scene, Scene):
+        raise Error(f"scene: must be a Scene, not a {type(scene).__name__}")
     _require_range("iterations", iterations, 2**64 - 1)
     _require_range("seed", seed, 2**32 - 1)
     _require_range("max_steps", max_steps, 2**31 - 1)

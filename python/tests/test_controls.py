@@ -254,6 +254,11 @@ def test_bad_problems_are_told_before_planning(yard: oc.Scene) -> None:
         oc.plan_controls(oc.Scene(LOW, HIGH))
 
 
+def test_controls_are_planned_for_scenes_alone(yard: oc.Scene) -> None:
+    with pytest.raises(oc.Error, match="^scene: must be a Scene, not a Checker$"):
+        oc.plan_controls(oc.Checker(yard))  # type: ignore[arg-type]
+
+
 def test_robots_need_dynamics_for_one_and_none_for_the_other(yard: oc.Scene, scenes: pathlib.Path) -> None:
     yard.add_robot(oc.Robot.rigid("stone", oc.Body.disc(0.1), LOW, HIGH, turns=False), [1, 3], [5, 3])
     assert yard.robots[1].control_names == []

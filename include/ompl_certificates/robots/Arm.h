@@ -94,8 +94,8 @@ namespace ompl_certificates
         std::size_t getTracedBody() const override;
 
         /** \brief See Robot. A REVOLUTE joint counts half a turn at most, as a CONTINUOUS one does, however far its limits
-            are apart. With limits of two turns OMPL's own range is twice as long, and so is what RRTConnect needs for
-            a plan; see benchmarks/README.md. */
+            are apart. With limits of two turns OMPL's own range is four times as long, and a plan by RRTConnect takes
+            two to four times as long; see benchmarks/README.md. */
         double getPlannerRange() const override;
 
         /** \brief The pose of a link's frame in the workspace, such as that of the tool. Costs as much as
