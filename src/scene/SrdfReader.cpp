@@ -20,6 +20,8 @@ namespace ompl_certificates
             return first < second ? std::make_pair(first, second) : std::make_pair(second, first);
         }
 
+        constexpr std::size_t MAX_GROUPS = 1000;
+
         /** Finds the joints of groups, which may hold each other. What the robot does not have is left out and noted, as
             MoveIt does: one SRDF file often serves several variants of a robot. */
         class Groups
@@ -32,6 +34,10 @@ namespace ompl_certificates
                 for (const Node group : file.getRoot().children("group"))
                     if (!nodes_.emplace(file.attribute(group, "name"), group).second)
                         file.fail(group, "there are two groups '" + file.attribute(group, "name") + "'");
+                // Each may hold all others.
+                if (nodes_.size() > MAX_GROUPS)
+                    file.fail("has " + std::to_string(nodes_.size()) + " groups, more than " +
+                              std::to_string(MAX_GROUPS));
             }
 
             const std::map<std::string, Node> &getNodes() const
@@ -91,9 +97,8 @@ namespace ompl_certificates
             void note(const Node &node, const std::string &remark)
             {
                 // A group in several others is read several times.
-                if (std::string text = file_.remark(node, remark + "; ignored");
-                    std::find(notes_.begin(), notes_.end(), text) == notes_.end())
-                    notes_.push_back(std::move(text));
+                if (const std::string text = file_.remark(node, remark + "; ignored"); noted_.insert(text).second)
+                    notes_.push_back(text);
             }
 
         private:
@@ -118,6 +123,7 @@ namespace ompl_certificates
             const KinematicTree &tree_;
             const std::string virtualJoint_;
             std::vector<std::string> &notes_;
+            Names noted_;
             std::map<std::string, Node> nodes_;
         };
 

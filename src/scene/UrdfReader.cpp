@@ -137,6 +137,9 @@ namespace ompl_certificates
             // Debian 12's urdfdom does not know it.
             if (const pugi::xpath_node found = robot.select_node(".//origin[@quat_xyzw]"))
                 file.fail(found.node(), "quat_xyzw: is not supported; give rpy");
+            // For each attribute urdfdom looks through all of its element.
+            if (const pugi::xpath_node found = robot.select_node("descendant-or-self::*[count(@*) > 64]"))
+                file.fail(found.node(), "has more than 64 attributes");
             std::size_t links = 0;
             for ([[maybe_unused]] const pugi::xml_node link : robot.children("link"))
                 ++links;
@@ -156,6 +159,8 @@ namespace ompl_certificates
                     file.fail("link '" + child + "' is the child of two joints, '" + other->second.first + "' and '" +
                               name + "'");
             }
+            if (joints.size() > MAX_LINKS)
+                file.fail("has " + std::to_string(joints.size()) + " joints, more than " + std::to_string(MAX_LINKS));
             // urdfdom never frees the links of a loop.
             for (const auto &[child, joint] : joints)
             {

@@ -192,14 +192,18 @@ namespace ompl_certificates
         { return robot(link("a", "<collision><geometry>" + geometry + "</geometry></collision>")); };
         const auto one = [](const std::string &type, const std::string &content)
         { return robot(link("a") + link("b") + joint("j", type, "a", "b", content)); };
-        std::string many = link("l0"), deep;
+        std::string many = link("l0"), deep, stray, attributes;
         for (int i = 1; i <= 10000; ++i)
         {
             many += link("l" + std::to_string(i), "");
             many += joint("j" + std::to_string(i), "fixed", "l" + std::to_string(i - 1), "l" + std::to_string(i));
         }
         for (int i = 0; i < 100000; ++i)
+        {
             deep += "<a>";
+            attributes += " a" + std::to_string(i) + "='1'";
+            stray += joint("j", "fixed", "s" + std::to_string(i), "t" + std::to_string(i));
+        }
         struct Case
         {
             std::string urdf;
@@ -216,6 +220,9 @@ namespace ompl_certificates
              {"<origin>", "quat_xyzw"}},
             {deep, {"not valid XML"}},
             {robot(many), {"10001 links", "1000"}},
+            {robot(link("a") + stray), {"100000 joints", "1000"}},
+            {"<robot name='r'" + attributes + ">" + link("a") + "</robot>", {":1", "64 attributes"}},
+            {robot("<link name='a'" + attributes + "/>"), {":2", "64 attributes"}},
             {robot(link("a") + link("a")), {"'a'"}},
             {robot(link("a") + link("b")), {"root", "a", "b"}},
             {robot(link("a") + link("b") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), {"loop"}},

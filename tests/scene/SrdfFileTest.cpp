@@ -72,6 +72,9 @@ namespace ompl_certificates
 
     TEST(SrdfFile, NamesWhatIsWrong)
     {
+        std::string many;
+        for (int i = 0; i <= 1000; ++i)
+            many += "<group name='g" + std::to_string(i) + "'/>";
         const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
             {"<group/>", {"name"}},
             {"<group name='a'/><group name='a'/>", {"'a'"}},
@@ -85,6 +88,7 @@ namespace ompl_certificates
             {"<passive_joint/>", {"name"}},
             {"<group name='a'><chain base_link='base'/></group>", {"tip_link"}},
             {"<", {"not valid XML"}},
+            {many, {"1001 groups", "1000"}},
         };
         const test::Folder folder;
         const std::string urdf = folder.write("a.urdf", chain());
