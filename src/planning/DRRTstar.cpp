@@ -4,6 +4,7 @@
 #include "LimitedRRTConnect.h"
 #include "PrioritizedSearch.h"
 #include "ProductTree.h"
+#include "RoadmapPathCheck.h"
 #include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
@@ -113,6 +114,7 @@ namespace ompl_certificates
     {
         Planner::clear();
         simplifier_.reset();
+        check_.reset();
         tree_.reset();
         goals_.reset();
         roadmaps_.reset();
@@ -238,7 +240,7 @@ namespace ompl_certificates
             for (const Configuration &start : starts_)
                 while (auto path = PrioritizedSearch(*roadmaps_, start, goal.configuration, goal.distances)
                                        .search(ORDERS, condition))
-                    if (confirm(*path))
+                    if (check_->confirm(*path))
                     {
                         tree_->insert(*path);
                         take(*path, condition);
@@ -259,7 +261,7 @@ namespace ompl_certificates
                 while (const auto rest = findInCrowd(*roadmaps_, path.back(), goal, steps, condition))
                 {
                     path.insert(path.end(), rest->begin() + 1, rest->end());
-                    if (confirm(path))
+                    if (check_->confirm(path))
                     {
                         tree_->insert(path);
                         take(path, condition);
@@ -276,7 +278,7 @@ namespace ompl_certificates
         while (tree_->grow(left, treeCost_, condition))
         {
             Path path = tree_->getPath();
-            if (!confirm(path))
+            if (!check_->confirm(path))
             {
                 if (condition)
                     break;
@@ -290,7 +292,7 @@ namespace ompl_certificates
 
     void DRRTstar::take(const Path &path, const ob::PlannerTerminationCondition &condition)
     {
-        og::PathGeometric geometric = toGeometric(path);
+        og::PathGeometric geometric = check_->toGeometric(path);
         if (report(geometric))
             goals_->keep(path.back());
         shorten(geometric, condition);
@@ -305,70 +307,6 @@ namespace ompl_certificates
     bool DRRTstar::isSatisfied() const
     {
         return best_ && objective_->isSatisfied(getBestCost());
-    }
-
-    bool DRRTstar::confirm(Path &path)
-    {
-        og::PathGeometric geometric = toGeometric(path);
-        std::size_t held = path.size();
-        for (std::size_t step = 0; step + 1 < path.size(); ++step)
-            if (!si_->checkMotion(geometric.getState(static_cast<unsigned int>(step)),
-                                  geometric.getState(static_cast<unsigned int>(step + 1))))
-            {
-                held = std::min(held, step + 1);
-                refute(path[step], path[step + 1]);
-                tree_->cut(path[step], path[step + 1]);
-            }
-        if (held == path.size())
-            return true;
-        path.resize(held);
-        return false;
-    }
-
-    void DRRTstar::refute(const Configuration &from, const Configuration &to)
-    {
-        // The team's samples are not those of a robot's own motion.
-        const Team &team = checker_->getTeam();
-        og::PathGeometric step = toGeometric({from, to});
-        step.interpolate(si_->getStateSpace()->validSegmentCount(step.getState(0), step.getState(1)) + 1);
-        bool isFound = false;
-        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-            for (const ob::State *state : step.getStates())
-            {
-                const ob::State *own = team.getRobotState(state, i);
-                if (!checker_->isRobotFree(i, own))
-                {
-                    roadmaps_->refute(i, from[i], to[i]);
-                    isFound = true;
-                }
-                for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
-                    if (!checker_->isPairFree(i, own, j, team.getRobotState(state, j)))
-                    {
-                        roadmaps_->refute(i, from[i], to[i], j, from[j], to[j]);
-                        isFound = true;
-                    }
-            }
-        // A motion that is not proved, though all its samples are free: without one of its edges, the search goes
-        // another way.
-        for (unsigned int i = 0; i < team.getRobotCount() && !isFound; ++i)
-            if (from[i] != to[i])
-            {
-                roadmaps_->refute(i, from[i], to[i]);
-                isFound = true;
-            }
-    }
-
-    og::PathGeometric DRRTstar::toGeometric(const Path &path) const
-    {
-        og::PathGeometric geometric(si_);
-        ob::State *state = si_->allocState();
-        for (const Configuration &configuration : path)
-        {
-            roadmaps_->copyTo(configuration, state);
-            geometric.append(state);
-        }
-        si_->freeState(state);
-        return geometric;
     }
 
     bool DRRTstar::report(const og::PathGeometric &path)
@@ -392,6 +330,7 @@ namespace ompl_certificates
             roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);
             goals_ = std::make_unique<TeamGoals>(si_, checker_, *roadmaps_);
             tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
+            check_ = std::make_unique<RoadmapPathCheck>(si_, *checker_, *roadmaps_, *tree_);
             simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
             treeCost_ = objective_->infiniteCost();
         }

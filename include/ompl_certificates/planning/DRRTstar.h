@@ -12,6 +12,7 @@ namespace ompl_certificates
 {
     class CertificateMotionValidator;
     class ProductTree;
+    class RoadmapPathCheck;
     class TeamGoals;
     class TeamRoadmaps;
 
@@ -191,17 +192,6 @@ namespace ompl_certificates
         /** \brief Shorten a path if none is good enough yet, and report it if that makes it the best */
         void shorten(ompl::geometric::PathGeometric path, const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Check a path of the roadmaps as a path of the team; remember what does not hold, and end the path
-            before it
-            \return whether all of it holds */
-        bool confirm(Path &path);
-
-        /** \brief Find out which robots or pairs make a step invalid, and remember it */
-        void refute(const Configuration &from, const Configuration &to);
-
-        /** \brief A path of the roadmaps as one of the team */
-        ompl::geometric::PathGeometric toGeometric(const Path &path) const;
-
         /** \brief Keep a path if it is the best so far
             \return whether it is */
         bool report(const ompl::geometric::PathGeometric &path);
@@ -214,6 +204,7 @@ namespace ompl_certificates
         std::unique_ptr<TeamRoadmaps> roadmaps_;
         std::unique_ptr<TeamGoals> goals_;
         std::unique_ptr<ProductTree> tree_;
+        std::unique_ptr<RoadmapPathCheck> check_;
         std::unique_ptr<TeamPathSimplifier> simplifier_;
         std::vector<Configuration> starts_;
         ompl::base::OptimizationObjectivePtr objective_;
