@@ -79,7 +79,7 @@ namespace benchmarks
             if (scene.getResolution() > 0.0)
                 team->setLongestValidSegmentFraction(scene.getResolution());
             auto setup = std::make_shared<TeamSetup>(team, scene.makeObstacles(), Method::FCL);
-            setup->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+            scene.setProblem(*setup);
             setup->setNearestStructure(NearestStructure::GNAT);
             return setup;
         }

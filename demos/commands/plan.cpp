@@ -29,7 +29,6 @@
 #include "ompl_certificates/validity/CertificateFile.h"
 
 #include <cstdio>
-#include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -56,11 +55,16 @@ namespace
                                                   " has no certificates");
     }
 
-    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const PlanTeamOptions &options)
+    ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options)
     {
-        ob::ScopedState<> goal(setup.getStateSpace());
-        goal = setup.getGoal()->as<ob::GoalState>()->getState();
-        return makeObjective(options.objective, setup.getSpaceInformation(), goal);
+        const auto team = std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace());
+        return makeObjective(options.objective, setup.getSpaceInformation(), scene.makeGoal(team));
+    }
+
+    void requireOneGoal(const PlanTeamOptions &options, const Scene &scene)
+    {
+        if (options.objective == "arrival" && scene.hasRegions())
+            throw ompl::Exception("--objective", "arrival needs one state as the goal of each robot");
     }
 
     /** Any solution is good enough. */
@@ -69,13 +73,13 @@ namespace
         objective.setCostThreshold(objective.infiniteCost());
     }
 
-    double costOf(TeamSetup &setup, const PlanTeamOptions &options)
+    double costOf(TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options)
     {
-        return setup.getSolutionPath().cost(objectiveOf(setup, options)).value();
+        return setup.getSolutionPath().cost(objectiveOf(setup, scene, options)).value();
     }
 
     /** Plan, and fill in what of the report is known by then */
-    void plan(TeamSetup &setup, const PlanTeamOptions &options, PlanReport &report)
+    void plan(TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options, PlanReport &report)
     {
         const auto clock = std::make_shared<NearestClock>();
         const bool timed = timeNearest(*setup.getPlanner(), clock);
@@ -111,7 +115,7 @@ namespace
             report.nearestSeconds = clock->getSeconds();
         report.checks = setup.getStatistics().getCounts();
         if (report.solved)
-            report.cost = costOf(setup, options);
+            report.cost = costOf(setup, scene, options);
         const std::string iterations = demos::progressOf(planner, "iterations");
         report.iterations = iterations.empty() ? limit.getEvaluations() : std::stoull(iterations);
         report.certificates = setup.getTeamChecker()->getCertificateCount();
@@ -119,20 +123,20 @@ namespace
 
     /** Simplify the solution, if there is one, until nothing improves any more, an interrupt comes, or as much time has
         passed as there was for planning */
-    void simplify(TeamSetup &setup, const PlanTeamOptions &options, PlanReport &report)
+    void simplify(TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options, PlanReport &report)
     {
         if (!report.solved)
             return;
         setup.simplifySolution(
             ob::plannerOrTerminationCondition(ob::PlannerTerminationCondition(demos::interrupted),
                                               ob::timedPlannerTerminationCondition(options.seconds)));
-        report.simplifiedCost = costOf(setup, options);
+        report.simplifiedCost = costOf(setup, scene, options);
         report.simplifyingSeconds = setup.getLastSimplificationTime();
     }
 
     /** Tell whether the solution is free between its samples, too, until an interrupt comes or as much time has passed as
         there was for planning */
-    void prove(TeamSetup &setup, const PlanTeamOptions &options, const Scene &scene, PlanReport &report)
+    void prove(TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options, PlanReport &report)
     {
         if (!report.solved)
             return;
@@ -212,6 +216,7 @@ namespace
         const SceneFile file = readScene(options);
         const Scene &scene = file.scene;
         scene.validate();
+        requireOneGoal(options, scene);
         std::vector<std::string> named;
         if (!options.planner.empty())
             named.push_back(options.planner);
@@ -226,7 +231,7 @@ namespace
         demos::prepareOutputs(demos::outputsOf(options), {options.scene, options.request, options.urdf, options.srdf});
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length" || options.first)
-            setup->setOptimizationObjective(objectiveOf(*setup, options));
+            setup->setOptimizationObjective(objectiveOf(*setup, scene, options));
         if (options.first)
             endWithFirst(*setup->getOptimizationObjective());
         setup->setNearestStructure(nearestStructureOf(options.nearest));
@@ -253,7 +258,7 @@ namespace
         report.objective = options.objective;
         report.seed = options.seed;
         demos::catchInterrupts();
-        plan(*setup, options, report);
+        plan(*setup, scene, options, report);
         // Ctrl-C has ended planning alone; another one ends simplifying.
         const bool stopped = demos::takeInterrupt();
         ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
@@ -264,8 +269,8 @@ namespace
             report.setTree(tree);
         }
         if (options.simplify)
-            simplify(*setup, options, report);
-        prove(*setup, options, scene, report);
+            simplify(*setup, scene, options, report);
+        prove(*setup, scene, options, report);
 
         if (!options.quiet)
         {
@@ -278,7 +283,9 @@ namespace
                 if (!name.empty())
                     std::printf("no %s was written to %s\n", what, name.c_str());
         std::fflush(stdout);
-        write(options, scene, *setup, report, tree);
+        // Pictures show the goal that the path ends at.
+        const Scene shown = report.solved ? scene.endingAt(setup->getSolutionPath().getStates().back()) : scene;
+        write(options, shown, *setup, report, tree);
         return report.solved ? demos::SOLVED : demos::NOT_SOLVED;
     }
 }

@@ -299,7 +299,7 @@ namespace demos
         const auto obstacles = std::make_shared<TimedObstacles>(scene, grid->adaptive);
         TeamSetup setup(team, obstacles, method);
         setup.getTeamChecker()->setAdaptive(grid->adaptive);
-        setup.setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+        scene.setProblem(setup);
         if (!grid->goal)
             setup.setGoal(std::make_shared<NoGoal>(setup.getSpaceInformation()));
         grid->givePlanner(*planner, setup);

@@ -22,7 +22,7 @@ namespace demos
         {
             const TeamStateSpacePtr team = scene.makeTeam();
             auto host = std::make_shared<TeamSetup>(team, scene.makeObstacles());
-            host->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+            scene.setProblem(*host);
             return host;
         }
 

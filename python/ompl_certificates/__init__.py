@@ -22,6 +22,7 @@ from ._core import (
     Checker,
     ControlPlan,
     Error,
+    LinkPose,
     Plan,
     Proof,
     Robot,
@@ -45,6 +46,7 @@ __all__ = [
     "Checker",
     "ControlPlan",
     "Error",
+    "LinkPose",
     "Plan",
     "Proof",
     "Robot",
@@ -86,7 +88,7 @@ def plan(
     simplify: bool = False,
     parameters: Optional[Mapping[str, Parameter]] = None,
     start: Optional[ArrayLike] = None,
-    goal: Optional[ArrayLike] = None,
+    goal: Union[ArrayLike, LinkPose, Mapping[str, LinkPose], None] = None,
 ) -> Plan:
     """Plan for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
 
@@ -103,7 +105,9 @@ def plan(
     first: end with the first solution, also if the planner could lower its cost
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
-    start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker
+    start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker. The goal
+        may also be a LinkPose, if there is one robot, or a dict from the names of arms to their LinkPoses; robots that
+        it does not name keep their goals.
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.

@@ -61,6 +61,23 @@ class Body:
         """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
         (n,)"""
 
+class LinkPose:
+    """Where a link of an arm shall be, such as its tool: a goal of all states in which it is there"""
+    def __init__(
+        self,
+        link: str,
+        position: Optional[ArrayLike] = None,
+        rotation: Optional[ArrayLike] = None,
+        *,
+        point: ArrayLike = ...,
+        position_tolerance: ArrayLike = 0.001,
+        rotation_tolerance: ArrayLike = 0.01,
+    ) -> None:
+        """position is where point, in the link's frame, shall be in the workspace: anywhere if it is None. rotation, a
+        matrix of shape (3, 3) or (qx, qy, qz, qw), is how the link shall be turned: any way if it is None. The
+        tolerances are one number or three: along the workspace's axes, and in radians about the link's. From pi on any
+        turn about that axis will do."""
+
 class AttachedBody:
     """A body that an arm carries, such as what it has grasped"""
     def __init__(
@@ -202,8 +219,9 @@ class Scene:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
         In a planar scene those cells count that reach into the heights (low, high)."""
-    def add_robot(self, robot: Robot, start: ArrayLike, goal: ArrayLike, weight: float = 1.0) -> None:
-        """Add a robot, with its start and goal; its distances count weight times."""
+    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose], weight: float = 1.0) -> None:
+        """Add a robot, with its start and goal; its distances count weight times. The goal of an arm may be a
+        LinkPose."""
     @property
     def name(self) -> str:
         """What the scene is called"""
@@ -233,7 +251,7 @@ class Scene:
         """The team's start, of shape (coordinates,)"""
     @property
     def goal(self) -> NDArray[np.float64]:
-        """The team's goal, of shape (coordinates,)"""
+        """The team's goal, of shape (coordinates,); for a LinkPose, one state of many"""
     resolution: float
     """The longest step between samples of a motion, as a fraction of each robot's extent: from 1e-6 to below 1, or 0
     for OMPL's own"""
@@ -457,7 +475,7 @@ def _plan(
     simplify: bool,
     parameters: Mapping[str, Any],
     start: Optional[ArrayLike],
-    goal: Optional[ArrayLike],
+    goal: Union[ArrayLike, LinkPose, Mapping[str, LinkPose], None],
 ) -> Plan: ...
 def control_planner_names() -> List[str]:
     """The names of the planners of plan_controls()"""

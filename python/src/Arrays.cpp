@@ -22,10 +22,10 @@ namespace ompl_certificates_python
         }
 
         /** The rotation of a quaternion or matrix that may be rounded, made exact */
-        Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion)
+        Eigen::Matrix3d rotationOf(const Eigen::Quaterniond &quaternion, const std::string &what = "pose")
         {
             if (!(std::abs(quaternion.norm() - 1.0) <= Rotations::QUATERNION_ROUNDING))
-                throw ompl::Exception("pose",
+                throw ompl::Exception(what,
                                       "a quaternion must have length 1, not " + std::to_string(quaternion.norm()));
             return quaternion.normalized().toRotationMatrix();
         }
@@ -217,6 +217,21 @@ namespace ompl_certificates_python
             "pose", std::string("must be ") +
                         (dimension == 2 ? "(x, y) or (x, y, angle)" : "(x, y, z) or (x, y, z, qx, qy, qz, qw)") +
                         " or a 4 × 4 matrix, not of shape " + shapeOf(array));
+    }
+
+    Eigen::Matrix3d toRotation(const py::object &object)
+    {
+        const auto array = toDoubles(object, "rotation");
+        const double *numbers = array.data();
+        if (array.ndim() == 1 && array.size() == 4)
+            return rotationOf(Eigen::Quaterniond(numbers[3], numbers[0], numbers[1], numbers[2]), "rotation");
+        if (array.ndim() != 2 || array.shape(0) != 3 || array.shape(1) != 3)
+            throw ompl::Exception("rotation",
+                                  "must be (qx, qy, qz, qw) or a 3 × 3 matrix, not of shape " + shapeOf(array));
+        const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(numbers);
+        if (!((matrix * matrix.transpose()).isIdentity(1e-6) && matrix.determinant() > 0.0))
+            throw ompl::Exception("rotation", "the matrix must be a rotation");
+        return Eigen::Quaterniond(Eigen::Matrix3d(matrix)).normalized().toRotationMatrix();
     }
 
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high)

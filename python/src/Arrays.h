@@ -51,6 +51,10 @@ namespace ompl_certificates_python
         \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */
     ompl_certificates::Pose toPose(const py::object &object, unsigned int dimension);
 
+    /** \brief A rotation, from (qx, qy, qz, qw) or a 3 × 3 matrix
+        \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */
+    Eigen::Matrix3d toRotation(const py::object &object);
+
     /** \brief Bounds from their lower and upper ends
         \throws ompl::Exception if these differ in length, if there are not 2 or 3 of them, or if one is not above the
         other */

@@ -70,7 +70,7 @@ namespace ompl_certificates_python
             throw ompl::Exception(scene.getSource(), "robots: a scene needs at least one robot");
         const TeamStateSpacePtr team = scene.makeTeam();
         setup_ = std::make_unique<TeamSetup>(team, world_.getObstacles(), methodOf(method), modeOf(motion));
-        setup_->setStartAndGoalStates(scene.makeStart(team), scene.makeGoal(team));
+        scene_.chooseGoals(*setup_);
         setup_->getSpaceInformation()->setup();
     }
 
@@ -199,7 +199,10 @@ namespace ompl_certificates_python
         for (Scene::Member member : scene_.getMembers())
         {
             if (goal)
+            {
                 member.robot->getStateSpace()->copyToReals(member.goal, goal->as<ob::CompoundState>()->components[i++]);
+                member.region = nullptr;
+            }
             now.addMember(member);
         }
         return now;

@@ -82,6 +82,12 @@ namespace ompl_certificates_python
             \param goal a state of the team; null for the scene's own */
         Scene getScene(const ompl::base::State *goal) const;
 
+        /** \brief The scene that the constructor got */
+        const Scene &getOriginalScene() const
+        {
+            return scene_;
+        }
+
         /** \brief The setup, for planning; see beginPlanning() */
         TeamSetup &getSetup() const
         {

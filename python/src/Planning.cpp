@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Checker.h"
+#include "LinkPoses.h"
 #include "Plan.h"
 #include "PlanOptions.h"
 #include "Progress.h"
@@ -7,6 +8,7 @@
 
 #include <ompl_certificates/control/DynamicRobot.h>
 #include <ompl_certificates/planning/Planners.h>
+#include <ompl_certificates/planning/TeamGoalRegion.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/TeamObjective.h>
 
@@ -37,29 +39,99 @@ namespace ompl_certificates_python
             return planner;
         }
 
+        /** The goal of a plan: a state, or one of many */
+        ob::ScopedState<> goalOf(const TeamSetup &setup)
+        {
+            ob::ScopedState<> goal(setup.getStateSpace());
+            if (const auto *region = dynamic_cast<const TeamGoalRegion *>(setup.getGoal().get()))
+                goal = region->getState().get();
+            else
+                goal = setup.getGoal()->as<ob::GoalState>()->getState();
+            return goal;
+        }
+
+        /** The LinkPose of each robot that \e goal names in a dict, or of the only one; none where it has none */
+        std::vector<py::object> linkPosesOf(const TeamSetup &setup, const py::object &goal)
+        {
+            std::vector<py::object> poses(setup.getTeam().getRobotCount(), py::none());
+            if (isLinkPose(goal))
+            {
+                if (poses.size() > 1)
+                    throw ompl::Exception("goal", "of several robots must be a dict from their names to LinkPoses");
+                poses.front() = goal;
+            }
+            if (!py::isinstance<py::dict>(goal))
+                return poses;
+            for (const auto &[key, value] : goal.cast<py::dict>())
+            {
+                const std::string name = py::str(key);
+                unsigned int robot = 0;
+                while (robot < poses.size() && setup.getTeam().getRobot(robot).getName() != name)
+                    ++robot;
+                if (robot == poses.size())
+                    throw ompl::Exception("goal", "there is no robot '" + name + "'");
+                poses[robot] = py::reinterpret_borrow<py::object>(value);
+                if (!isLinkPose(poses[robot]))
+                    throw ompl::Exception("goal", "of robot '" + name + "' must be a LinkPose");
+            }
+            return poses;
+        }
+
+        /** A scene of the robots alone, which go from \e start to \e goal. A goal that is not given is the last one. */
+        Scene problemOf(const TeamSetup &setup, const Checker &checker, const ob::State *start, const py::object &goal)
+        {
+            const std::vector<py::object> poses = linkPosesOf(setup, goal);
+            const bool isState = !goal.is_none() && !isLinkPose(goal) && !py::isinstance<py::dict>(goal);
+            const ob::ScopedState<> end = isState ? checker.toState(toDoubles(goal, "goal"), "goal") : goalOf(setup);
+            const auto *region = dynamic_cast<const TeamGoalRegion *>(setup.getGoal().get());
+            const Scene &original = checker.getOriginalScene();
+            Scene problem(original.getName(), original.getSource(), original.getBounds());
+            for (unsigned int i = 0; i < poses.size(); ++i)
+            {
+                Scene::Member member = original.getMembers()[i];
+                const ob::StateSpacePtr &space = member.robot->getStateSpace();
+                space->copyToReals(member.start, start->as<ob::CompoundState>()->components[i]);
+                member.goal.clear();
+                member.region = poses[i].is_none() ? nullptr : toRobotGoal(member.robot, poses[i]);
+                if (!member.region)
+                    space->copyToReals(member.goal, end.get()->as<ob::CompoundState>()->components[i]);
+                if (!member.region && !isState && region)
+                    member.region = region->getGoals()[i];
+                problem.addMember(member);
+            }
+            return problem;
+        }
+
+        /** Require that the team can be in \e state; \e what begins the message if not. */
+        void requireFree(const TeamSetup &setup, const Checker &checker, const std::string &what,
+                         const ob::State *state)
+        {
+            for (unsigned int i = 0; i < setup.getTeam().getRobotCount(); ++i)
+            {
+                const Robot &robot = setup.getTeam().getRobot(i);
+                if (!robot.getStateSpace()->satisfiesBounds(state->as<ob::CompoundState>()->components[i]))
+                    throw ompl::Exception(checker.getSceneName(),
+                                          what + " robot '" + robot.getName() + "' is outside the bounds");
+            }
+            const std::string collision = checker.describeCollision(state);
+            if (!collision.empty())
+                throw ompl::Exception(checker.getSceneName(), what + " " + collision);
+        }
+
         void setProblem(TeamSetup &setup, const Checker &checker, const Options &options, const py::object &start,
                         const py::object &goal)
         {
-            const auto read = [&checker](const py::object &object, const char *what)
-            { return checker.toState(toDoubles(object, what), what); };
-            ob::ScopedState<> begin(setup.getStateSpace()), end(setup.getStateSpace());
-            begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0) : read(start, "start").get();
-            end = goal.is_none() ? setup.getGoal()->as<ob::GoalState>()->getState() : read(goal, "goal").get();
-            for (const auto &[key, state] :
-                 {std::pair<std::string, const ob::State *>{"start", begin.get()}, {"goal", end.get()}})
-            {
-                for (unsigned int i = 0; i < setup.getTeam().getRobotCount(); ++i)
-                {
-                    const Robot &robot = setup.getTeam().getRobot(i);
-                    if (!robot.getStateSpace()->satisfiesBounds(state->as<ob::CompoundState>()->components[i]))
-                        throw ompl::Exception(checker.getSceneName(),
-                                              key + ": robot '" + robot.getName() + "' is outside the bounds");
-                }
-                const std::string collision = checker.describeCollision(state);
-                if (!collision.empty())
-                    throw ompl::Exception(checker.getSceneName(), key + ": " + collision);
-            }
-            setup.setStartAndGoalStates(begin, end);
+            ob::ScopedState<> begin(setup.getStateSpace());
+            begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0)
+                                    : checker.toState(toDoubles(start, "start"), "start").get();
+            Scene problem = problemOf(setup, checker, begin.get(), goal);
+            if (options.objective == "arrival" && problem.hasRegions())
+                throw ompl::Exception("objective", "arrival needs one state as the goal of each robot");
+            requireFree(setup, checker, "start:", begin.get());
+            problem.chooseGoals(setup);
+            const ob::ScopedState<> end = goalOf(setup);
+            requireFree(setup, checker,
+                        problem.hasRegions() ? "goal: no free state was found; in one" : "goal:", end.get());
             setup.setOptimizationObjective(options.objective == "length" && !options.first
                                                ? nullptr
                                                : makeObjective(options.objective, setup.getSpaceInformation(), end));
@@ -70,10 +142,8 @@ namespace ompl_certificates_python
 
         double costOf(TeamSetup &setup, const Options &options)
         {
-            ob::ScopedState<> goal(setup.getStateSpace());
-            goal = setup.getGoal()->as<ob::GoalState>()->getState();
             return setup.getSolutionPath()
-                .cost(makeObjective(options.objective, setup.getSpaceInformation(), goal))
+                .cost(makeObjective(options.objective, setup.getSpaceInformation(), goalOf(setup)))
                 .value();
         }
 
@@ -117,8 +187,9 @@ namespace ompl_certificates_python
             const TeamSetup &setup = checker->getSetup();
             plan.checker = checker;
             plan.planner = setup.getPlanner();
-            plan.scene =
-                std::make_shared<const Scene>(checker->getScene(setup.getGoal()->as<ob::GoalState>()->getState()));
+            // It shows the goal that the path ends at.
+            plan.scene = std::make_shared<const Scene>(checker->getScene(
+                plan.report.solved ? setup.getSolutionPath().getStates().back() : goalOf(setup).get()));
             plan.certificates = setup.getTeamChecker()->getCertificates();
         }
 

@@ -1,5 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "LinkPoses.h"
 #include "Outcome.h"
 #include "Rotations.h"
 #include "World.h"
@@ -104,7 +105,10 @@ namespace ompl_certificates_python
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
                       double weight)
         {
-            std::vector<double> start = toNumbers(from, "start"), goal = toNumbers(to, "goal");
+            std::vector<double> start = toNumbers(from, "start"), goal;
+            const RobotGoalPtr region = isLinkPose(to) ? toRobotGoal(robot, to) : nullptr;
+            if (!region)
+                goal = toNumbers(to, "goal");
             const auto refuse = [&](const std::string &what, double value)
             {
                 throw ompl::Exception(scene.getSource(),
@@ -128,7 +132,7 @@ namespace ompl_certificates_python
                                                      : "goal: a quaternion must have length 1",
                                length);
                 }
-            scene.addMember({robot, start, goal, weight});
+            scene.addMember({robot, start, goal, weight, region});
         }
 
         /** The starts or the goals of all robots, one after the other */
@@ -203,9 +207,11 @@ namespace ompl_certificates_python
                 .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
                      "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
                      "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
-                .def("add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
-                     py::arg("weight") = 1.0,
-                     "Add a robot, with its start and goal; its distances count weight times.");
+                .def(
+                    "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
+                    py::arg("weight") = 1.0,
+                    "Add a robot, with its start and goal; its distances count weight times. The goal of an arm may be a "
+                    "LinkPose.");
         }
     }
 
@@ -247,7 +253,7 @@ namespace ompl_certificates_python
                 "The team's start, of shape (coordinates,)")
             .def_property_readonly(
                 "goal", [](const Scene &self) { return toArray(joined(self, &Scene::Member::goal)); },
-                "The team's goal, of shape (coordinates,)")
+                "The team's goal, of shape (coordinates,); for a LinkPose, one state of many")
             .def_property("resolution", &Scene::getResolution, &Scene::setResolution,
                           "The longest step between samples of a motion, as a fraction of each robot's extent: from "
                           "1e-6 to below 1, or 0 for OMPL's own")
@@ -258,8 +264,9 @@ namespace ompl_certificates_python
                 [](const Scene &self)
                 {
                     // Another thread may change the scene meanwhile.
-                    const Scene copy = self;
+                    Scene copy = self;
                     const py::gil_scoped_release release;
+                    copy.chooseGoals();
                     copy.validate();
                 },
                 "Raise an Error unless the team can stand at its start and goal.")

@@ -1,5 +1,6 @@
 #include "ompl_certificates/scene/MoveItFiles.h"
 
+#include "MoveItGoal.h"
 #include "MoveItMessages.h"
 #include "MoveItPlanes.h"
 #include "SrdfReader.h"
@@ -19,22 +20,19 @@ namespace ompl_certificates
 
     namespace
     {
-        constexpr std::size_t MAX_CONSTRAINTS = 10000;
-
         /** MoveIt's own default */
         constexpr double RESOLUTION = 0.005;
 
         using JointType = KinematicTree::JointType;
-        using Frames = std::map<std::string, Pose>;
         using Pair = std::pair<std::string, std::string>;
 
         /** The poses of frames that obstacles can be in */
-        Frames readFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state)
+        MoveItFrames readFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state)
         {
             const KinematicTree &tree = robot.getTree();
-            Frames frames{{"", Pose::Identity()},
-                          {tree.getLinks().front().name, state.base.value_or(Pose::Identity())},
-                          {robot.getParentFrame(), Pose::Identity()}};
+            MoveItFrames frames{{"", Pose::Identity()},
+                                {tree.getLinks().front().name, state.base.value_or(Pose::Identity())},
+                                {robot.getParentFrame(), Pose::Identity()}};
             std::string planningFrame;
             for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
             {
@@ -65,7 +63,7 @@ namespace ompl_certificates
             std::set<std::string> names;
         };
 
-        World readWorld(const YamlNode &node, const Frames &frames, const std::string &folder)
+        World readWorld(const YamlNode &node, const MoveItFrames &frames, const std::string &folder)
         {
             node.allow({"collision_objects", "octomap"});
             if (node.has("octomap"))
@@ -81,17 +79,15 @@ namespace ompl_certificates
                 const MoveItObject object = readMoveItObject(item, folder);
                 if (!world.names.insert(object.name).second)
                     item.at("id").fail("there is an object '" + object.name + "' already");
-                const auto frame = frames.find(object.frame);
-                if (frame == frames.end())
-                    item.at("header").fail("there is no fixed frame '" + object.frame + "'");
+                const Pose &frame = readMoveItFrame(item, frames);
                 for (const MoveItObject::Placed &placed : object.shapes)
                 {
-                    world.obstacles.push_back({placed.shape.body, frame->second * placed.shape.pose});
+                    world.obstacles.push_back({placed.shape.body, frame * placed.shape.pose});
                     world.titles.push_back(placed.node.getKey() + " of '" + object.name + "'");
                 }
                 for (const MoveItObject::Plane &plane : object.planes)
                 {
-                    world.planes.push_back(frame->second * plane.pose);
+                    world.planes.push_back(frame * plane.pose);
                     world.planeTitles.push_back(plane.node.getKey() + " of '" + object.name + "'");
                 }
             }
@@ -163,55 +159,6 @@ namespace ompl_certificates
                     if (item.at(value).number() != neutral)
                         item.at(value).fail("is not supported but as " + std::to_string(static_cast<int>(neutral)));
                 }
-        }
-
-        /** The value of a joint of the group */
-        double coordinateOf(const YamlNode &node, const KinematicTree &tree, const std::string &name,
-                            const std::map<std::string, double> &values)
-        {
-            const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
-            if (joint.type == JointType::PLANAR || joint.type == JointType::FLOATING)
-                node.fail("joint '" + name + "' of the group has several degrees of freedom, which is not supported");
-            const auto found = values.find(name);
-            if (found == values.end())
-                node.fail("has no position of joint '" + name + "'");
-            if (joint.type != JointType::CONTINUOUS)
-                return withinLimits(joint, found->second);
-            if (found->second >= -M_PI && found->second < M_PI)
-                return found->second;
-            const double angle = std::remainder(found->second, 2.0 * M_PI);
-            return angle < M_PI ? angle : -M_PI;
-        }
-
-        std::vector<double> coordinatesOf(const YamlNode &node, const Arm &arm,
-                                          const std::map<std::string, double> &values)
-        {
-            std::vector<double> coordinates;
-            for (const std::string &joint : arm.getGroup())
-                coordinates.push_back(coordinateOf(node, arm.getTree(), joint, values));
-            return coordinates;
-        }
-
-        std::map<std::string, double> readGoal(const YamlNode &node, const std::vector<std::string> &group)
-        {
-            const auto goals = node.items(1, MAX_CONSTRAINTS);
-            if (goals.size() > 1)
-                goals[1].fail("several goals are not supported");
-            const YamlNode &goal = goals.front();
-            goal.allow({"name", "joint_constraints", "position_constraints", "orientation_constraints",
-                        "visibility_constraints"});
-            refuse(goal, {"position_constraints", "orientation_constraints", "visibility_constraints"});
-            std::map<std::string, double> values;
-            for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_CONSTRAINTS))
-            {
-                item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
-                const std::string name = item.at("joint_name").text();
-                if (std::find(group.begin(), group.end(), name) == group.end())
-                    item.at("joint_name").fail("'" + name + "' is not a joint of the group");
-                if (!values.emplace(name, item.at("position").number()).second)
-                    item.at("joint_name").fail("'" + name + "' is given twice");
-            }
-            return values;
         }
 
         std::optional<ob::RealVectorBounds> readWorkspace(const YamlNode &request)
@@ -332,7 +279,8 @@ namespace ompl_certificates
         MoveItRobotState state;
         if (root.has("robot_state"))
             state = readMoveItRobotState(root.at("robot_state"), tree, folder);
-        const World world = readWorld(root.at("world"), readFrames(root, robot, state), folder);
+        const MoveItFrames frames = readFrames(root, robot, state);
+        const World world = readWorld(root.at("world"), frames, folder);
 
         if (wish.has("start_state"))
             merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);
@@ -364,9 +312,8 @@ namespace ompl_certificates
             groupNode.fail(exception.what());
         }
         const auto &arm = static_cast<const Arm &>(*member.robot);
-        const YamlNode goal = wish.at("goal_constraints");
-        member.start = coordinatesOf(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
-        member.goal = coordinatesOf(goal, arm, readGoal(goal, arm.getGroup()));
+        member.start = moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
+        readMoveItGoal(wish.at("goal_constraints"), frames, member);
 
         const std::string name = moveItText(root, "name");
         SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
@@ -383,6 +330,7 @@ namespace ompl_certificates
                                    world.planeTitles[i]);
         file.scene.addMember(member);
         file.scene.setResolution(RESOLUTION);
+        file.scene.chooseGoals();
         for (const std::string &note : notes)
             file.scene.addNote(note);
         if (const std::string model = moveItText(root, "robot_model_name"); !model.empty() && model != robot.getName())

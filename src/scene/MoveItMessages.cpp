@@ -303,6 +303,25 @@ namespace ompl_certificates
         return readPose(node, "translation", "rotation");
     }
 
+    Eigen::Matrix3d readMoveItRotation(const YamlNode &node)
+    {
+        return readTurn(node);
+    }
+
+    PlacedBody readMoveItRegion(const YamlNode &node)
+    {
+        node.allow({"primitives", "primitive_poses", "meshes", "mesh_poses"});
+        refuse(node, {"meshes", "mesh_poses"});
+        std::vector<PlacedBody> bodies;
+        addShapes(node, "primitives", "primitive_poses", Pose::Identity(),
+                  [&](const YamlNode &item, const Pose &at) {
+                      bodies.push_back({readPrimitive(item), at});
+                  });
+        if (bodies.size() != 1)
+            node.fail("must have one primitive, not " + std::to_string(bodies.size()));
+        return bodies.front();
+    }
+
     MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder)
     {
         node.allow({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes", "mesh_poses", "planes",

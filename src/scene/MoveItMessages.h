@@ -68,6 +68,12 @@ namespace ompl_certificates
     /** \brief A Transform: translation and rotation */
     Pose readMoveItTransform(const YamlNode &node);
 
+    /** \brief A Quaternion: four numbers, or a map of x, y, z and w. No rotation if all are 0 */
+    Eigen::Matrix3d readMoveItRotation(const YamlNode &node);
+
+    /** \brief A BoundingVolume of one primitive */
+    PlacedBody readMoveItRegion(const YamlNode &node);
+
     /** \brief A CollisionObject; meshes of files are looked for in \e folder */
     MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder);
 

@@ -3,9 +3,11 @@
 #include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
+#include "ompl_certificates/planning/TeamGoalRegion.h"
 #include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ompl/util/Exception.h>
 #include <sstream>
 
@@ -15,6 +17,11 @@ namespace ompl_certificates
 
     namespace
     {
+        /** Of how many goals chooseGoals() takes the nearest one, and the seed for them: a file has the same goal each
+            time. */
+        constexpr unsigned int CHOSEN_FROM = 40;
+        constexpr std::uint_fast32_t GOAL_SEED = 1;
+
         std::string listOf(const std::vector<double> &values)
         {
             std::ostringstream text;
@@ -75,6 +82,17 @@ namespace ompl_certificates
         }
     }
 
+    void Scene::Member::chooseGoal()
+    {
+        if (!region || !goal.empty())
+            return;
+        ompl::RNG random(GOAL_SEED);
+        ob::ScopedState<> state(robot->getStateSpace());
+        if (!region->sample(random, state.get()))
+            throw ompl::Exception("no state of '" + robot->getName() + "' was found that reaches it");
+        robot->getStateSpace()->copyToReals(goal, state.get());
+    }
+
     Scene::Scene(const std::string &name, const std::string &source, const ob::RealVectorBounds &bounds)
       : name_(name), source_(source), bounds_(bounds)
     {
@@ -106,8 +124,9 @@ namespace ompl_certificates
         sensedTitles_.push_back(title);
     }
 
-    void Scene::addMember(const Member &member)
+    void Scene::addMember(const Member &newMember)
     {
+        Member member = newMember;
         const std::string key = "robots[" + std::to_string(members_.size()) + "]";
         if (!member.robot)
             throw ompl::Exception(source_, key + ": must not be null");
@@ -121,12 +140,85 @@ namespace ompl_certificates
         const auto &space = member.robot->getStateSpace();
         space->computeLocations();
         const std::size_t expected = space->getValueLocations().size();
+        try
+        {
+            member.chooseGoal();
+        }
+        catch (const ompl::Exception &exception)
+        {
+            throw ompl::Exception(source_, key + ".goal: " + exception.what());
+        }
         for (const auto *coordinates : {&member.start, &member.goal})
             if (coordinates->size() != expected)
                 throw ompl::Exception(source_, key + (coordinates == &member.start ? ".start" : ".goal") +
                                                    ": must have " + std::to_string(expected) + " coordinates, not " +
                                                    std::to_string(coordinates->size()));
         members_.push_back(member);
+    }
+
+    void Scene::chooseGoals()
+    {
+        if (!hasRegions())
+            return;
+        TeamSetup setup(makeTeam(), makeObstacles(), Method::STANDARD);
+        chooseGoals(setup);
+    }
+
+    void Scene::chooseGoals(TeamSetup &setup)
+    {
+        setProblem(setup);
+        if (!hasRegions())
+            return;
+        const ob::StateSpacePtr &team = setup.getStateSpace();
+        const auto &region = static_cast<const TeamGoalRegion &>(*setup.getGoal());
+        const ob::State *start = setup.getProblemDefinition()->getStartState(0);
+        ob::ScopedState<> goal(team), nearest(team);
+        double least = HUGE_VAL;
+        ompl::RNG random(GOAL_SEED);
+        for (unsigned int i = 0; i < CHOSEN_FROM; ++i)
+        {
+            region.sampleGoal(random, goal.get());
+            if (!setup.getStateValidityChecker()->isValid(goal.get()) || team->distance(start, goal.get()) >= least)
+                continue;
+            least = team->distance(start, goal.get());
+            nearest = goal;
+        }
+        if (least == HUGE_VAL)
+            return;
+        copyGoal(*nearest.get()->as<ob::CompoundState>());
+        setProblem(setup);
+    }
+
+    void Scene::copyGoal(const ob::CompoundState &state)
+    {
+        for (std::size_t i = 0; i < members_.size(); ++i)
+            members_[i].robot->getStateSpace()->copyToReals(members_[i].goal, state.components[i]);
+    }
+
+    bool Scene::hasRegions() const
+    {
+        return std::any_of(members_.begin(), members_.end(), [](const Member &member) { return member.region; });
+    }
+
+    Scene Scene::endingAt(const ob::State *state) const
+    {
+        Scene scene(*this);
+        scene.copyGoal(*state->as<ob::CompoundState>());
+        for (Member &member : scene.members_)
+            member.region = nullptr;
+        return scene;
+    }
+
+    void Scene::setProblem(TeamSetup &setup) const
+    {
+        const auto team = std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace());
+        setup.setStartAndGoalStates(makeStart(team), makeGoal(team));
+        if (!hasRegions())
+            return;
+        std::vector<RobotGoalPtr> goals;
+        for (const Member &member : members_)
+            goals.push_back(member.region);
+        setup.setGoal(std::make_shared<TeamGoalRegion>(setup.getSpaceInformation(), makeGoal(team), goals));
     }
 
     void Scene::setResolution(double fraction)
@@ -196,7 +288,7 @@ namespace ompl_certificates
     {
         const TeamStateSpacePtr team = makeTeam();
         auto setup = std::make_shared<TeamSetup>(team, makeObstacles(), method, mode);
-        setup->setStartAndGoalStates(makeStart(team), makeGoal(team));
+        setProblem(*setup);
         return setup;
     }
 
@@ -221,8 +313,10 @@ namespace ompl_certificates
     {
         const auto describe = [&](unsigned int robot)
         {
-            return "robots[" + std::to_string(robot) + "]." + key + " " + listOf(members_[robot].*coordinates) +
-                   " of '" + members_[robot].robot->getName() + "'";
+            const bool isOneOfMany = members_[robot].region && coordinates == &Member::goal;
+            return "robots[" + std::to_string(robot) + "]." + key +
+                   (isOneOfMany ? ", of which no free state was found, such as " : " ") +
+                   listOf(members_[robot].*coordinates) + " of '" + members_[robot].robot->getName() + "'";
         };
         const TeamStateSpacePtr team = makeTeam();
         const auto obstacles = makeObstacles();

@@ -1,5 +1,6 @@
 #include "YamlArms.h"
 
+#include "YamlLinkPose.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
 
@@ -356,7 +357,10 @@ namespace ompl_certificates
         const YamlNode &node = robots_[robot];
         const std::shared_ptr<const Arm> &arm = arms_.at(robot);
         member.start = readState(node.at("start"), fileOf(node), groupOf(node), *arm);
-        member.goal = readState(node.at("goal"), fileOf(node), groupOf(node), *arm);
+        if (isLinkPose(node.at("goal"), arm->getTree()))
+            member.region = readLinkPoseGoal(node.at("goal"), arm);
+        else
+            member.goal = readState(node.at("goal"), fileOf(node), groupOf(node), *arm);
         member.robot = arm;
     }
 }

@@ -1,6 +1,7 @@
 #include "YamlPlanarArm.h"
 
 #include "YamlArms.h"
+#include "YamlLinkPose.h"
 #include "YamlShapes.h"
 #include "ompl_certificates/robots/Arm.h"
 
@@ -94,17 +95,20 @@ namespace ompl_certificates
         }
         if (!node.has("self_collision") || node.at("self_collision").boolean())
             options.linkPairs = namedPairsOf(tree);
-        Scene::Member member;
+        std::shared_ptr<const Arm> arm;
         try
         {
-            member.robot = std::make_shared<Arm>(name, tree, joints, options);
+            arm = std::make_shared<Arm>(name, tree, joints, options);
         }
         catch (const ompl::Exception &exception)
         {
             node.at("links").fail(exception.what());
         }
-        member.start = readAngles(node.at("start"), tree);
-        member.goal = readAngles(node.at("goal"), tree);
+        Scene::Member member{arm, readAngles(node.at("start"), tree), {}};
+        if (isLinkPose(node.at("goal"), tree))
+            member.region = readLinkPoseGoal(node.at("goal"), arm);
+        else
+            member.goal = readAngles(node.at("goal"), tree);
         return member;
     }
 }

@@ -58,6 +58,7 @@ namespace ompl_certificates
         YamlArms arms(source, robots);
         for (const YamlNode &robot : robots)
             readRobot(robot, dynamics, scene, meshes, arms);
+        scene.chooseGoals();
         return scene;
     }
 }

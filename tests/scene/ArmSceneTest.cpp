@@ -1,4 +1,5 @@
 #include "ompl_certificates/robots/Arm.h"
+#include "ompl_certificates/robots/LinkPoseGoal.h"
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "support/ArmFiles.h"
@@ -172,6 +173,19 @@ namespace ompl_certificates
             {"shape: {}", states + "ready", "robots[0].shape", "unknown key"},
             {"attached: [{name: a, link: b, shape: {type: sphere, radius: 1}}]", states + "ready", "robots[0]", "'b'"},
             {"visuals: maybe", states + "ready", "robots[0].visuals", "maybe"},
+            {"", states + "{link: leg, position: [0, 0, 1]}", "robots[0].goal", "'leg': there is no such link"},
+            {"", states + "{link: base, position: [0, 0, 1]}", "robots[0].goal", "does not move this link"},
+            {"", states + "{link: hand}", "robots[0].goal", "must have a position, a rotation or both"},
+            {"", states + "{link: hand, position: [0, 1]}", "robots[0].goal.position", "3 numbers"},
+            {"", states + "{link: hand, position: [0, 0, 1], angle: 1}", "robots[0].goal.angle", "unknown key"},
+            {"", states + "{link: hand, position: [0, 0, 1], position_tolerance: 0}",
+             "robots[0].goal.position_tolerance", "must be positive, not 0"},
+            {"", states + "{link: hand, position: [0, 0, 1], position_tolerance: [1, 1]}",
+             "robots[0].goal.position_tolerance", "3 numbers"},
+            {"", states + "{link: hand, position: [0, 0, 1], rotation_tolerance: 1}",
+             "robots[0].goal.rotation_tolerance", "needs a rotation or a quaternion"},
+            {"", states + "{link: hand, quaternion: [0, 0, 0, 1], point: [0, 0, 0]}", "robots[0].goal.point",
+             "needs a position"},
         };
         for (const auto &[keys, end, place, part] : cases)
         {
@@ -198,6 +212,70 @@ namespace ompl_certificates
                   std::string::npos);
         EXPECT_NE(failure("file: arm6.urdf, start: [], goal: []", "min: [0, 0], max: [1, 1]").find("2 dimensions"),
                   std::string::npos);
+    }
+
+    TEST(ArmScene, GoalsCanBePosesOfLinks)
+    {
+        const std::string position = "start: ready, goal: {link: tool_center, position: [0.4, 0.1, 0.6]";
+        const Scene scene = sceneWithArm("", position +
+                                                 ", position_tolerance: [0.01, 0.02, 0.03], quaternion: [0, 1, 0, 0], "
+                                                 "rotation_tolerance: [0.1, 0.2, 4]}");
+        EXPECT_TRUE(scene.hasRegions());
+        EXPECT_NO_THROW(scene.validate());
+        const auto &region = dynamic_cast<const LinkPoseGoal &>(*scene.getMembers().front().region);
+        const LinkPose &pose = region.getLinkPose();
+        EXPECT_EQ(pose.link, "tool_center");
+        EXPECT_EQ(pose.position->point, Eigen::Vector3d(0.4, 0.1, 0.6));
+        EXPECT_EQ(pose.position->tolerance, Eigen::Vector3d(0.01, 0.02, 0.03));
+        EXPECT_EQ(pose.rotation->tolerance, Eigen::Vector3d(0.1, 0.2, 4.0));
+        EXPECT_TRUE(pose.rotation->rotation.isApprox(Eigen::Vector3d(-1, 1, -1).asDiagonal().toDenseMatrix()));
+        const auto team = scene.makeTeam();
+        const auto goal = scene.makeGoal(team);
+        EXPECT_EQ(region.distance(goal->as<ompl::base::CompoundState>()->components[0]), 0.0);
+        EXPECT_EQ(scene.getMembers().front().goal,
+                  sceneWithArm("", position + ", position_tolerance: [0.01, 0.02, 0.03], quaternion: [0, 1, 0, 0], "
+                                              "rotation_tolerance: [0.1, 0.2, 4]}")
+                      .getMembers()
+                      .front()
+                      .goal)
+            << "a file has one goal";
+
+        const auto setup = scene.makeSetup();
+        ASSERT_EQ(setup->solve(10.0), ompl::base::PlannerStatus::EXACT_SOLUTION);
+        const auto *last = setup->getSolutionPath().getStates().back();
+        EXPECT_EQ(region.distance(last->as<ompl::base::CompoundState>()->components[0]), 0.0);
+        const Scene ended = scene.endingAt(last);
+        EXPECT_FALSE(ended.hasRegions());
+        EXPECT_TRUE(team->equalStates(ended.makeGoal(team).get(), last));
+
+        // The goal that is chosen is a free one, though many with this position touch the wall.
+        const auto sceneWithBox = [&](const std::string &center, const std::string &size)
+        {
+            return sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2], obstacles: [{type: box, center: " +
+                                     center + ", size: " + size +
+                                     "}]}\nrobots:\n  - {type: urdf, file: arm6.urdf, srdf: "
+                                     "arm6.srdf, group: arm, " +
+                                     position + "}}\n",
+                                 ARMS + "test.yaml");
+        };
+        const Scene walled = sceneWithBox("[0.4, 0.25, 0.6]", "[0.6, 0.1, 1]");
+        EXPECT_NO_THROW(walled.validate());
+        const TeamValidityChecker checker(std::make_shared<ompl::base::SpaceInformation>(walled.makeTeam()),
+                                          walled.makeObstacles());
+        ompl::RNG random(1);
+        int valid = 0;
+        ompl::base::ScopedState<> state(walled.getMembers().front().robot->getStateSpace());
+        for (int i = 0; i < 100; ++i)
+            if (walled.getMembers().front().region->sample(random, state.get()))
+                valid += checker.isRobotFree(0, state.get()) ? 1 : 0;
+        EXPECT_LT(valid, 80);
+        EXPECT_GT(valid, 0);
+        const std::string far = messageAboutArm("", "start: ready, goal: {link: hand, position: [5, 0, 0]}");
+        EXPECT_EQ(far.substr(far.find("test.yaml")),
+                  "test.yaml: robots[0].goal: no state of 'robot_0' was found that reaches it");
+        const std::string buried = messageOf([&] { sceneWithBox("[0.4, 0.1, 0.6]", "[0.1, 0.1, 0.1]").validate(); });
+        EXPECT_NE(buried.find("robots[0].goal, of which no free state was found, such as ["), std::string::npos)
+            << buried;
     }
 
     TEST(ArmScene, StatesOfOtherGroupsKeepTheLimits)

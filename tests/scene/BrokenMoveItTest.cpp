@@ -124,6 +124,15 @@ namespace ompl_certificates
         TEST_F(MoveItScene, BrokenRequestsAreRefused)
         {
             const std::string group = "group_name: arm\n";
+            const std::string BALL_REGION =
+                "constraint_region: {primitives: [{type: sphere, dimensions: [0.01]}], primitive_poses: [{position: "
+                "[0.4, 0.5, 0.32]}]}";
+            const auto pose = [&](const std::string &position, const std::string &orientation)
+            {
+                const auto list = [](const std::string &item) { return item.empty() ? "[]" : "[{" + item + "}]"; };
+                return group + START + "goal_constraints: [{position_constraints: " + list(position) +
+                       ", orientation_constraints: " + list(orientation) + "}]\n";
+            };
             const BrokenProblem all[]{
                 {START + GOAL, "request.yaml:1: group_name: missing"},
                 {"group_name: leg\n" + START + GOAL, "request.yaml:1: group_name: "},
@@ -141,9 +150,45 @@ namespace ompl_certificates
                  "request.yaml:3: goal_constraints: has no position of joint 'bend'"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
                  "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
+                {pose("link_name: tip", ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region: missing"},
+                {pose("link_name: nose, " + BALL_REGION, ""),
+                 "request.yaml:3: goal_constraints[0]: two_links: goal of link 'nose': there is no such link"},
+                {pose("link_name: base, " + BALL_REGION, ""),
+                 "request.yaml:3: goal_constraints[0]: two_links: goal of link 'base': the arm does not move this"},
+                {pose("link_name: tip, header: {frame_id: moon}, " + BALL_REGION, ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].header: there is no fixed frame 'moon'"},
+                {pose("link_name: tip, constraint_region: {primitives: []}", ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region: must have one"},
+                {pose("link_name: tip, constraint_region: {primitives: [{type: 3, dimensions: [1, 1]}]}", ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region.primitives: must be a "
+                 "box or a sphere"},
+                {pose("link_name: tip, constraint_region: {primitives: [{type: 2, dimensions: [0.01]}], "
+                      "primitive_poses: [{position: [9, 0, 0]}]}",
+                      ""),
+                 "request.yaml:3: goal_constraints[0]: no state of 'two_links' was found that reaches it"},
+                {pose("link_name: tip, " + BALL_REGION, "link_name: lower, orientation: [0, 0, 0, 1]"),
+                 "request.yaml:3: goal_constraints[0].orientation_constraints[0].link_name: must be that of the "
+                 "position, 'tip'"},
+                {pose("", "link_name: tip, orientation: [0, 0, 0, 1], absolute_x_axis_tolerance: 0"),
+                 "request.yaml:3: goal_constraints[0].orientation_constraints[0].absolute_x_axis_tolerance: must be "
+                 "positive, not 0"},
+                {pose("", "link_name: tip, orientation: [0, 0, 0, 1], parameterization: 2"),
+                 "request.yaml:3: goal_constraints[0].orientation_constraints[0].parameterization: must be 0 or 1, "
+                 "not 2"},
+                {pose("",
+                      "link_name: tip, orientation: [0, 0, 0, 1], parameterization: 1, absolute_x_axis_tolerance: "
+                      "1"),
+                 "request.yaml:3: goal_constraints[0].orientation_constraints[0].absolute_x_axis_tolerance: must be at "
+                 "most 0.5"},
                 {group + START +
-                     "goal_constraints: [{joint_constraints: [], position_constraints: [{link_name: tip}]}]\n",
-                 "request.yaml:3: goal_constraints[0].position_constraints: not supported"},
+                     "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}], "
+                     "position_constraints: [{link_name: tip, " +
+                     BALL_REGION + "}]}]\n",
+                 "request.yaml:3: goal_constraints[0].joint_constraints: joints beside the pose of a link are not"},
+                {group + START + "goal_constraints: [{position_constraints: [{link_name: tip, " + BALL_REGION +
+                     "}, {link_name: tip}]}]\n",
+                 "request.yaml:3: goal_constraints[0].position_constraints[1]: a second one is not supported"},
                 {REQUEST + "      - {joint_name: bend, position: 4}\n",
                  "request.yaml:7: goal_constraints[0].joint_constraints[2].joint_name: 'bend' is given twice"},
                 {group + "start_state: {joint_state: {name: [turn], position: [0]}}\n" + GOAL,

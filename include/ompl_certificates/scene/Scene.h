@@ -4,6 +4,7 @@
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/RobotGoal.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <memory>
@@ -29,11 +30,18 @@ namespace ompl_certificates
             /** \brief The coordinates of its start, in the order of ompl::base::StateSpace::copyFromReals() */
             std::vector<double> start;
 
-            /** \brief The coordinates of its goal, in the same order */
+            /** \brief The coordinates of its goal, in the same order. If it has a region, one state of it. */
             std::vector<double> goal;
 
             /** \brief How much its distances count in the team's */
             double weight{1.0};
+
+            /** \brief All states that it may end in, if these are more than \e goal, such as those of a LinkPoseGoal */
+            RobotGoalPtr region{};
+
+            /** \brief Take a state of the region as \e goal, if there is a region and no goal yet: the same one each time
+                \throws ompl::Exception if none is found */
+            void chooseGoal();
         };
 
         /** \brief A scene without obstacles and robots
@@ -121,8 +129,16 @@ namespace ompl_certificates
 
         /** \brief Add a robot
             \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
-            start or goal has not the number of coordinates that the robot's space has */
+            start or goal has not the number of coordinates that the robot's space has. The goal may be empty if there
+            is a region: then a state of it is taken, and it is an error if none is found. */
         void addMember(const Member &member);
+
+        /** \brief For robots with regions take the goal that is nearest to the start, of 40 in which the team is free.
+            Readers of files do so: call it when all is added. The goals stay as they are if none is free. */
+        void chooseGoals();
+
+        /** \brief The same with the checker of \e setup, whose team makeTeam() made; then setProblem() */
+        void chooseGoals(TeamSetup &setup);
 
         /** \brief Add a line to the notes */
         void addNote(const std::string &note)
@@ -156,8 +172,19 @@ namespace ompl_certificates
         /** \brief The start of all robots, as a state of \e team, which makeTeam() made */
         ompl::base::ScopedState<> makeStart(const TeamStateSpacePtr &team) const;
 
-        /** \brief The goal of all robots, as a state of \e team, which makeTeam() made */
+        /** \brief The goal of all robots, as a state of \e team, which makeTeam() made. If robots have regions, one of
+            many. */
         ompl::base::ScopedState<> makeGoal(const TeamStateSpacePtr &team) const;
+
+        /** \brief Whether a robot has a region: so that many states are the goal */
+        bool hasRegions() const;
+
+        /** \brief The same scene with the goal \e state alone, a state of a team that makeTeam() made: such as the end
+            of a path */
+        Scene endingAt(const ompl::base::State *state) const;
+
+        /** \brief Give \e setup, whose team makeTeam() made, the start and the goal: one state, or a TeamGoalRegion */
+        void setProblem(TeamSetup &setup) const;
 
         /** \brief A setup of the scene's team among its obstacles, with start and goal */
         TeamSetupPtr makeSetup(Method method = Method::SHARED_PROJECTION,
@@ -183,6 +210,9 @@ namespace ompl_certificates
     private:
         ompl::base::ScopedState<> makeState(const TeamStateSpacePtr &team,
                                             std::vector<double> Member::*coordinates) const;
+
+        /** \brief Take \e state, one of a team that makeTeam() made, as the goal. */
+        void copyGoal(const ompl::base::CompoundState &state);
 
         /** \brief Where the bodies of all robots are */
         static std::vector<std::vector<Pose>> placeRobots(const TeamStateSpace &team, const ompl::base::State *state);

@@ -1,0 +1,94 @@
+#include "ompl_certificates/planning/TeamGoalRegion.h"
+
+#include "ompl_certificates/team/TeamStateSpace.h"
+
+#include <algorithm>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        /** How many states of a robot's goal are tried for one of the team's */
+        constexpr unsigned int TRIES = 20;
+
+        /** One of so many samples is the state that is known. */
+        constexpr unsigned int KNOWN_STATE_PERIOD = 10;
+    }
+
+    TeamGoalRegion::TeamGoalRegion(const ob::SpaceInformationPtr &si, const ob::ScopedState<> &state,
+                                   std::vector<RobotGoalPtr> goals)
+      : GoalSampleableRegion(si)
+      , checker_(std::dynamic_pointer_cast<const TeamValidityChecker>(si->getStateValidityChecker()))
+      , state_(state)
+      , goals_(std::move(goals))
+    {
+        const std::string owner = "TeamGoalRegion";
+        if (!checker_)
+            throw ompl::Exception(owner, "needs a TeamValidityChecker");
+        const unsigned int robots = si->getStateSpace()->as<TeamStateSpace>()->getRobotCount();
+        if (goals_.size() != robots)
+            throw ompl::Exception(owner, "must have a goal for each of " + std::to_string(robots) + " robots, not " +
+                                             std::to_string(goals_.size()));
+        if (!isSatisfied(state_.get()))
+            throw ompl::Exception(owner, "the state must be in the goal");
+    }
+
+    double TeamGoalRegion::distanceGoal(const ob::State *state) const
+    {
+        const auto *components = state->as<ob::CompoundState>()->components;
+        const auto &team = *si_->getStateSpace()->as<TeamStateSpace>();
+        double distance = 0.0;
+        for (unsigned int i = 0; i < goals_.size(); ++i)
+            distance =
+                std::max(distance, goals_[i] ? goals_[i]->distance(components[i])
+                                             : team.getRobot(i).getStateSpace()->distance(
+                                                   components[i], state_->as<ob::CompoundState>()->components[i]));
+        return distance;
+    }
+
+    void TeamGoalRegion::sampleGoal(ob::State *state) const
+    {
+        const std::lock_guard<std::mutex> lock(sampling_);
+        if (samples_++ % KNOWN_STATE_PERIOD == 0)
+            si_->copyState(state, state_.get());
+        else
+            sampleGoal(random_, state);
+    }
+
+    void TeamGoalRegion::sampleGoal(ompl::RNG &random, ob::State *state) const
+    {
+        si_->copyState(state, state_.get());
+        for (unsigned int robot = 0; robot < goals_.size(); ++robot)
+            if (goals_[robot] && !sampleRobot(robot, random, state))
+            {
+                si_->copyState(state, state_.get());
+                break;
+            }
+        si_->getStateSpace()->as<TeamStateSpace>()->clearReferences(state);
+    }
+
+    bool TeamGoalRegion::sampleRobot(unsigned int robot, ompl::RNG &random, ob::State *state) const
+    {
+        auto *components = state->as<ob::CompoundState>()->components;
+        const auto isApart = [&](unsigned int other)
+        {
+            const bool isKnown = other < robot || !goals_[other];
+            return other == robot || !isKnown ||
+                   checker_->isPairFree(robot, components[robot], other, components[other]);
+        };
+        for (unsigned int i = 0; i < TRIES; ++i)
+        {
+            if (!goals_[robot]->sample(random, components[robot]))
+                return false;
+            bool isFree = checker_->isRobotFree(robot, components[robot]);
+            for (unsigned int other = 0; isFree && other < goals_.size(); ++other)
+                isFree = isApart(other);
+            if (isFree)
+                return true;
+        }
+        return false;
+    }
+}

@@ -1,0 +1,165 @@
+#include "MoveItGoal.h"
+
+#include "MoveItMessages.h"
+#include "SrdfReader.h"
+#include "ompl_certificates/robots/LinkPoseGoal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        using JointType = KinematicTree::JointType;
+
+        constexpr std::size_t MAX_CONSTRAINTS = 10000;
+
+        /** Up to which tolerance a turn by a rotation vector is taken, and how much of it turns one after another may
+            use: those are within it then. */
+        constexpr double MOST_OF_A_VECTOR = 0.5, SHARE_OF_A_VECTOR = 0.5;
+
+        /** The value of a joint of the group */
+        double coordinateOf(const YamlNode &node, const KinematicTree &tree, const std::string &name,
+                            const std::map<std::string, double> &values)
+        {
+            const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
+            if (joint.type == JointType::PLANAR || joint.type == JointType::FLOATING)
+                node.fail("joint '" + name + "' of the group has several degrees of freedom, which is not supported");
+            const auto found = values.find(name);
+            if (found == values.end())
+                node.fail("has no position of joint '" + name + "'");
+            if (joint.type != JointType::CONTINUOUS)
+                return withinLimits(joint, found->second);
+            if (found->second >= -M_PI && found->second < M_PI)
+                return found->second;
+            const double angle = std::remainder(found->second, 2.0 * M_PI);
+            return angle < M_PI ? angle : -M_PI;
+        }
+
+        std::map<std::string, double> readJoints(const YamlNode &goal, const std::vector<std::string> &group)
+        {
+            std::map<std::string, double> values;
+            for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_CONSTRAINTS))
+            {
+                item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
+                const std::string name = item.at("joint_name").text();
+                if (std::find(group.begin(), group.end(), name) == group.end())
+                    item.at("joint_name").fail("'" + name + "' is not a joint of the group");
+                if (!values.emplace(name, item.at("position").number()).second)
+                    item.at("joint_name").fail("'" + name + "' is given twice");
+            }
+            return values;
+        }
+
+        /** The one item of a list of constraints, if there is one */
+        std::optional<YamlNode> onlyItem(const YamlNode &goal, const std::string &key)
+        {
+            const auto items = moveItItems(goal, key);
+            if (items.size() > 1)
+                items[1].fail("a second one is not supported");
+            return items.empty() ? std::nullopt : std::optional(items.front());
+        }
+
+        void readPosition(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose)
+        {
+            node.allow({"header", "link_name", "target_point_offset", "constraint_region", "weight"});
+            pose.link = node.at("link_name").text();
+            if (node.has("target_point_offset"))
+                pose.point = readMoveItVector(node.at("target_point_offset"));
+            const YamlNode regionNode = node.at("constraint_region");
+            const PlacedBody region = readMoveItRegion(regionNode);
+            const Pose middle = readMoveItFrame(node, frames) * region.pose;
+            const Shape &shape = region.body.getParts().front().shape;
+            pose.position = LinkPose::Position{middle.translation()};
+            pose.position->axes = middle.linear();
+            if (shape.getKind() == Shape::Kind::BOX)
+                pose.position->tolerance = 0.5 * shape.getSize();
+            else if (shape.getKind() == Shape::Kind::BALL)
+                // The cube within the ball
+                pose.position->tolerance.setConstant(shape.getRadius() / std::sqrt(3.0));
+            else
+                regionNode.at("primitives").fail("must be a box or a sphere");
+        }
+
+        void readOrientation(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose)
+        {
+            node.allow({"header", "orientation", "link_name", "absolute_x_axis_tolerance", "absolute_y_axis_tolerance",
+                        "absolute_z_axis_tolerance", "parameterization", "weight"});
+            const std::string link = node.at("link_name").text();
+            if (pose.position && link != pose.link)
+                node.at("link_name").fail("must be that of the position, '" + pose.link + "'");
+            pose.link = link;
+            const Pose &frame = readMoveItFrame(node, frames);
+            pose.rotation = LinkPose::Rotation{frame.linear() * readMoveItRotation(node.at("orientation"))};
+            const std::string kind = moveItText(node, "parameterization");
+            if (!kind.empty() && kind != "0" && kind != "1")
+                node.at("parameterization").fail("must be 0 or 1, not " + kind);
+            Eigen::Index axis = 0;
+            for (const char *key :
+                 {"absolute_x_axis_tolerance", "absolute_y_axis_tolerance", "absolute_z_axis_tolerance"})
+            {
+                double &tolerance = pose.rotation->tolerance[axis++];
+                tolerance = node.at(key).positive();
+                if (kind != "1")
+                    continue;
+                if (tolerance > MOST_OF_A_VECTOR)
+                    node.at(key).fail("must be at most 0.5 with a rotation vector");
+                tolerance *= SHARE_OF_A_VECTOR;
+            }
+        }
+    }
+
+    const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames)
+    {
+        const std::string name = moveItFrame(node);
+        const auto frame = frames.find(name);
+        if (frame == frames.end())
+            node.at("header").fail("there is no fixed frame '" + name + "'");
+        return frame->second;
+    }
+
+    std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,
+                                          const std::map<std::string, double> &values)
+    {
+        std::vector<double> coordinates;
+        for (const std::string &joint : arm.getGroup())
+            coordinates.push_back(coordinateOf(node, arm.getTree(), joint, values));
+        return coordinates;
+    }
+
+    void readMoveItGoal(const YamlNode &node, const MoveItFrames &frames, Scene::Member &member)
+    {
+        const auto arm = std::static_pointer_cast<const Arm>(member.robot);
+        const auto goals = node.items(1, MAX_CONSTRAINTS);
+        if (goals.size() > 1)
+            goals[1].fail("several goals are not supported");
+        const YamlNode &goal = goals.front();
+        goal.allow(
+            {"name", "joint_constraints", "position_constraints", "orientation_constraints", "visibility_constraints"});
+        refuse(goal, {"visibility_constraints"});
+        const auto position = onlyItem(goal, "position_constraints"), turn = onlyItem(goal, "orientation_constraints");
+        if (!position && !turn)
+        {
+            member.goal = moveItCoordinates(node, *arm, readJoints(goal, arm->getGroup()));
+            return;
+        }
+        if (!moveItItems(goal, "joint_constraints").empty())
+            goal.at("joint_constraints").fail("joints beside the pose of a link are not supported");
+        LinkPose pose;
+        if (position)
+            readPosition(*position, frames, pose);
+        if (turn)
+            readOrientation(*turn, frames, pose);
+        try
+        {
+            member.region = std::make_shared<LinkPoseGoal>(arm, pose);
+            member.chooseGoal();
+        }
+        catch (const ompl::Exception &exception)
+        {
+            goal.fail(exception.what());
+        }
+    }
+}
