@@ -27,6 +27,7 @@ from ._core import (
     Proof,
     Robot,
     Scene,
+    Zone,
     __version__,
     _plan,
     _plan_controls,
@@ -52,6 +53,7 @@ __all__ = [
     "Robot",
     "Scene",
     "View",
+    "Zone",
     "__version__",
     "control_planner_names",
     "control_planner_parameters",
@@ -88,7 +90,7 @@ def plan(
     simplify: bool = False,
     parameters: Optional[Mapping[str, Parameter]] = None,
     start: Optional[ArrayLike] = None,
-    goal: Union[ArrayLike, LinkPose, Mapping[str, LinkPose], None] = None,
+    goal: Union[ArrayLike, LinkPose, Zone, Mapping[str, Union[ArrayLike, LinkPose, Zone]], None] = None,
 ) -> Plan:
     """Plan for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
 
@@ -106,8 +108,8 @@ def plan(
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker. The goal
-        may also be a LinkPose, if there is one robot, or a dict from the names of arms to their LinkPoses; robots that
-        it does not name keep their goals.
+        may also be a LinkPose or a Zone, if there is one robot. Or it is a dict from the names of robots to such goals
+        or to their coordinates; robots that it does not name keep their goals.
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.

@@ -61,6 +61,12 @@ class Body:
         """The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. Shape
         (n,)"""
 
+class Zone:
+    """A box that a rigid robot or a car with a trailer shall get into: a goal of all states with its position there,
+    however it is turned"""
+    def __init__(self, low: Sequence[float], high: Sequence[float]) -> None:
+        """low and high bound the position, with 2 or 3 numbers."""
+
 class LinkPose:
     """Where a link of an arm shall be, such as its tool: a goal of all states in which it is there"""
     def __init__(
@@ -69,14 +75,15 @@ class LinkPose:
         position: Optional[ArrayLike] = None,
         rotation: Optional[ArrayLike] = None,
         *,
-        point: ArrayLike = ...,
-        position_tolerance: ArrayLike = 0.001,
-        rotation_tolerance: ArrayLike = 0.01,
+        point: Optional[ArrayLike] = None,
+        position_tolerance: Optional[ArrayLike] = None,
+        rotation_tolerance: Optional[ArrayLike] = None,
     ) -> None:
         """position is where point, in the link's frame, shall be in the workspace: anywhere if it is None. rotation, a
-        matrix of shape (3, 3) or (qx, qy, qz, qw), is how the link shall be turned: any way if it is None. The
-        tolerances are one number or three: along the workspace's axes, and in radians about the link's. From pi on any
-        turn about that axis will do."""
+        matrix of shape (3, 3) or (qx, qy, qz, qw), is how the link shall be turned: any way if it is None. In the plane
+        points have 2 numbers, and the rotation is an angle. The tolerances are one number or three, 0.001 and 0.01 if
+        they are None: how far off the point may be along the workspace's axes, and the link about its own: XYZ Euler
+        angles, in radians. From pi on any turn about that axis will do."""
 
 class AttachedBody:
     """A body that an arm carries, such as what it has grasped"""
@@ -219,9 +226,9 @@ class Scene:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
         In a planar scene those cells count that reach into the heights (low, high)."""
-    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose], weight: float = 1.0) -> None:
-        """Add a robot, with its start and goal; its distances count weight times. The goal of an arm may be a
-        LinkPose."""
+    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose, Zone], weight: float = 1.0) -> None:
+        """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
+        an arm, or a Zone."""
     @property
     def name(self) -> str:
         """What the scene is called"""
@@ -251,7 +258,7 @@ class Scene:
         """The team's start, of shape (coordinates,)"""
     @property
     def goal(self) -> NDArray[np.float64]:
-        """The team's goal, of shape (coordinates,); for a LinkPose, one state of many"""
+        """The team's goal, of shape (coordinates,); for a LinkPose or a Zone, one state of many"""
     resolution: float
     """The longest step between samples of a motion, as a fraction of each robot's extent: from 1e-6 to below 1, or 0
     for OMPL's own"""
@@ -475,7 +482,7 @@ def _plan(
     simplify: bool,
     parameters: Mapping[str, Any],
     start: Optional[ArrayLike],
-    goal: Union[ArrayLike, LinkPose, Mapping[str, LinkPose], None],
+    goal: Union[ArrayLike, LinkPose, Zone, Mapping[str, Union[ArrayLike, LinkPose, Zone]], None],
 ) -> Plan: ...
 def control_planner_names() -> List[str]:
     """The names of the planners of plan_controls()"""

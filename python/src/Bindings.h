@@ -9,7 +9,7 @@ namespace ompl_certificates_python
     /** \brief Each adds its classes and functions to the module, after those that it names. */
     void bindBodies(pybind11::module_ &module);
     void bindRobots(pybind11::module_ &module);
-    void bindLinkPoses(pybind11::module_ &module);
+    void bindGoals(pybind11::module_ &module);
     void bindScenes(pybind11::module_ &module);
     void bindChecker(pybind11::module_ &module);
     void bindPlanning(pybind11::module_ &module);

@@ -11,7 +11,7 @@ PYBIND11_MODULE(_core, module)
         "What was given makes no sense; one line that names the file or the argument, and the value.";
     ompl_certificates_python::bindBodies(module);
     ompl_certificates_python::bindRobots(module);
-    ompl_certificates_python::bindLinkPoses(module);
+    ompl_certificates_python::bindGoals(module);
     ompl_certificates_python::bindScenes(module);
     ompl_certificates_python::bindChecker(module);
     ompl_certificates_python::bindPlanning(module);

@@ -1,6 +1,6 @@
 #include "Bindings.h"
 #include "Checker.h"
-#include "LinkPoses.h"
+#include "Goals.h"
 #include "Plan.h"
 #include "PlanOptions.h"
 #include "Progress.h"
@@ -50,52 +50,76 @@ namespace ompl_certificates_python
             return goal;
         }
 
-        /** The LinkPose of each robot that \e goal names in a dict, or of the only one; none where it has none */
-        std::vector<py::object> linkPosesOf(const TeamSetup &setup, const py::object &goal)
+        /** What the goal of each robot is, as \e goal tells in a dict, or for the only robot; none where it does not */
+        std::vector<py::object> partsOf(const TeamSetup &setup, const py::object &goal)
         {
-            std::vector<py::object> poses(setup.getTeam().getRobotCount(), py::none());
-            if (isLinkPose(goal))
+            std::vector<py::object> parts(setup.getTeam().getRobotCount(), py::none());
+            if (isGoal(goal))
             {
-                if (poses.size() > 1)
-                    throw ompl::Exception("goal", "of several robots must be a dict from their names to LinkPoses");
-                poses.front() = goal;
+                if (parts.size() > 1)
+                    throw ompl::Exception("goal", "of several robots must be a dict from their names to their goals");
+                parts.front() = goal;
             }
             if (!py::isinstance<py::dict>(goal))
-                return poses;
+                return parts;
             for (const auto &[key, value] : goal.cast<py::dict>())
             {
                 const std::string name = py::str(key);
                 unsigned int robot = 0;
-                while (robot < poses.size() && setup.getTeam().getRobot(robot).getName() != name)
+                while (robot < parts.size() && setup.getTeam().getRobot(robot).getName() != name)
                     ++robot;
-                if (robot == poses.size())
+                if (robot == parts.size())
                     throw ompl::Exception("goal", "there is no robot '" + name + "'");
-                poses[robot] = py::reinterpret_borrow<py::object>(value);
-                if (!isLinkPose(poses[robot]))
-                    throw ompl::Exception("goal", "of robot '" + name + "' must be a LinkPose");
+                parts[robot] = py::reinterpret_borrow<py::object>(value);
             }
-            return poses;
+            return parts;
         }
 
-        /** A scene of the robots alone, which go from \e start to \e goal. A goal that is not given is the last one. */
+        /** \e state, but with the coordinates of those robots to which \e parts gives some */
+        ob::ScopedState<> withParts(const Checker &checker, const ob::ScopedState<> &state,
+                                    const std::vector<py::object> &parts)
+        {
+            const auto &members = checker.getOriginalScene().getMembers();
+            std::vector<double> all = state.reals();
+            auto begin = all.begin();
+            for (std::size_t i = 0; i < parts.size(); ++i)
+            {
+                const std::size_t size = members[i].start.size();
+                if (!parts[i].is_none() && !isGoal(parts[i]))
+                {
+                    const std::string what = "goal of robot '" + members[i].robot->getName() + "'";
+                    const Doubles own = toDoubles(parts[i], what);
+                    requireOneState(own, size, what);
+                    std::copy_n(own.data(), size, begin);
+                }
+                begin += static_cast<std::ptrdiff_t>(size);
+            }
+            return checker.toState(Doubles(static_cast<py::ssize_t>(all.size()), all.data()), "goal");
+        }
+
+        /** A scene of the robots alone, which go from \e start to \e goal. Goals not given are the last ones. */
         Scene problemOf(const TeamSetup &setup, const Checker &checker, const ob::State *start, const py::object &goal)
         {
-            const std::vector<py::object> poses = linkPosesOf(setup, goal);
-            const bool isState = !goal.is_none() && !isLinkPose(goal) && !py::isinstance<py::dict>(goal);
-            const ob::ScopedState<> end = isState ? checker.toState(toDoubles(goal, "goal"), "goal") : goalOf(setup);
+            const std::vector<py::object> parts = partsOf(setup, goal);
+            const bool isState = !goal.is_none() && !isGoal(goal) && !py::isinstance<py::dict>(goal);
+            const ob::ScopedState<> end =
+                isState ? checker.toState(toDoubles(goal, "goal"), "goal") : withParts(checker, goalOf(setup), parts);
             const auto *region = dynamic_cast<const TeamGoalRegion *>(setup.getGoal().get());
             const Scene &original = checker.getOriginalScene();
             Scene problem(original.getName(), original.getSource(), original.getBounds());
-            for (unsigned int i = 0; i < poses.size(); ++i)
+            for (unsigned int i = 0; i < parts.size(); ++i)
             {
                 Scene::Member member = original.getMembers()[i];
                 const ob::StateSpacePtr &space = member.robot->getStateSpace();
                 space->copyToReals(member.start, start->as<ob::CompoundState>()->components[i]);
-                member.goal.clear();
-                member.region = poses[i].is_none() ? nullptr : toRobotGoal(member.robot, poses[i]);
-                if (!member.region)
-                    space->copyToReals(member.goal, end.get()->as<ob::CompoundState>()->components[i]);
-                if (!member.region && !isState && region)
+                space->copyToReals(member.goal, end.get()->as<ob::CompoundState>()->components[i]);
+                member.region = nullptr;
+                if (isGoal(parts[i]))
+                {
+                    member.region = toRobotGoal(member.robot, parts[i]);
+                    member.goal.clear();
+                }
+                else if (!isState && parts[i].is_none() && region)
                     member.region = region->getGoals()[i];
                 problem.addMember(member);
             }
@@ -124,14 +148,31 @@ namespace ompl_certificates_python
             ob::ScopedState<> begin(setup.getStateSpace());
             begin = start.is_none() ? setup.getProblemDefinition()->getStartState(0)
                                     : checker.toState(toDoubles(start, "start"), "start").get();
+            const ob::GoalPtr lastGoal = setup.getGoal();
+            ob::ScopedState<> lastStart(setup.getStateSpace());
+            lastStart = setup.getProblemDefinition()->getStartState(0);
             Scene problem = problemOf(setup, checker, begin.get(), goal);
             if (options.objective == "arrival" && problem.hasRegions())
                 throw ompl::Exception("objective", "arrival needs one state as the goal of each robot");
             requireFree(setup, checker, "start:", begin.get());
-            problem.chooseGoals(setup);
+            // What was chosen for the last plan still serves, if the world has not changed there.
+            if (start.is_none() && goal.is_none() && setup.getStateValidityChecker()->isValid(goalOf(setup).get()))
+                problem.setProblem(setup);
+            else
+                problem.chooseGoals(setup);
             const ob::ScopedState<> end = goalOf(setup);
-            requireFree(setup, checker,
-                        problem.hasRegions() ? "goal: no free state was found; in one" : "goal:", end.get());
+            try
+            {
+                requireFree(setup, checker,
+                            problem.hasRegions() ? "goal, where no free state was found:" : "goal:", end.get());
+            }
+            catch (const ompl::Exception &)
+            {
+                // A goal that is refused is not remembered.
+                setup.setStartState(lastStart);
+                setup.setGoal(lastGoal);
+                throw;
+            }
             setup.setOptimizationObjective(options.objective == "length" && !options.first
                                                ? nullptr
                                                : makeObjective(options.objective, setup.getSpaceInformation(), end));

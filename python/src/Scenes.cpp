@@ -1,6 +1,6 @@
 #include "Arrays.h"
 #include "Bindings.h"
-#include "LinkPoses.h"
+#include "Goals.h"
 #include "Outcome.h"
 #include "Rotations.h"
 #include "World.h"
@@ -106,7 +106,7 @@ namespace ompl_certificates_python
                       double weight)
         {
             std::vector<double> start = toNumbers(from, "start"), goal;
-            const RobotGoalPtr region = isLinkPose(to) ? toRobotGoal(robot, to) : nullptr;
+            const RobotGoalPtr region = isGoal(to) ? toRobotGoal(robot, to) : nullptr;
             if (!region)
                 goal = toNumbers(to, "goal");
             const auto refuse = [&](const std::string &what, double value)
@@ -210,8 +210,8 @@ namespace ompl_certificates_python
                 .def(
                     "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
                     py::arg("weight") = 1.0,
-                    "Add a robot, with its start and goal; its distances count weight times. The goal of an arm may be a "
-                    "LinkPose.");
+                    "Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, "
+                    "for an arm, or a Zone.");
         }
     }
 
@@ -253,7 +253,7 @@ namespace ompl_certificates_python
                 "The team's start, of shape (coordinates,)")
             .def_property_readonly(
                 "goal", [](const Scene &self) { return toArray(joined(self, &Scene::Member::goal)); },
-                "The team's goal, of shape (coordinates,); for a LinkPose, one state of many")
+                "The team's goal, of shape (coordinates,); for a LinkPose or a Zone, one state of many")
             .def_property("resolution", &Scene::getResolution, &Scene::setResolution,
                           "The longest step between samples of a motion, as a fraction of each robot's extent: from "
                           "1e-6 to below 1, or 0 for OMPL's own")

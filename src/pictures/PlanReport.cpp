@@ -131,6 +131,8 @@ namespace ompl_certificates
             text << "an approximate solution ends " << problem.getSolutionDifference() << " from the goal";
             return text.str();
         }
+        if (status == ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE)
+            return planner.getName() + " plans for a goal of one state alone";
         return status == ob::PlannerStatus::TIMEOUT ? "no solution was found before planning ended" : status.asString();
     }
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -51,6 +52,7 @@
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/geometric/planners/stride/STRIDE.h>
 #include <ompl/tools/config/MagicConstants.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <utility>
 
@@ -112,6 +114,26 @@ namespace ompl_certificates
             }
         };
 
+        /** A planner that goes wrong with several goal states: BFMT reads memory that is not its own, LazyLBTRRT aborts
+            or goes through obstacles, AITstar never ends where the straight way is free, and pSBL knows one kind of
+            goal. */
+        template <typename PlannerType>
+        class OneGoal : public PlannerType
+        {
+        public:
+            using PlannerType::PlannerType;
+
+            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
+            {
+                const ob::Goal *goal = this->pdef_->getGoal().get();
+                const auto *list = dynamic_cast<const ob::GoalStates *>(goal);
+                if (dynamic_cast<const ob::GoalState *>(goal) || (list && list->getStateCount() == 1))
+                    return PlannerType::solve(ptc);
+                OMPL_ERROR("%s: plans for a goal of one state alone", this->getName().c_str());
+                return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+            }
+        };
+
         template <typename PlannerType>
         ob::PlannerPtr make(const ob::SpaceInformationPtr &si, const SolveHooks &hooks)
         {
@@ -133,11 +155,11 @@ namespace ompl_certificates
                 {"ABITstar",
                  {make<og::ABITstar>,
                   "BIT* with an inflated heuristic and truncated searches: first solutions sooner"}},
-                {"AITstar", {make<EndingAITstar>, "BIT* whose heuristic is a search backwards from the goal"}},
+                {"AITstar", {make<OneGoal<EndingAITstar>>, "BIT* whose heuristic is a search backwards from the goal"}},
                 {"AnytimePathShortening",
                  {make<og::AnytimePathShortening>,
                   "several planners in threads; their paths are shortened and joined"}},
-                {"BFMT", {make<og::BFMT>, "FMT* from both ends"}},
+                {"BFMT", {make<OneGoal<og::BFMT>>, "FMT* from both ends"}},
                 {"BITstar", {make<og::BITstar>, "batches of informed samples, searched best first"}},
                 {"BKPIECE1", {make<og::BKPIECE1>, "KPIECE1 from both ends"}},
                 {"BiEST", {make<og::BiEST>, "EST from both ends"}},
@@ -153,7 +175,8 @@ namespace ompl_certificates
                 {"LBKPIECE1", {make<og::LBKPIECE1>, "BKPIECE1 that checks motions only when they are on a path"}},
                 {"LBTRRT",
                  {make<og::LBTRRT>, "between RRT and RRT*: a path at most so many times as long as the best"}},
-                {"LazyLBTRRT", {make<og::LazyLBTRRT>, "LBTRRT that checks motions only when they are on a path"}},
+                {"LazyLBTRRT",
+                 {make<OneGoal<og::LazyLBTRRT>>, "LBTRRT that checks motions only when they are on a path"}},
                 {"LazyPRM", {make<og::LazyPRM>, "PRM that checks motions only when they are on a path"}},
                 {"LazyPRMstar", {make<og::LazyPRMstar>, "PRM* that checks motions only when they are on a path"}},
                 {"LazyRRT", {make<og::LazyRRT>, "RRT that checks motions only when they are on a path"}},
@@ -178,7 +201,7 @@ namespace ompl_certificates
                 {"STRIDE", {make<og::STRIDE>, "EST that measures density by its nearest-neighbor structure"}},
                 {"TRRT", {make<og::TRRT>, "RRT that avoids states of high cost"}},
                 {"pRRT", {make<og::pRRT>, "RRT in several threads"}},
-                {"pSBL", {make<og::pSBL>, "SBL in several threads"}}};
+                {"pSBL", {make<OneGoal<og::pSBL>>, "SBL in several threads"}}};
             return table;
         }
 
@@ -191,8 +214,9 @@ namespace ompl_certificates
             return text;
         }
 
-        /** Why a number is too small where OMPL suggests a range such as 1:64; empty if it is not. Only zero and negative
-            numbers are: some planners crash with them, but smaller numbers than those suggested may make sense. */
+        /** Why a number is too small where OMPL suggests a range such as 1:64; empty if it is not. Only zero and
+            negative numbers are: some planners crash with them, but smaller numbers than those suggested may make
+            sense. */
         std::string whyTooSmall(const std::string &value, const std::string &range)
         {
             char *end = nullptr;

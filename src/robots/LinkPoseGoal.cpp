@@ -53,11 +53,11 @@ namespace ompl_certificates
         void requireTolerance(const std::string &owner, const Eigen::Vector3d &tolerance)
         {
             for (const double value : tolerance)
-                if (!std::isfinite(value) || !(value > 0.0))
+                if (!(value >= LinkPose::LEAST_TOLERANCE))
                 {
                     std::ostringstream text;
                     text << value;
-                    throw ompl::Exception(owner, "must be finite and above zero, not " + text.str());
+                    throw ompl::Exception(owner, "must be at least 1e-9, not " + text.str());
                 }
         }
 
@@ -81,6 +81,17 @@ namespace ompl_certificates
             }
             return reach > 0.0 ? reach : 1.0;
         }
+
+        /** The links that an arm moves, for messages; those of large robots are cut off. */
+        std::string movedLinks(const Arm &arm)
+        {
+            constexpr std::size_t most = 400;
+            std::string names;
+            for (const KinematicTree::Link &link : arm.getTree().getLinks())
+                if (arm.moves(link.name) && names.size() < most)
+                    names += (names.empty() ? "'" : ", '") + link.name + "'";
+            return names.size() < most ? names : names + ", …";
+        }
     }
 
     LinkPoseGoal::LinkPoseGoal(std::shared_ptr<const Arm> arm, LinkPose pose)
@@ -88,7 +99,7 @@ namespace ompl_certificates
     {
         const std::string owner = arm_->getName() + ": goal of link '" + pose_.link + "'";
         if (!arm_->getTree().hasLink(pose_.link))
-            throw ompl::Exception(owner, "there is no such link");
+            throw ompl::Exception(owner, "there is no such link; it moves " + movedLinks(*arm_));
         if (!arm_->moves(pose_.link))
             throw ompl::Exception(owner, "the arm does not move this link");
         if (!pose_.position && !pose_.rotation)
@@ -155,6 +166,18 @@ namespace ompl_certificates
                 return true;
         }
         return false;
+    }
+
+    std::string LinkPoseGoal::describe() const
+    {
+        std::ostringstream text;
+        text << "link '" << pose_.link << "'";
+        if (pose_.position)
+            text << " at [" << pose_.position->point.x() << ", " << pose_.position->point.y() << ", "
+                 << pose_.position->point.z() << "]";
+        if (pose_.rotation)
+            text << (pose_.position ? ", turned as wanted" : " turned as wanted");
+        return text.str();
     }
 
     bool LinkPoseGoal::approach(const Deviation &aim, ob::State *state) const

@@ -17,13 +17,13 @@ namespace ompl_certificates
     /** \brief The pose of the frame that the header of \e node names */
     const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames);
 
-    /** \brief The values of the joints in \e state as coordinates of the group of \e arm; \e node is where a message says
-        that one is missing */
+    /** \brief The values of the joints in \e state as coordinates of the group of \e arm; \e node is where a message
+        says that one is missing */
     std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,
                                           const std::map<std::string, double> &values);
 
-    /** \brief Read the goal of \e member, whose robot is an arm, from the Constraints that \e node lists: all joints of the
-        group, or the pose of a link. */
+    /** \brief Read the goal of \e member, whose robot is an arm, from the Constraints that \e node lists: all joints of
+        the group, or the pose of a link. */
     void readMoveItGoal(const YamlNode &node, const MoveItFrames &frames, Scene::Member &member);
 }
 

@@ -317,6 +317,8 @@ namespace ompl_certificates
                   [&](const YamlNode &item, const Pose &at) {
                       bodies.push_back({readPrimitive(item), at});
                   });
+        if (!bodies.empty())
+            node.at("primitive_poses").items(1, MAX_ITEMS);
         if (bodies.size() != 1)
             node.fail("must have one primitive, not " + std::to_string(bodies.size()));
         return bodies.front();

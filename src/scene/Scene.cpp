@@ -19,7 +19,7 @@ namespace ompl_certificates
     {
         /** Of how many goals chooseGoals() takes the nearest one, and the seed for them: a file has the same goal each
             time. */
-        constexpr unsigned int CHOSEN_FROM = 40;
+        constexpr unsigned int CHOSEN_FROM = 10;
         constexpr std::uint_fast32_t GOAL_SEED = 1;
 
         std::string listOf(const std::vector<double> &values)
@@ -89,7 +89,8 @@ namespace ompl_certificates
         ompl::RNG random(GOAL_SEED);
         ob::ScopedState<> state(robot->getStateSpace());
         if (!region->sample(random, state.get()))
-            throw ompl::Exception("no state of '" + robot->getName() + "' was found that reaches it");
+            throw ompl::Exception("no state of '" + robot->getName() + "' was found that reaches " +
+                                  region->describe());
         robot->getStateSpace()->copyToReals(goal, state.get());
     }
 
@@ -178,6 +179,12 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < CHOSEN_FROM; ++i)
         {
             region.sampleGoal(random, goal.get());
+            // Who is there already need not move.
+            for (std::size_t k = 0; i == 0 && k < members_.size(); ++k)
+                if (members_[k].region &&
+                    members_[k].region->distance(start->as<ob::CompoundState>()->components[k]) == 0.0)
+                    members_[k].robot->getStateSpace()->copyState(goal.get()->as<ob::CompoundState>()->components[k],
+                                                                  start->as<ob::CompoundState>()->components[k]);
             if (!setup.getStateValidityChecker()->isValid(goal.get()) || team->distance(start, goal.get()) >= least)
                 continue;
             least = team->distance(start, goal.get());
@@ -315,8 +322,8 @@ namespace ompl_certificates
         {
             const bool isOneOfMany = members_[robot].region && coordinates == &Member::goal;
             return "robots[" + std::to_string(robot) + "]." + key +
-                   (isOneOfMany ? ", of which no free state was found, such as " : " ") +
-                   listOf(members_[robot].*coordinates) + " of '" + members_[robot].robot->getName() + "'";
+                   (isOneOfMany ? ", where no free state was found: " : " ") + listOf(members_[robot].*coordinates) +
+                   " of '" + members_[robot].robot->getName() + "'";
         };
         const TeamStateSpacePtr team = makeTeam();
         const auto obstacles = makeObstacles();

@@ -74,7 +74,10 @@ namespace ompl_certificates
 
     bool isLinkPose(const YamlNode &node, const KinematicTree &tree)
     {
-        return node.isMap() && node.has("link") && !tree.hasJoint("link");
+        if (!node.isMap())
+            return false;
+        const auto isOwnKey = [&](const char *key) { return node.has(key) && !tree.hasJoint(key); };
+        return isOwnKey("link") || isOwnKey("position") || isOwnKey("rotation") || isOwnKey("quaternion");
     }
 
     RobotGoalPtr readLinkPoseGoal(const YamlNode &node, const std::shared_ptr<const Arm> &arm)

@@ -6,9 +6,11 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/robots/ZoneGoal.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -142,6 +144,27 @@ namespace ompl_certificates
             return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, bounds, selfCollision);
         }
 
+        /** A goal that is a box for the robot's position */
+        RobotGoalPtr readZone(const YamlNode &node, bool dynamics, unsigned int dimension, const RobotPtr &robot)
+        {
+            if (dynamics)
+                node.fail("must be a list: with dynamics the goal is one state");
+            node.allow({"min", "max"});
+            return std::make_shared<ZoneGoal>(robot, readBounds(node, dimension));
+        }
+
+        void chooseGoal(const YamlNode &robot, Scene::Member &member)
+        {
+            try
+            {
+                member.chooseGoal();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                robot.at("goal").fail(exception.what());
+            }
+        }
+
         [[noreturn]] void failOnDynamics(const YamlNode &node)
         {
             std::string known;
@@ -219,11 +242,11 @@ namespace ompl_certificates
             member = readPlanarArm(node, name, meshes);
         if (node.has("weight"))
             member.weight = node.at("weight").positive();
-        if (type == "arm")
-            return scene.addMember(member);
         if (type == "urdf")
-        {
             arms.read(bounds, scene, meshes, member);
+        if (type == "arm" || type == "urdf")
+        {
+            chooseGoal(node, member);
             return scene.addMember(member);
         }
         Layout layout = Layout::TRAILER;
@@ -243,7 +266,12 @@ namespace ompl_certificates
             member.robot = makeCarWithTrailer(name, node, meshes, bounds);
         const std::size_t velocities = known ? known->velocities : 0;
         member.start = readState(node.at("start"), layout, velocities, dynamics, scene);
-        member.goal = readState(node.at("goal"), layout, velocities, dynamics, scene);
+        const YamlNode goal = node.at("goal");
+        if (goal.isMap())
+            member.region = readZone(goal, dynamics, dimension, member.robot);
+        else
+            member.goal = readState(goal, layout, velocities, dynamics, scene);
+        chooseGoal(node, member);
         if (velocities > 0 && !dynamics)
             scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
         scene.addMember(member);

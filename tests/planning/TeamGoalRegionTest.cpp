@@ -6,6 +6,7 @@
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 #include "ompl_certificates/robots/RigidRobot.h"
+#include "ompl_certificates/robots/ZoneGoal.h"
 #include "support/Message.h"
 #include "support/Quiet.h"
 
@@ -131,6 +132,45 @@ TEST_F(TeamGoalRegionTest, IsReachedByPlanners)
         EXPECT_TRUE(setup_->getGoal()->isSatisfied(setup_->getSolutionPath().getStates().back()));
         setup_->getProblemDefinition()->clearStartStates();
     }
+}
+
+/** Zones that robots share: all shall get behind a wall with a gap. */
+TEST(TeamGoalRegions, HoldCrowds)
+{
+    const Quiet quiet;
+    ob::RealVectorBounds bounds(2), zone(2);
+    bounds.setLow(0.0);
+    bounds.setHigh(10.0);
+    zone.low = {6.5, 0.5};
+    zone.high = {9.5, 9.5};
+    auto team = std::make_shared<TeamStateSpace>();
+    std::vector<RobotGoalPtr> goals;
+    std::vector<double> start, end;
+    for (unsigned int i = 0; i < 12; ++i)
+    {
+        team->addRobot(RigidRobot::inR2("disc_" + std::to_string(i), Body::disc(0.3), bounds));
+        goals.push_back(std::make_shared<ZoneGoal>(team->getRobots().back(), zone));
+        for (auto &[reals, x] : {std::pair{&start, 1.0}, {&end, 7.0}})
+        {
+            reals->push_back(x + i % 3);
+            reals->push_back(1.0 + 2.0 * static_cast<double>(i / 3));
+        }
+    }
+    team->setup();
+    const std::vector<PlacedBody> wall{{Body::box(0.2, 4.0), planarPose(5.0, 2.0)},
+                                       {Body::box(0.2, 4.0), planarPose(5.0, 8.0)}};
+    TeamSetup setup(team, std::make_shared<FclObstacles>(wall, 2));
+    ob::ScopedState<> from(team), to(team);
+    from = start;
+    to = end;
+    setup.setStartState(from);
+    setup.setGoal(std::make_shared<TeamGoalRegion>(setup.getSpaceInformation(), to, goals));
+    ASSERT_EQ(setup.solve(5.0), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(setup.getSolutionPath().check());
+    for (unsigned int i = 0; i < 12; ++i)
+        EXPECT_EQ(
+            goals[i]->distance(setup.getSolutionPath().getStates().back()->as<ob::CompoundState>()->components[i]),
+            0.0);
 }
 
 TEST_F(TeamGoalRegionTest, RefusesWhatMakesNoSense)

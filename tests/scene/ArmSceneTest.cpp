@@ -174,6 +174,8 @@ namespace ompl_certificates
             {"attached: [{name: a, link: b, shape: {type: sphere, radius: 1}}]", states + "ready", "robots[0]", "'b'"},
             {"visuals: maybe", states + "ready", "robots[0].visuals", "maybe"},
             {"", states + "{link: leg, position: [0, 0, 1]}", "robots[0].goal", "'leg': there is no such link"},
+            {"", states + "{position: [0, 0, 1]}", "robots[0].goal.link", "missing"},
+            {"", states + "{link: leg, position: [0, 0, 1]}", "robots[0].goal", "it moves 'shoulder', 'upper_arm'"},
             {"", states + "{link: base, position: [0, 0, 1]}", "robots[0].goal", "does not move this link"},
             {"", states + "{link: hand}", "robots[0].goal", "must have a position, a rotation or both"},
             {"", states + "{link: hand, position: [0, 1]}", "robots[0].goal.position", "3 numbers"},
@@ -272,10 +274,9 @@ namespace ompl_certificates
         EXPECT_GT(valid, 0);
         const std::string far = messageAboutArm("", "start: ready, goal: {link: hand, position: [5, 0, 0]}");
         EXPECT_EQ(far.substr(far.find("test.yaml")),
-                  "test.yaml: robots[0].goal: no state of 'robot_0' was found that reaches it");
+                  "test.yaml:3: robots[0].goal: no state of 'robot_0' was found that reaches link 'hand' at [5, 0, 0]");
         const std::string buried = messageOf([&] { sceneWithBox("[0.4, 0.1, 0.6]", "[0.1, 0.1, 0.1]").validate(); });
-        EXPECT_NE(buried.find("robots[0].goal, of which no free state was found, such as ["), std::string::npos)
-            << buried;
+        EXPECT_NE(buried.find("robots[0].goal, where no free state was found: ["), std::string::npos) << buried;
     }
 
     TEST(ArmScene, StatesOfOtherGroupsKeepTheLimits)

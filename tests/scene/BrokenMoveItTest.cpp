@@ -158,15 +158,20 @@ namespace ompl_certificates
                  "request.yaml:3: goal_constraints[0]: two_links: goal of link 'base': the arm does not move this"},
                 {pose("link_name: tip, header: {frame_id: moon}, " + BALL_REGION, ""),
                  "request.yaml:3: goal_constraints[0].position_constraints[0].header: there is no fixed frame 'moon'"},
+                {pose("link_name: tip, constraint_region: {primitives: [{type: 2, dimensions: [0.01]}]}", ""),
+                 "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region.primitive_poses: "
+                 "missing"},
                 {pose("link_name: tip, constraint_region: {primitives: []}", ""),
                  "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region: must have one"},
-                {pose("link_name: tip, constraint_region: {primitives: [{type: 3, dimensions: [1, 1]}]}", ""),
+                {pose(
+                     "link_name: tip, constraint_region: {primitives: [{type: 3, dimensions: [1, 1]}], primitive_poses: [{}]}",
+                     ""),
                  "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region.primitives: must be a "
                  "box or a sphere"},
                 {pose("link_name: tip, constraint_region: {primitives: [{type: 2, dimensions: [0.01]}], "
                       "primitive_poses: [{position: [9, 0, 0]}]}",
                       ""),
-                 "request.yaml:3: goal_constraints[0]: no state of 'two_links' was found that reaches it"},
+                 "request.yaml:3: goal_constraints[0]: no state of 'two_links' was found that reaches link 'tip' at [9, 0, 0]"},
                 {pose("link_name: tip, " + BALL_REGION, "link_name: lower, orientation: [0, 0, 0, 1]"),
                  "request.yaml:3: goal_constraints[0].orientation_constraints[0].link_name: must be that of the "
                  "position, 'tip'"},

@@ -55,6 +55,9 @@ TEST(YamlDynamicsTest, AllTypesHaveTheLimitsOfDbCbs)
 
 TEST(YamlDynamicsTest, ErrorsNameFileKeyAndValue)
 {
+    EXPECT_NE(messageOf([] { sceneOf("{type: single_integrator, start: [1, 1], goal: {min: [2, 2], max: [3, 3]}}"); })
+                  .find("scene.yaml:3: robots[0].goal: must be a list: with dynamics the goal is one state"),
+              std::string::npos);
     EXPECT_NE(
         messageOf([]
                   { sceneOf("{type: rigid, space: R2, shape: {type: disc, radius: 1}, start: [1, 1], goal: [2, 2]}"); })

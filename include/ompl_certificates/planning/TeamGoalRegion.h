@@ -14,7 +14,9 @@ namespace ompl_certificates
     /** \brief The goal of a team some of whose robots shall go to a RobotGoal, such as a pose of an arm's hand, and the
         others to one state each.
 
-        All planners take it that take an ompl::base::GoalSampleableRegion. */
+        Planners take it that take an ompl::base::GoalSampleableRegion. Of OMPL's, BFMT, LazyLBTRRT and AITstar go wrong
+        with several goals, and pSBL knows none of this kind: makePlanner() makes such that refuse it. LazyPRM,
+        LazyPRMstar and FMT may hold on to one goal, which they do not always reach. */
     class TeamGoalRegion : public ompl::base::GoalSampleableRegion
     {
     public:
@@ -45,9 +47,9 @@ namespace ompl_certificates
         /** \brief The largest distance of a robot from its goal. Its space's distance counts if it goes to a state. */
         double distanceGoal(const ompl::base::State *state) const override;
 
-        /** \brief Write a state of the goal in which the team is free: robot by robot, 20 states each are tried. If none is
-            found it is the state that the constructor got, which also is every tenth one. May be called from many
-            threads at once. */
+        /** \brief Write a state of the goal in which the team is free: robot by robot, 20 states each are tried. If
+            none is found it is the state that the constructor got, which also is every tenth one. May be called from
+            many threads at once. */
         void sampleGoal(ompl::base::State *state) const override;
 
         /** \brief The same by the numbers of \e random. The known state is one where no other is found. */
@@ -60,8 +62,8 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Write a state of a robot's goal in which it is free, and apart from the robots before it and from those
-            that go to a state
+        /** \brief Write a state of a robot's goal in which it is free, and apart from the robots before it and from
+            those that go to a state
             \return false if none was found */
         bool sampleRobot(unsigned int robot, ompl::RNG &random, ompl::base::State *state) const;
 

@@ -9,7 +9,7 @@
 
 namespace ompl_certificates
 {
-    /** \brief Where a link shall be, within tolerances: its position, its rotation or both. In the workspace's frame. */
+    /** \brief Where a link shall be in the workspace, within tolerances: its position, its rotation or both */
     struct LinkPose
     {
         /** \brief A point, and how far off it may be */
@@ -31,9 +31,9 @@ namespace ompl_certificates
             /** \brief How the link shall be turned */
             Eigen::Matrix3d rotation;
 
-            /** \brief How far the link may be turned off that, at most, about its x, y and z axis: in radians. The turns
-                follow each other, x first, each about the axis as the turns before have left it. From pi on any turn
-                about that axis will do. */
+            /** \brief How far the link may be turned off that, at most, about its x, y and z axis, in radians: XYZ
+                Euler angles of the rotation from there, by either of the two triples that each rotation has. From pi on
+                any turn about that axis will do. */
             Eigen::Vector3d tolerance{Eigen::Vector3d::Constant(DEFAULT_ROTATION_TOLERANCE)};
         };
 
@@ -42,6 +42,9 @@ namespace ompl_certificates
 
         /** \brief The tolerance of rotations if nothing else is said, in radians */
         static constexpr double DEFAULT_ROTATION_TOLERANCE = 1e-2;
+
+        /** \brief Smaller tolerances are refused: they are lost in rounding. */
+        static constexpr double LEAST_TOLERANCE = 1e-9;
 
         /** \brief The link: any of the arm's tree, such as a tool or an object that it holds */
         std::string link;
@@ -66,7 +69,7 @@ namespace ompl_certificates
         /** \brief The goal that \e pose describes
             \throws ompl::Exception that names the arm and the link: if there is no such link, if the arm does not move
             it, or if \e pose has neither position nor rotation. Also if a number is not finite, a rotation is none, or
-            a tolerance is not above zero. */
+            a tolerance is below 1e-9. */
         LinkPoseGoal(std::shared_ptr<const Arm> arm, LinkPose pose);
 
         /** \brief Where the link shall be */
@@ -75,13 +78,16 @@ namespace ompl_certificates
             return pose_;
         }
 
-        /** \brief The way that the point is out of its tolerances, and the angle that the link is, in radians, added up.
-            Costs one forward kinematics. */
+        /** \brief The way that the point is out of its tolerances, and the angle that the link is, in radians, added
+            up. Costs one forward kinematics. */
         double distance(const ompl::base::State *state) const override;
 
-        /** \brief See RobotGoal. Tries up to 50 random states. Costs about 0.1 ms for an arm of seven joints and a pose
+        /** \brief See RobotGoal. Tries up to 50 random states. Costs about 0.4 ms for an arm of seven joints and a pose
             within its reach; some ms for one that it cannot reach. */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
+
+        /** \brief Such as: link 'tool' at [1, 2, 3] */
+        std::string describe() const override;
 
     private:
         /** \brief How far off a link is, along and about each axis: first in lengths, then in radians */
@@ -90,8 +96,8 @@ namespace ompl_certificates
         /** \brief How far \e state is off the middle of the goal */
         Deviation deviationOf(const ompl::base::State *state) const;
 
-        /** \brief What of \e deviation is beyond \e tolerance. Lengths are in parts of reach_, which makes them comparable
-            to angles. */
+        /** \brief What of \e deviation is beyond \e tolerance. Lengths are in parts of reach_, which makes them
+            comparable to angles. */
         Deviation beyond(const Deviation &deviation, const Deviation &tolerance) const;
 
         /** \brief Move \e state into the goal, from where it is

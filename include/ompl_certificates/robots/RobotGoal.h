@@ -4,13 +4,15 @@
 #include <memory>
 #include <ompl/base/State.h>
 #include <ompl/util/RandomNumbers.h>
+#include <string>
 
 namespace ompl_certificates
 {
-    /** \brief Where one robot of a team shall go, if that is more than one state: such as all states in which an arm has
-        its hand at a pose. TeamGoalRegion makes the goal of a team from such goals.
+    /** \brief Where one robot of a team shall go, if that is more than one state: such as all states in which an arm
+        has its hand at a pose. TeamGoalRegion makes the goal of a team from such goals.
 
-        Derive from this class to bring your own kind of goal. Both functions may be called from many threads at once. */
+        Derive from this class to bring your own kind of goal. Its functions may be called from many threads
+        at once. */
     class RobotGoal
     {
     public:
@@ -20,9 +22,16 @@ namespace ompl_certificates
             alone. In any unit. */
         virtual double distance(const ompl::base::State *state) const = 0;
 
-        /** \brief Write a state of the goal to \e state, within the bounds of the robot's space. Collisions do not matter.
+        /** \brief Write a state of the goal to \e state, within the bounds of the robot's space. Collisions do not
+            matter.
             \return false if none was found. What is in \e state then means nothing. */
         virtual bool sample(ompl::RNG &random, ompl::base::State *state) const = 0;
+
+        /** \brief What messages call the goal */
+        virtual std::string describe() const
+        {
+            return "its goal";
+        }
     };
 
     /** \brief A shared pointer to a robot's goal */

@@ -39,7 +39,8 @@ namespace ompl_certificates
             /** \brief All states that it may end in, if these are more than \e goal, such as those of a LinkPoseGoal */
             RobotGoalPtr region{};
 
-            /** \brief Take a state of the region as \e goal, if there is a region and no goal yet: the same one each time
+            /** \brief Take a state of the region as \e goal, if there is a region and no goal yet: the same one each
+                time
                 \throws ompl::Exception if none is found */
             void chooseGoal();
         };
@@ -133,8 +134,9 @@ namespace ompl_certificates
             is a region: then a state of it is taken, and it is an error if none is found. */
         void addMember(const Member &member);
 
-        /** \brief For robots with regions take the goal that is nearest to the start, of 40 in which the team is free.
-            Readers of files do so: call it when all is added. The goals stay as they are if none is free. */
+        /** \brief For robots with regions take the goal that is nearest to the start, of 10 in which the team is free.
+            Robots that are in their region stay where they are, if that is free. Readers of files do so: call it when
+            all is added. The goals stay as they are if none is free. */
         void chooseGoals();
 
         /** \brief The same with the checker of \e setup, whose team makeTeam() made; then setProblem() */
@@ -146,7 +148,8 @@ namespace ompl_certificates
             notes_.push_back(note);
         }
 
-        /** \brief The finest resolution: a motion has at most a million samples, after which plans can be interrupted. */
+        /** \brief The finest resolution: a motion has at most a million samples, after which plans can be
+            interrupted. */
         static constexpr double FINEST_RESOLUTION = 1e-6;
 
         /** \brief Set the longest valid segment fraction, from FINEST_RESOLUTION to below 1; or 0 for OMPL's own
@@ -217,8 +220,8 @@ namespace ompl_certificates
         /** \brief Where the bodies of all robots are */
         static std::vector<std::vector<Pose>> placeRobots(const TeamStateSpace &team, const ompl::base::State *state);
 
-        /** \brief What the robot touches at \e poses, such as "touches environment.obstacles[0] with link 'hand'"; empty
-            if nothing
+        /** \brief What the robot touches at \e poses, such as "touches environment.obstacles[0] with link 'hand'";
+            empty if nothing
             \param obstacles all of them */
         std::string describeTouch(const Robot &robot, const std::vector<Pose> &poses, const Obstacles &obstacles,
                                   const ZInterval &zInterval) const;

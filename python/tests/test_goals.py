@@ -1,4 +1,4 @@
-"""Goals that are poses of links of arms"""
+"""Goals that are more than one state"""
 
 from __future__ import annotations
 
@@ -88,22 +88,28 @@ def test_a_single_arm_needs_no_dict() -> None:
 @pytest.mark.parametrize(
     "make, message",
     [
-        (lambda: oc.LinkPose("a", [1, 2]), "position: must have 3 numbers, not 2"),
+        (lambda: oc.LinkPose("a", [1]), "position: must have 2 or 3 numbers, not 1"),
         (lambda: oc.LinkPose("a", rotation=[0, 0, 0, 2]), "rotation: a quaternion must have length 1"),
         (lambda: oc.LinkPose("a", rotation=np.zeros((3, 3))), "rotation: the matrix must be a rotation"),
         (lambda: oc.LinkPose("a", rotation=np.zeros(3)), r"rotation: must be \(qx, qy, qz, qw\) or a 3 × 3 matrix"),
-        (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=[1, 2]), "position_tolerance: must have 3 numbers"),
-        (lambda: oc.plan(two_arms(), goal=tool([0, 0, 0.5])), "a dict from their names to LinkPoses"),
-        (lambda: oc.plan(two_arms(), goal={"middle": tool([0, 0, 0.5])}), "there is no robot 'middle'"),
         (
-            lambda: oc.plan(two_arms(), goal={"left": home()}),  # type: ignore[dict-item]
-            "of robot 'left' must be a LinkPose",
+            lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=[1, 2]),
+            "position_tolerance: must be one number or three",
         ),
+        (lambda: oc.plan(two_arms(), goal=tool([0, 0, 0.5])), "a dict from their names to their goals"),
+        (lambda: oc.plan(two_arms(), goal={"middle": tool([0, 0, 0.5])}), "there is no robot 'middle'"),
+        (lambda: oc.plan(two_arms(), goal={"left": [1.0]}), "goal of robot 'left': must be an array of shape"),
         (lambda: oc.plan(two_arms(), goal={"left": oc.LinkPose("leg", [0, 0, 1])}), "there is no such link"),
-        (lambda: oc.plan(two_arms(), goal={"left": oc.LinkPose("hand")}), "a position, a rotation or both"),
+        (lambda: oc.LinkPose("hand"), "a position, a rotation or both"),
         (lambda: oc.plan(two_arms(), goal={"left": tool([5, 0, 0])}), "robots.0..goal: no state of 'left' was found"),
-        (lambda: oc.plan(two_arms(), goal={"left": tool([-0.1, 0, -0.05])}), "goal: no free state was found; in one"),
+        (
+            lambda: oc.plan(two_arms(), goal={"left": tool([-0.1, 0, -0.05])}),
+            "goal, where no free state was found: robot 'left'",
+        ),
         (lambda: oc.plan(two_arms(), objective="arrival"), "arrival needs one state"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], rotation_tolerance=1), "a rotation_tolerance needs a rotation"),
+        (lambda: oc.LinkPose("a", rotation=[0, 0, 0, 1], point=[1, 2, 3]), "need a position"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=0), "position_tolerance: must be at least 1e-9"),
     ],
 )
 def test_errors_name_what_is_wrong(make: object, message: str) -> None:
@@ -111,8 +117,75 @@ def test_errors_name_what_is_wrong(make: object, message: str) -> None:
         make()  # type: ignore[operator]
 
 
+def test_goals_that_are_refused_are_not_remembered() -> None:
+    scene = two_arms()
+    checker = oc.Checker(scene)
+    before = tool_positions(scene, oc.plan(checker, time=10, first=True).path[-1])
+    with pytest.raises(oc.Error, match="where no free state was found"):
+        oc.plan(checker, goal={"left": tool([-0.1, 0, -0.05])}, start=scene.start + 0.01)
+    plan = oc.plan(checker, time=10, first=True)
+    assert np.allclose(plan.path[0], scene.start)
+    assert np.abs(tool_positions(scene, plan.path[-1]) - before).max() <= 2e-3
+
+
+def test_an_arm_that_is_there_stays() -> None:
+    scene = two_arms()
+    checker = oc.Checker(scene)
+    end = oc.plan(checker, time=10, first=True).path[-1]
+    plan = oc.plan(checker, time=1, start=end)
+    assert plan.cost == 0
+    assert np.allclose(plan.path, end)
+
+
+@pytest.mark.parametrize("planner", ["AITstar", "BFMT", "LazyLBTRRT", "pSBL"])
+def test_planners_for_one_goal_alone_say_so(planner: str) -> None:
+    plan = oc.plan(two_arms(), planner, time=1)
+    assert not plan.solved
+    assert plan.reason == planner + " plans for a goal of one state alone"
+
+
+def test_arms_in_the_plane_have_poses_of_two_numbers() -> None:
+    scene = oc.scene_from_yaml("""
+environment: {min: [-4, -4], max: [4, 4]}
+robots:
+  - {type: arm, self_collision: false, links: [{length: 1.5, width: 0.1}, {length: 1, width: 0.1}],
+     start: [0, 0], goal: [1, 1]}
+""")
+    checker = oc.Checker(scene)
+    goal = oc.LinkPose("link_2", [1, 1], 0.5, point=[1, 0], rotation_tolerance=3.2)
+    pose = scene.robots[0].link_pose(oc.plan(checker, time=5, first=True, goal=goal).path[-1], "link_2")
+    assert np.abs(pose[:3, :3] @ [1, 0, 0] + pose[:3, 3] - [1, 1, 0]).max() <= 1e-3 + 1e-9
+    turned = oc.LinkPose("link_2", rotation=0.5)
+    pose = scene.robots[0].link_pose(oc.plan(checker, time=5, first=True, goal=turned).path[-1], "link_2")
+    assert abs(np.arctan2(pose[1, 0], pose[0, 0]) - 0.5) <= 0.01 + 1e-9
+
+
 def test_only_arms_have_links() -> None:
     scene = oc.Scene([0, 0], [1, 1])
     disc = oc.Robot.rigid("disc", oc.Body.disc(0.1), [0, 0], [1, 1], turns=False)
     with pytest.raises(oc.Error, match="robot 'disc': a LinkPose is a goal of arms"):
         scene.add_robot(disc, [0.5, 0.5], tool([0, 0, 1]))
+
+
+def test_zones_hold_the_position_alone() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    cart = oc.Robot.rigid("cart", oc.Body.box(0.6, 0.3), [0, 0], [10, 10])
+    disc = oc.Robot.rigid("disc", oc.Body.disc(0.3), [0, 0], [10, 10], turns=False)
+    scene.add_robot(cart, [1, 1, 0], oc.Zone([7, 1], [9, 2]))
+    scene.add_robot(disc, [8, 1.5], [1, 1])
+    checker = oc.Checker(scene)
+    end = oc.plan(checker, time=10, first=True).path[-1]
+    assert (end[:2] >= [7, 1]).all() and (end[:2] <= [9, 2]).all()
+    assert np.allclose(end[3:], [1, 1])
+    # Coordinates and zones in one dict
+    end = oc.plan(checker, time=10, first=True, goal={"cart": [2, 2, 1], "disc": oc.Zone([8, 8], [9, 9])}).path[-1]
+    assert np.allclose(end[:3], [2, 2, 1])
+    assert (end[3:] >= 8).all() and (end[3:] <= 9).all()
+    with pytest.raises(oc.Error, match="goal of robot 'cart': must be an array of shape"):
+        oc.plan(checker, goal={"cart": [2, 2]})
+    with pytest.raises(oc.Error, match="disc: goal: the box must have 2 dimensions"):
+        oc.plan(checker, goal={"disc": oc.Zone([1, 1, 1], [2, 2, 2])})
+    with pytest.raises(oc.Error, match="arm: goal: the state of an arm is no position"):
+        oc.Scene([-2, -2, 0], [2, 2, 2]).add_robot(make_arm("arm", [0, 0, 0]), home(), oc.Zone([0, 0, 0], [1, 1, 1]))
+    with pytest.raises(oc.Error, match="high must be above low"):
+        oc.Zone([1, 1], [0, 0])
