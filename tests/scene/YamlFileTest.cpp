@@ -107,7 +107,7 @@ namespace ompl_certificates
         scene.validate();
         EXPECT_TRUE(scene.hasRegions());
         EXPECT_FALSE(scene.getMembers()[1].region);
-        for (const std::size_t i : {0, 2})
+        for (const std::size_t i : {std::size_t(0), std::size_t(2)})
         {
             const auto &member = scene.getMembers()[i];
             const auto &zone = dynamic_cast<const ZoneGoal &>(*member.region);
