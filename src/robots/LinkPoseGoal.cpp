@@ -4,6 +4,7 @@
 #include "geometry/RigidPose.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>

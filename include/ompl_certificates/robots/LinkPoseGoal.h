@@ -31,9 +31,11 @@ namespace ompl_certificates
             /** \brief How the link shall be turned */
             Eigen::Matrix3d rotation;
 
-            /** \brief How far the link may be turned off that, at most, about its x, y and z axis, in radians: XYZ
-                Euler angles of the rotation from there, by either of the two triples that each rotation has. From pi on
-                any turn about that axis will do. */
+            /** \brief The largest turns off that about the link's x, y and z axis, in radians.
+
+                They limit the XYZ Euler angles of the rotation from \e rotation to the link's. Each rotation has two
+                triples of such angles; one within the limits is enough. From pi on any turn about that axis will
+                do. */
             Eigen::Vector3d tolerance{Eigen::Vector3d::Constant(DEFAULT_ROTATION_TOLERANCE)};
         };
 
