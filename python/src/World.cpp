@@ -61,6 +61,14 @@ namespace ompl_certificates_python
             scene.addSensedObstacles(sensed.obstacles, sensed.title);
     }
 
+    ObstacleChange World::ofWorld(ObstacleChange change) const
+    {
+        change.after = getObstacles();
+        // Not those of the set alone. The checkers of this world miss no change.
+        change.before = nullptr;
+        return change;
+    }
+
     ObstacleChange World::changeBodies(const BodyChange &change, std::vector<ObstacleSet::Id> &numbers)
     {
         ObstacleSet bodies = bodies_;
@@ -77,8 +85,7 @@ namespace ompl_certificates_python
         for (const ObstacleSet::Id number : numbers)
             titles_[number] = "added obstacle " + std::to_string(number);
         bodiesNow_ = result.after;
-        result.after = getObstacles();
-        return result;
+        return ofWorld(std::move(result));
     }
 
     ObstacleChange World::addCloud(CloudPoints points, double radius)
@@ -87,8 +94,7 @@ namespace ompl_certificates_python
         set.insert(placed(std::move(points), radius, "points"));
         ObstacleChange change = set.takeChange();
         sensed_.push_back({change.after, "added cloud " + std::to_string(sensed_.size()), radius, std::move(set)});
-        change.after = getObstacles();
-        return change;
+        return ofWorld(std::move(change));
     }
 
     ObstacleChange World::changeCloud(std::size_t cloud, CloudChange change)
@@ -103,8 +109,7 @@ namespace ompl_certificates_python
         Sensed &sensed = sensed_[cloud];
         sensed.obstacles = result.after;
         sensed.set = std::move(set);
-        result.after = getObstacles();
-        return result;
+        return ofWorld(std::move(result));
     }
 
     ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size)
@@ -113,8 +118,7 @@ namespace ompl_certificates_python
         cells.insert(occupied);
         ObstacleChange change = cells.takeChange();
         sensed_.push_back({change.after, "added grid " + std::to_string(sensed_.size()), {}, {}, std::move(cells)});
-        change.after = getObstacles();
-        return change;
+        return ofWorld(std::move(change));
     }
 
     ObstacleChange World::changeGrid(std::size_t grid, const std::vector<CellBox> &occupied,
@@ -127,8 +131,7 @@ namespace ompl_certificates_python
         Sensed &sensed = sensed_[grid];
         sensed.obstacles = result.after;
         sensed.cells = std::move(cells);
-        result.after = getObstacles();
-        return result;
+        return ofWorld(std::move(result));
     }
 
     std::vector<Eigen::Vector3d> World::getPoints(std::size_t cloud) const

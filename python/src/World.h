@@ -124,6 +124,9 @@ namespace ompl_certificates_python
         /** \brief The set of a grid, which is made for its first change */
         ompl_certificates::CellSet takeCells(std::size_t grid);
 
+        /** \brief A set's change as one of all obstacles, which it is part of already */
+        ompl_certificates::ObstacleChange ofWorld(ompl_certificates::ObstacleChange change) const;
+
         /** \brief The points as a cloud of this world has them */
         std::vector<Eigen::Vector3d> placed(CloudPoints points, double radius, const std::string &what) const;
 

@@ -188,14 +188,14 @@ namespace ompl_certificates
         }
         edited_.clear();
         if (after_ && added.empty() && removed.empty())
-            return {after_, nullptr, nullptr};
+            return {after_, nullptr, nullptr, {}, after_};
         const auto obstaclesOf = [this](std::vector<CellBox> boxes) -> ObstaclesPtr
         {
-            if (boxes.empty())
-                return nullptr;
-            auto block = std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_);
-            auto forest = std::make_unique<const CellForest>(std::vector{std::move(block)});
-            return ObstaclesPtr(new CellObstacles(std::move(forest), cellSize_, dimension_));
+            std::vector<std::shared_ptr<const CellBlock>> blocks;
+            if (!boxes.empty())
+                blocks.push_back(std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_));
+            return ObstaclesPtr(
+                new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
         };
         std::vector<std::shared_ptr<const CellBlock>> blocks;
         blocks.reserve(blocks_.size());
@@ -204,8 +204,11 @@ namespace ompl_certificates
         ObstacleChange change;
         change.after.reset(
             new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
-        change.added = obstaclesOf(std::move(added));
-        change.removed = obstaclesOf(std::move(removed));
+        if (!added.empty())
+            change.added = obstaclesOf(std::move(added));
+        if (!removed.empty())
+            change.removed = obstaclesOf(std::move(removed));
+        change.before = after_ ? after_ : obstaclesOf({});
         after_ = change.after;
         return change;
     }

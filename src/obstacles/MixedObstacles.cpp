@@ -175,19 +175,32 @@ namespace ompl_certificates
                     members.push_back(change.*part);
             return members.empty() && !needsAll ? nullptr : std::make_shared<MixedObstacles>(std::move(members));
         };
-        return {mixed(&ObstacleChange::after, true), mixed(&ObstacleChange::added, false),
-                mixed(&ObstacleChange::removed, false), changes};
+        return {mixed(&ObstacleChange::after, true),
+                mixed(&ObstacleChange::added, false),
+                mixed(&ObstacleChange::removed, false),
+                changes,
+                {}};
+    }
+
+    namespace
+    {
+        /** Whether these are the same obstacles, as objects or as their fingerprints tell */
+        bool isSame(const Obstacles &first, const Obstacles &second)
+        {
+            if (&first == &second)
+                return true;
+            const std::uint64_t fingerprint = first.getFingerprint();
+            return fingerprint != 0 && fingerprint == second.getFingerprint();
+        }
     }
 
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before)
     {
         if (change.members.empty())
         {
-            if (change.added || change.removed || change.after == before)
-                return change;
-            const std::uint64_t fingerprint = change.after->getFingerprint();
-            const bool isSame = fingerprint != 0 && fingerprint == before->getFingerprint();
-            return isSame ? change : ObstacleChange::replacing(before, change.after);
+            const bool namesNothing = !change.added && !change.removed;
+            const ObstaclesPtr &starting = namesNothing ? change.after : change.before;
+            return !starting || isSame(*starting, *before) ? change : ObstacleChange::replacing(before, change.after);
         }
         const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
         if (!mixed || mixed->getMembers().size() != change.members.size())

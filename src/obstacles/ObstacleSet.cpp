@@ -71,7 +71,7 @@ namespace ompl_certificates
             if (!isIn(obstacles_, id, obstacle.pose))
                 removed.push_back(obstacle);
         if (after_ && added.empty() && removed.empty())
-            return {after_, nullptr, nullptr};
+            return {after_, nullptr, nullptr, {}, after_};
         std::map<Id, PlacedBody> taken = obstacles_;
         ObstacleChange change;
         change.after = make(all);
@@ -80,6 +80,7 @@ namespace ompl_certificates
         if (!removed.empty())
             change.removed = make(removed);
         taken_.swap(taken);
+        change.before = after_ ? after_ : make({});
         after_ = change.after;
         return change;
     }

@@ -192,7 +192,7 @@ namespace ompl_certificates
     ObstacleChange PointCloudSet::takeChange()
     {
         if (after_ && inserted_.empty() && removed_.empty())
-            return {after_, nullptr, nullptr};
+            return {after_, nullptr, nullptr, {}, after_};
         std::vector<PointForest::Layer> layers;
         for (Layer &layer : layers_)
         {
@@ -207,19 +207,19 @@ namespace ompl_certificates
                             std::back_inserter(added), isPointBefore);
         std::set_difference(removed_.begin(), removed_.end(), inserted_.begin(), inserted_.end(),
                             std::back_inserter(removed), isPointBefore);
-        const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr
-        {
-            if (points.empty())
-                return nullptr;
+        const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr {
             return std::make_shared<PointCloudObstacles>(PointCloud{std::move(points), radius_}, dimension_);
         };
         ObstacleChange change;
         change.after.reset(
             new PointCloudObstacles(std::make_unique<const PointForest>(std::move(layers)), radius_, dimension_));
-        change.added = obstaclesOf(std::move(added));
-        change.removed = obstaclesOf(std::move(removed));
+        if (!added.empty())
+            change.added = obstaclesOf(std::move(added));
+        if (!removed.empty())
+            change.removed = obstaclesOf(std::move(removed));
         inserted_.clear();
         removed_.clear();
+        change.before = after_ ? after_ : obstaclesOf({});
         after_ = change.after;
         return change;
     }

@@ -87,6 +87,44 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
         }
 }
 
+/** A checker that a set's change has passed by gives up what it knows of that set. */
+TEST(ReplacedObstacles, AreFoundWhereAChangeWasMissed)
+{
+    const TeamStateSpacePtr team = teamOfDiscs();
+    for (const bool mixed : {false, true})
+    {
+        ObstacleSet set(2);
+        for (const PlacedBody &body : worldOf(1))
+            set.add(body);
+        const ObstacleChange shelf{std::make_shared<FclObstacles>(worldOf(2), 2U), nullptr, nullptr};
+        const auto whole = [&](const ObstacleChange &change) { return mixed ? mixedChange({change, shelf}) : change; };
+        TeamSetup setup(team, whole(set.takeChange()).after);
+        setup.getSpaceInformation()->setup();
+        const auto checker = setup.getTeamChecker();
+        std::vector<ob::ScopedState<>> states;
+        learn(*checker, states);
+        for (const PlacedBody &body : worldOf(3))
+            set.add(body);
+        set.takeChange();
+        set.add({Body::box(0.4, 0.4), planarPose(0.0, 0.0)});
+        const ObstacleChange change = whole(set.takeChange());
+        checker->changeObstacles(change);
+        expectTruth(team, *checker, change.after, states);
+        // The first change of a set starts from none.
+        ObstacleSet other(2);
+        other.add({Body::box(0.4, 0.4), planarPose(1.0, 1.0)});
+        const ObstacleChange first = whole(other.takeChange());
+        checker->changeObstacles(first);
+        expectTruth(team, *checker, first.after, states);
+        // A change that was not missed keeps what is known.
+        learn(*checker, states);
+        const std::size_t known = checker->getCertificateCount();
+        other.add({Body::box(0.01, 0.01), planarPose(HALF, HALF)});
+        checker->changeObstacles(whole(other.takeChange()));
+        EXPECT_GT(checker->getCertificateCount(), 0.9 * static_cast<double>(known));
+    }
+}
+
 TEST(ReplacedObstacles, AmongMixedOnesAreFoundByTheirFingerprints)
 {
     const TeamStateSpacePtr team = teamOfDiscs();

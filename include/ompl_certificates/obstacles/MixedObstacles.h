@@ -80,12 +80,13 @@ namespace ompl_certificates
         \throws ompl::Exception as MixedObstacles::MixedObstacles() */
     ObstacleChange mixedChange(const std::vector<ObstacleChange> &changes);
 
-    /** \brief A change of the obstacles \e before, where what names nothing added or removed, but is other obstacles,
-        counts as ObstacleChange::replacing(): all of it, or members in a mixedChange(). Whether they are others, their
-        fingerprints tell. If \e before has not as many members, all of it counts as replaced.
+    /** \brief A change of the obstacles \e before, where two kinds count as ObstacleChange::replacing(): one that names
+        nothing added or removed, but is other obstacles; and one that starts from others than \e before. So do members
+        in a mixedChange(). Whether they are others, their fingerprints tell. If \e before has not as many members,
+        all of it counts as replaced.
 
-        TeamValidityChecker::changeObstacles() does this. Cost: two fingerprints of those that name nothing and are not
-        the same objects as before. */
+        TeamValidityChecker::changeObstacles() does this. Cost: two fingerprints of those that are not the same
+        objects. */
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before);
 }
 

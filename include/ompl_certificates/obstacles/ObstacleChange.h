@@ -17,7 +17,7 @@ namespace ompl_certificates
         /** \brief The change from all obstacles \e before to others: all that is known of them is given up. */
         static ObstacleChange replacing(const ObstaclesPtr &before, const ObstaclesPtr &after)
         {
-            return {after, after, before};
+            return {after, after, before, {}, before};
         }
 
         /** \brief All obstacles, as they are now */
@@ -32,13 +32,17 @@ namespace ompl_certificates
         /** \brief The changes of the members of \e after, if mixedChange() made this; else none */
         std::vector<ObstacleChange> members{};
 
-        /** \brief The new clearance of \e point, whose clearance was \e before. Asks all obstacles only where a removed
+        /** \brief All obstacles, as they were before; null if that is not known. A checker among others has missed a
+            change, and gives up all that it knows of them. */
+        ObstaclesPtr before{};
+
+        /** \brief The new clearance of \e point, whose clearance was \e known. Asks all obstacles only where a removed
             one was nearest. */
-        double clearance(const Eigen::Vector3d &point, double before) const
+        double clearance(const Eigen::Vector3d &point, double known) const
         {
-            if (removed && isWithin(*removed, point, before + std::max(removed->getTolerance(), after->getTolerance())))
+            if (removed && isWithin(*removed, point, known + std::max(removed->getTolerance(), after->getTolerance())))
                 return after->clearance(point);
-            return added ? std::min(before, added->clearanceUpTo(point, before)) : before;
+            return added ? std::min(known, added->clearanceUpTo(point, known)) : known;
         }
 
         /** \brief Whether something was added or removed within \e radius of \e center, or almost. If not, a

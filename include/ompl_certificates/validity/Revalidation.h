@@ -19,7 +19,7 @@ namespace ompl_certificates
         What was valid stays so unless it meets what was added. A change must name that: obstacles that are new
         altogether are added by ObstacleChange::replacing(). So this checks among the added obstacles alone, with
         certificates of its own: where nothing was added nearby, a few of these settle whole motions. Robots are not
-        checked against each other.
+        checked against each other. Ask after each change: what an earlier one made invalid is not found.
         @code
         const ObstacleChange change = set.takeChange();
         checker->changeObstacles(change);

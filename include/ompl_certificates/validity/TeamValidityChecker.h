@@ -101,8 +101,9 @@ namespace ompl_certificates
 
             Waits until the running checks of other threads are done; later checks wait for the change. What a planner
             found before is not checked again, so clear the planner before it continues. A change that names neither
-            added nor removed obstacles, but others than there are, counts as ObstacleChange::replacing(). So does a
-            member's change within a mixedChange(). Whether they are others, their fingerprints tell.
+            added nor removed obstacles, but others than there are, counts as ObstacleChange::replacing(). So does one
+            that starts from others, as this checker has missed a change, and a member's change within a mixedChange().
+            Whether they are others, their fingerprints tell.
             \throws ompl::Exception if there are no obstacles, or if their workspace or z-interval does not fit. Also if
             called within a check. */
         void changeObstacles(const ObstacleChange &change);
