@@ -98,7 +98,8 @@ namespace
 TEST(Planners, StepAsTheTeamSaysIfThereAreArmsAndNoOtherRangeIsGiven)
 {
     const auto team = armAndBall(6.0);
-    const double range = 0.2 * std::sqrt(2.0 * M_PI * M_PI + 3.0 * 4.0);
+    // An eighth of the arm's extent, a fifth of the ball's
+    const double range = std::hypot(0.125 * std::sqrt(2.0) * M_PI, 0.2 * std::sqrt(3.0) * 2.0);
     EXPECT_NEAR(team->getPlannerRange(), range, 1e-12);
     const auto noObstacles = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3);
     TeamSetup setup(team, noObstacles);
@@ -126,9 +127,11 @@ TEST(Planners, StepAsTheTeamSaysIfThereAreArmsAndNoOtherRangeIsGiven)
     allocating.setup();
     EXPECT_NEAR(rangeOf(*allocating.getPlanner()), range, 1e-5);
 
-    // Narrow joints leave it to OMPL.
-    TeamSetup narrow(armAndBall(1.0), noObstacles);
-    EXPECT_EQ(rangeOf(*makePlanner("RRT", narrow.getSpaceInformation())), 0.0);
+    // Teams without arms leave it to OMPL.
+    auto balls = std::make_shared<TeamStateSpace>();
+    balls->addRobot(team->getRobots()[1]);
+    TeamSetup plain(balls, noObstacles);
+    EXPECT_EQ(rangeOf(*makePlanner("RRT", plain.getSpaceInformation())), 0.0);
 }
 
 TEST(Planners, TakeTheirOwnParametersAndNoOthers)

@@ -154,10 +154,10 @@ TEST(Arm, ContinuousPlanarAndFloatingJointsHaveTheirSpaces)
     EXPECT_THROW(Arm("mobile", tree, {"drive"}, options), ompl::Exception);
 }
 
-TEST(Arm, PlannersStepAFifthOfHalfATurnForEachJoint)
+TEST(Arm, PlannersStepAnEighthOfHalfATurnForEachJoint)
 {
     // Limits of +-2 are wider than half a turn.
-    EXPECT_NEAR(Arm("arm", sevenJoints(), SEVEN).getPlannerRange(), 0.2 * M_PI * std::sqrt(7.0), 1e-12);
+    EXPECT_NEAR(Arm("arm", sevenJoints(), SEVEN).getPlannerRange(), 0.125 * M_PI * std::sqrt(7.0), 1e-12);
 
     KinematicTree tree("world");
     tree.addLink("world", joint("lift", JointType::PRISMATIC, {0, 0, 0}, {0, 0, 1}, 0.0, 4.0), "a", Body::sphere(0.1));
@@ -165,11 +165,11 @@ TEST(Arm, PlannersStepAFifthOfHalfATurnForEachJoint)
     tree.addLink("b", joint("turn", JointType::CONTINUOUS, {1, 0, 0}), "c", Body::sphere(0.1));
     tree.addLink("c", joint("wide", JointType::REVOLUTE, {1, 0, 0}, {0, 0, 1}, -9.0, 9.0), "d", Body::sphere(0.1));
     const Arm plain("plain", tree, {"lift", "narrow"});
-    EXPECT_DOUBLE_EQ(plain.getPlannerRange(), 0.2 * 5.0);
-    EXPECT_DOUBLE_EQ(plain.getPlannerRange(), plain.Robot::getPlannerRange());
+    EXPECT_DOUBLE_EQ(plain.getPlannerRange(), 0.125 * 5.0);
+    EXPECT_DOUBLE_EQ(plain.Robot::getPlannerRange(), 0.2 * 5.0);
     // As the space does it, its three components add up.
     const Arm mixed("mixed", tree, {"lift", "narrow", "turn", "wide"});
-    EXPECT_DOUBLE_EQ(mixed.getPlannerRange(), 0.2 * (5.0 + M_PI + M_PI));
+    EXPECT_DOUBLE_EQ(mixed.getPlannerRange(), 0.125 * (5.0 + M_PI + M_PI));
     EXPECT_DOUBLE_EQ(mixed.Robot::getPlannerRange(), 0.2 * (5.0 + M_PI + 18.0));
 }
 

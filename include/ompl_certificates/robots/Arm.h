@@ -93,9 +93,9 @@ namespace ompl_certificates
         /** \brief The last one of those that most joints move */
         std::size_t getTracedBody() const override;
 
-        /** \brief See Robot. A REVOLUTE joint counts half a turn at most, as a CONTINUOUS one does, however far its limits
-            are apart. With limits of two turns OMPL's own range is four times as long, and a plan by RRTConnect takes
-            two to four times as long; see benchmarks/README.md. */
+        /** \brief See Robot. An eighth of the extent in which a REVOLUTE joint counts half a turn at most, as a
+            CONTINUOUS one does, however far its limits are apart: about 1 for six or seven such joints. See
+            benchmarks/README.md for how much quicker plans are by it than by OMPL's own range. */
         double getPlannerRange() const override;
 
         /** \brief The pose of a link's frame in the workspace, such as that of the tool. Costs as much as
