@@ -64,8 +64,14 @@ class Body:
 class Zone:
     """A box that a rigid robot or a car with a trailer shall get into: a goal of all states with its position there,
     however it is turned"""
-    def __init__(self, low: Sequence[float], high: Sequence[float]) -> None:
+    def __init__(self, low: ArrayLike, high: ArrayLike) -> None:
         """low and high bound the position, with 2 or 3 numbers."""
+    @property
+    def low(self) -> List[float]:
+        """The least numbers of the position"""
+    @property
+    def high(self) -> List[float]:
+        """The largest numbers of the position"""
 
 class LinkPose:
     """Where a link of an arm shall be, such as its tool: a goal of all states in which it is there"""
@@ -83,7 +89,8 @@ class LinkPose:
         matrix of shape (3, 3) or (qx, qy, qz, qw), is how the link shall be turned: any way if it is None. In the plane
         points have 2 numbers, and the rotation is an angle. The tolerances are one number or three, 0.001 and 0.01 if
         they are None: how far off the point may be along the workspace's axes, and the link about its own: XYZ Euler
-        angles, in radians. From pi on any turn about that axis will do."""
+        angles, in radians. From pi on any turn about that axis will do, and the angles are XZY if that is the y
+        axis."""
 
 class AttachedBody:
     """A body that an arm carries, such as what it has grasped"""
@@ -190,6 +197,12 @@ class Robot:
         """Of an arm, the name of the link of each body"""
     def link_pose(self, state: ArrayLike, link: str) -> NDArray[np.float64]:
         """Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape (4, 4)"""
+    def sample_goal(self, goal: Union[LinkPose, Zone], count: int = 1, seed: int = 1) -> NDArray[np.float64]:
+        """Random states of a LinkPose or a Zone, of shape (count, coordinates); fewer rows if no more are found. This
+        is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
+    def goal_distance(self, goal: Union[LinkPose, Zone], state: ArrayLike) -> float:
+        """How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the position's
+        tolerances and radians beyond the rotation's are added."""
     def poses(self, state: ArrayLike) -> NDArray[np.float64]:
         """Where each body is in a state: matrices, of shape (bodies, 4, 4). Bodies of an arm have frames of their own,
         see link_pose."""

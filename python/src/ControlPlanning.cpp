@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Checker.h"
 #include "ControlPlan.h"
+#include "Goals.h"
 #include "PlanOptions.h"
 #include "Progress.h"
 #include "Quiet.h"
@@ -59,6 +60,8 @@ namespace ompl_certificates_python
             {
                 if (object.is_none())
                     return std::vector<double>();
+                if (isGoal(object))
+                    throw ompl::Exception(what, "must be one state: plans by controls take no Zone and no LinkPose");
                 const Doubles values = toDoubles(object, what);
                 requireOneState(values, rotations.count, what);
                 std::vector<double> numbers(values.data(), values.data() + values.size());

@@ -1,6 +1,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "DynamicRobots.h"
+#include "Goals.h"
 
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
@@ -109,7 +110,6 @@ namespace ompl_certificates_python
         ompl::base::ScopedState<> toState(const Robot &robot, const std::vector<double> &state)
         {
             const auto &space = robot.getStateSpace();
-            space->computeLocations();
             if (state.size() != space->getValueLocations().size())
                 throw ompl::Exception("state", "must have " + std::to_string(space->getValueLocations().size()) +
                                                    " numbers, not " + std::to_string(state.size()));
@@ -134,6 +134,35 @@ namespace ompl_certificates_python
             py::array_t<double> result({py::ssize_t(4), py::ssize_t(4)});
             RowMatrix(result.mutable_data()) = pose.matrix();
             return result;
+        }
+
+        /** States of a goal, one a row: fewer than \e count if no more are found */
+        Doubles sampleGoal(const std::shared_ptr<Robot> &robot, const py::object &object, unsigned int count,
+                           unsigned int seed)
+        {
+            const RobotGoalPtr goal = toRobotGoal(robot, object);
+            const auto &space = robot->getStateSpace();
+            std::vector<double> rows, row;
+            {
+                const py::gil_scoped_release release;
+                ompl::RNG random(seed);
+                ompl::base::ScopedState<> state(space);
+                for (unsigned int i = 0; i < count && goal->sample(random, state.get()); ++i)
+                {
+                    space->copyToReals(row, state.get());
+                    rows.insert(rows.end(), row.begin(), row.end());
+                }
+            }
+            const auto width = static_cast<py::ssize_t>(space->getValueLocations().size());
+            Doubles result({static_cast<py::ssize_t>(rows.size()) / width, width});
+            std::copy(rows.begin(), rows.end(), result.mutable_data());
+            return result;
+        }
+
+        double goalDistance(const std::shared_ptr<Robot> &robot, const py::object &object,
+                            const std::vector<double> &state)
+        {
+            return toRobotGoal(robot, object)->distance(toState(*robot, state).get());
         }
     }
 
@@ -182,12 +211,7 @@ namespace ompl_certificates_python
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")
             .def_property_readonly(
-                "coordinates",
-                [](const Robot &robot)
-                {
-                    robot.getStateSpace()->computeLocations();
-                    return coordinateNames(robot);
-                },
+                "coordinates", [](const Robot &robot) { return coordinateNames(robot); },
                 "The names of the numbers of a state")
             .def_property_readonly("dimension", &Robot::getWorkspaceDimension, "The dimension of the workspace: 2 or 3")
             .def("poses", &posesOf, py::arg("state"),
@@ -196,7 +220,13 @@ namespace ompl_certificates_python
             .def_property_readonly("links", &linksOf, "Of an arm, the name of the link of each body")
             .def("link_pose", &linkPose, py::arg("state"), py::arg("link"),
                  "Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape "
-                 "(4, 4)");
+                 "(4, 4)")
+            .def("sample_goal", &sampleGoal, py::arg("goal"), py::arg("count") = 1, py::arg("seed") = 1,
+                 "Random states of a LinkPose or a Zone, of shape (count, coordinates); fewer rows if no more are "
+                 "found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter.")
+            .def("goal_distance", &goalDistance, py::arg("goal"), py::arg("state"),
+                 "How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the "
+                 "position's tolerances and radians beyond the rotation's are added.");
         bindDynamicRobots(robots);
     }
 }

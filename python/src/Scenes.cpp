@@ -5,6 +5,7 @@
 #include "Rotations.h"
 #include "World.h"
 
+#include <ompl_certificates/control/DynamicRobot.h>
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/pictures/PathFile.h>
@@ -105,6 +106,9 @@ namespace ompl_certificates_python
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
                       double weight)
         {
+            if (isGoal(to) && std::dynamic_pointer_cast<DynamicRobot>(robot))
+                throw ompl::Exception(scene.getSource(), "robot '" + robot->getName() +
+                                                             "': goal must be one state, as the robot has dynamics");
             std::vector<double> start = toNumbers(from, "start"), goal;
             const RobotGoalPtr region = isGoal(to) ? toRobotGoal(robot, to) : nullptr;
             if (!region)

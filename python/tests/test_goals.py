@@ -110,6 +110,15 @@ def test_a_single_arm_needs_no_dict() -> None:
         (lambda: oc.LinkPose("a", [1, 2, 3], rotation_tolerance=1), "a rotation_tolerance needs a rotation"),
         (lambda: oc.LinkPose("a", rotation=[0, 0, 0, 1], point=[1, 2, 3]), "need a position"),
         (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=0), "position_tolerance: must be at least 1e-9"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=1e-10), r"at least 1e-9, not \(1e-10, 1e-10, 1e-10\)"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=True), "position_tolerance: must be a list"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], rotation=0.5), "rotation: must be of space"),
+        (lambda: oc.LinkPose("a", [1, 2], point=[1, 2, 3]), "point: must be of the plane"),
+        (
+            lambda: oc.plan(two_arms(), goal={"left": oc.LinkPose("tool_center", [0.1, 0.2])}),
+            "goal of link 'tool_center': points must have 3 numbers",
+        ),
+        (lambda: make_arm("arm", [0, 0, 0]).sample_goal([1.0]), "goal: must be a LinkPose or a Zone"),
     ],
 )
 def test_errors_name_what_is_wrong(make: object, message: str) -> None:
@@ -187,5 +196,39 @@ def test_zones_hold_the_position_alone() -> None:
         oc.plan(checker, goal={"disc": oc.Zone([1, 1, 1], [2, 2, 2])})
     with pytest.raises(oc.Error, match="arm: goal: the state of an arm is no position"):
         oc.Scene([-2, -2, 0], [2, 2, 2]).add_robot(make_arm("arm", [0, 0, 0]), home(), oc.Zone([0, 0, 0], [1, 1, 1]))
-    with pytest.raises(oc.Error, match="high must be above low"):
+    with pytest.raises(oc.Error, match=r"Zone: must be finite .* not from \(1, 1\) to \(0, 0\)"):
         oc.Zone([1, 1], [0, 0])
+    line = oc.Zone([7, 1], (7, 9.5))
+    assert (line.low, line.high, repr(line)) == ([7, 1], [7, 9.5], "<Zone from (7, 1) to (7, 9.5)>")
+    end = oc.plan(checker, time=10, first=True, goal={"disc": line}).path[-1]
+    assert end[3] == 7
+    # A zone that is open to one side, as far as the floor goes
+    end = oc.plan(checker, time=10, first=True, goal={"disc": oc.Zone([8, -100], [100, 100])}).path[-1]
+    assert end[3] >= 8
+
+
+def test_states_of_a_goal_are_the_inverse_kinematics() -> None:
+    arm = make_arm("arm", [0.1, 0, 0])
+    goal = oc.LinkPose("tool_center", [0.4, 0.2, 0.5], DOWN, position_tolerance=np.float32(0.01))
+    states = arm.sample_goal(goal, count=20, seed=3)
+    assert states.shape == (20, 6)
+    assert np.array_equal(states, arm.sample_goal(goal, count=20, seed=3))
+    assert len(np.unique(states, axis=0)) == 20
+    for state in states:
+        assert arm.goal_distance(goal, state) == 0
+        assert np.abs(arm.link_pose(state, "tool_center")[:3, 3] - [0.4, 0.2, 0.5]).max() <= 0.01
+    assert arm.sample_goal(oc.LinkPose("tool_center", [4, 0, 0])).shape == (0, 6)
+    away = oc.LinkPose("tool_center", arm.link_pose(states[0], "tool_center")[:3, 3] + [0, 0, 0.3])
+    assert arm.goal_distance(away, states[0]) == pytest.approx(0.3 - 0.001)
+    assert repr(goal) == "<LinkPose of 'tool_center' at (0.4, 0.2, 0.5), turned>"
+    assert goal.link == "tool_center"
+
+
+def test_plans_by_controls_go_to_one_state() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    cart = oc.Robot.unicycle("cart", oc.Body.disc(0.2), [0, 0], [10, 10], 1, 1)
+    with pytest.raises(oc.Error, match="robot 'cart': goal must be one state, as the robot has dynamics"):
+        scene.add_robot(cart, [1, 1, 0], oc.Zone([7, 7], [9, 9]))
+    scene.add_robot(cart, [1, 1, 0], [8, 8, 0])
+    with pytest.raises(oc.Error, match="goal: must be one state: plans by controls take no Zone"):
+        oc.plan_controls(scene, goal=oc.Zone([7, 7], [9, 9]))

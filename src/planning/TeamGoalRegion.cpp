@@ -14,6 +14,9 @@ namespace ompl_certificates
         /** How many states of a robot's goal are tried for one of the team's */
         constexpr unsigned int TRIES = 20;
 
+        /** How often the robots are placed anew, those that found no room first */
+        constexpr unsigned int MOST_ROUNDS = 20;
+
         /** One of so many samples is the state that is known. */
         constexpr unsigned int KNOWN_STATE_PERIOD = 10;
     }
@@ -28,7 +31,10 @@ namespace ompl_certificates
         const std::string owner = "TeamGoalRegion";
         if (!checker_)
             throw ompl::Exception(owner, "needs a TeamValidityChecker");
-        const unsigned int robots = si->getStateSpace()->as<TeamStateSpace>()->getRobotCount();
+        const auto *team = dynamic_cast<const TeamStateSpace *>(si->getStateSpace().get());
+        if (!team)
+            throw ompl::Exception(owner, "needs a TeamStateSpace");
+        const unsigned int robots = team->getRobotCount();
         if (goals_.size() != robots)
             throw ompl::Exception(owner, "must have a goal for each of " + std::to_string(robots) + " robots, not " +
                                              std::to_string(goals_.size()));
@@ -60,33 +66,44 @@ namespace ompl_certificates
 
     void TeamGoalRegion::sampleGoal(ompl::RNG &random, ob::State *state) const
     {
-        si_->copyState(state, state_.get());
+        std::vector<unsigned int> fixed, order;
         for (unsigned int robot = 0; robot < goals_.size(); ++robot)
-            if (goals_[robot] && !sampleRobot(robot, random, state))
+            (goals_[robot] ? order : fixed).push_back(robot);
+        bool isFound = false;
+        for (unsigned int i = 0; !isFound && i < MOST_ROUNDS; ++i)
+        {
+            si_->copyState(state, state_.get());
+            std::vector<unsigned int> placed = fixed;
+            const auto isPlaced = [&](unsigned int robot)
             {
-                si_->copyState(state, state_.get());
+                const bool hasRoom = sampleRobot(robot, placed, random, state);
+                placed.push_back(robot);
+                return hasRoom;
+            };
+            const auto stuck = std::find_if_not(order.begin(), order.end(), isPlaced);
+            isFound = stuck == order.end();
+            // Nobody who could make room was before it.
+            if (stuck == order.begin())
                 break;
-            }
+            if (!isFound)
+                std::rotate(order.begin(), stuck, stuck + 1);
+        }
+        if (!isFound)
+            si_->copyState(state, state_.get());
         si_->getStateSpace()->as<TeamStateSpace>()->clearReferences(state);
     }
 
-    bool TeamGoalRegion::sampleRobot(unsigned int robot, ompl::RNG &random, ob::State *state) const
+    bool TeamGoalRegion::sampleRobot(unsigned int robot, const std::vector<unsigned int> &placed, ompl::RNG &random,
+                                     ob::State *state) const
     {
         auto *components = state->as<ob::CompoundState>()->components;
         const auto isApart = [&](unsigned int other)
-        {
-            const bool isKnown = other < robot || !goals_[other];
-            return other == robot || !isKnown ||
-                   checker_->isPairFree(robot, components[robot], other, components[other]);
-        };
+        { return checker_->isPairFree(robot, components[robot], other, components[other]); };
         for (unsigned int i = 0; i < TRIES; ++i)
         {
             if (!goals_[robot]->sample(random, components[robot]))
                 return false;
-            bool isFree = checker_->isRobotFree(robot, components[robot]);
-            for (unsigned int other = 0; isFree && other < goals_.size(); ++other)
-                isFree = isApart(other);
-            if (isFree)
+            if (checker_->isRobotFree(robot, components[robot]) && std::all_of(placed.begin(), placed.end(), isApart))
                 return true;
         }
         return false;

@@ -16,7 +16,6 @@ namespace ompl_certificates
 
     namespace
     {
-        using Vector6 = Eigen::Matrix<double, 6, 1>;
         using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
         /** From how many random states the goal is looked for, and for how many steps from each */
@@ -28,21 +27,41 @@ namespace ompl_certificates
         /** The least, the first and the largest damping, of numbers about 1 */
         constexpr double LEAST_DAMPING = 1e-9, FIRST_DAMPING = 1e-3, MOST_DAMPING = 1e3;
 
+        /** How far off 1 rounding takes an element of a planar rotation */
+        constexpr double PLANAR_ROUNDING = 1e-9;
+
+        /** A smaller cosine is lost in rounding. */
+        constexpr double NO_COSINE = 1e-8;
+
+        /** How often a step is made again without the joints that their limits hold */
+        constexpr unsigned int MOST_HELD = 3;
+
         /** A step that leaves more than this of the way does not count as one. */
         constexpr double LEFT_BY_A_STEP = 0.999;
 
-        /** Turns about x, y and z that make up \e turn, one after another */
-        Eigen::Vector3d anglesOf(const Eigen::Matrix3d &turn)
+        /** Turns about x, y and z that make up \e turn, one after another. With \e isYLast the one about y comes last:
+            the two others are then well defined however large it is. */
+        Eigen::Vector3d anglesOf(const Eigen::Matrix3d &turn, bool isYLast)
         {
-            return {std::atan2(-turn(1, 2), turn(2, 2)), std::atan2(turn(0, 2), std::hypot(turn(0, 0), turn(0, 1))),
-                    std::atan2(-turn(0, 1), turn(0, 0))};
+            if (isYLast)
+                return {std::atan2(turn(2, 1), turn(1, 1)), std::atan2(turn(0, 2), turn(0, 0)),
+                        std::atan2(-turn(0, 1), std::hypot(turn(0, 0), turn(0, 2)))};
+            const double cosine = std::hypot(turn(0, 0), turn(0, 1)), angle = std::atan2(turn(0, 2), cosine);
+            // With y at a right angle, turns about x and z are the same.
+            if (cosine < NO_COSINE)
+                return {std::atan2(turn(2, 1), turn(1, 1)), angle, 0.0};
+            return {std::atan2(-turn(1, 2), turn(2, 2)), angle, std::atan2(-turn(0, 1), turn(0, 0))};
         }
 
         /** The other such turns: each rotation has two. */
-        Eigen::Vector3d otherAngles(const Eigen::Vector3d &angles)
+        Eigen::Vector3d otherAngles(const Eigen::Vector3d &angles, bool isYLast)
         {
-            const auto opposite = [](double angle) { return angle > 0.0 ? angle - M_PI : angle + M_PI; };
-            return {opposite(angles[0]), (angles[1] < 0.0 ? -M_PI : M_PI) - angles[1], opposite(angles[2])};
+            Eigen::Vector3d others;
+            const int middle = isYLast ? 2 : 1;
+            for (int i = 0; i < 3; ++i)
+                others[i] = i == middle ? std::copysign(M_PI, angles[i]) - angles[i]
+                                        : angles[i] - std::copysign(M_PI, angles[i]);
+            return others;
         }
 
         /** How far \e angles are beyond \e tolerance, added up */
@@ -69,6 +88,15 @@ namespace ompl_certificates
             return rigidPose(pose, owner).linear();
         }
 
+        /** Make sure that a planar arm can have the pose */
+        void requirePlanar(const std::string &owner, const LinkPose &pose)
+        {
+            if (pose.point.z() != 0.0 || (pose.position && pose.position->point.z() != 0.0))
+                throw ompl::Exception(owner, "the points of a planar arm must have z = 0");
+            if (pose.rotation && !(std::abs(pose.rotation->rotation(2, 2) - 1.0) <= PLANAR_ROUNDING))
+                throw ompl::Exception(owner, "a planar arm turns about z alone");
+        }
+
         /** How far the link can be from the arm's root, about: all its joints in a row */
         double reachOf(const KinematicTree &tree, const std::string &link)
         {
@@ -89,15 +117,22 @@ namespace ompl_certificates
             constexpr std::size_t most = 400;
             std::string names;
             for (const KinematicTree::Link &link : arm.getTree().getLinks())
-                if (arm.moves(link.name) && names.size() < most)
-                    names += (names.empty() ? "'" : ", '") + link.name + "'";
-            return names.size() < most ? names : names + ", …";
+            {
+                if (!arm.moves(link.name))
+                    continue;
+                if (names.size() >= most)
+                    return names + ", …";
+                names += (names.empty() ? "'" : ", '") + link.name + "'";
+            }
+            return names;
         }
     }
 
     LinkPoseGoal::LinkPoseGoal(std::shared_ptr<const Arm> arm, LinkPose pose)
       : arm_(std::move(arm)), pose_(std::move(pose)), tolerance_(Deviation::Constant(HUGE_VAL))
     {
+        if (!arm_)
+            throw ompl::Exception("LinkPoseGoal", "the arm must not be null");
         const std::string owner = arm_->getName() + ": goal of link '" + pose_.link + "'";
         if (!arm_->getTree().hasLink(pose_.link))
             throw ompl::Exception(owner, "there is no such link; it moves " + movedLinks(*arm_));
@@ -122,7 +157,8 @@ namespace ompl_certificates
                 if (tolerance >= M_PI)
                     tolerance = HUGE_VAL;
         }
-        arm_->getStateSpace()->computeLocations();
+        if (arm_->getWorkspaceDimension() == 2)
+            requirePlanar(owner, pose_);
         reach_ = reachOf(arm_->getTree(), pose_.link);
     }
 
@@ -134,8 +170,10 @@ namespace ompl_certificates
             deviation.head<3>() = pose_.position->axes.transpose() * (link * pose_.point - pose_.position->point);
         if (pose_.rotation)
         {
-            const Eigen::Vector3d angles = anglesOf(pose_.rotation->rotation.transpose() * link.linear()),
-                                  others = otherAngles(angles), tolerance = tolerance_.tail<3>();
+            const Eigen::Vector3d tolerance = tolerance_.tail<3>();
+            const bool isYFree = tolerance.y() == HUGE_VAL;
+            const Eigen::Vector3d angles = anglesOf(pose_.rotation->rotation.transpose() * link.linear(), isYFree),
+                                  others = otherAngles(angles, isYFree);
             deviation.tail<3>() = excessOf(others, tolerance) < excessOf(angles, tolerance) ? others : angles;
         }
         return deviation;
@@ -183,50 +221,87 @@ namespace ompl_certificates
 
     bool LinkPoseGoal::approach(const Deviation &aim, ob::State *state) const
     {
-        const ob::StateSpacePtr &space = arm_->getStateSpace();
-        const auto &locations = space->getValueLocations();
-        ob::ScopedState<> trial(space);
-        Eigen::Matrix<double, 6, Eigen::Dynamic> slopes(6, static_cast<Eigen::Index>(locations.size()));
         double damping = FIRST_DAMPING;
         Deviation deviation = deviationOf(state);
         for (unsigned int steps = 0; steps < MOST_STEPS; ++steps)
         {
-            const Deviation left = beyond(deviation, aim);
             if (beyond(deviation, tolerance_).isZero(0.0))
-                return space->satisfiesBounds(state);
-            trial = state;
-            for (std::size_t i = 0; i < locations.size(); ++i)
-            {
-                double &value = *space->getValueAddressAtLocation(trial.get(), locations[i]);
-                const double before = value;
-                value += DIFFERENCE;
-                Deviation difference = deviationOf(trial.get()) - deviation;
-                for (double &angle : difference.tail<3>())
-                    angle = std::remainder(angle, 2.0 * M_PI);
-                difference.head<3>() /= reach_;
-                slopes.col(static_cast<Eigen::Index>(i)) =
-                    (left.array() != 0.0).select(difference / DIFFERENCE, Vector6::Zero());
-                value = before;
-            }
-            bool isNearer = false;
-            for (; !isNearer && damping <= MOST_DAMPING; damping *= 10.0)
-            {
-                const Matrix6 damped = slopes * slopes.transpose() + damping * Matrix6::Identity();
-                const Eigen::VectorXd step = -slopes.transpose() * damped.llt().solve(left);
-                trial = state;
-                for (std::size_t i = 0; i < locations.size(); ++i)
-                    *space->getValueAddressAtLocation(trial.get(), locations[i]) += step[static_cast<Eigen::Index>(i)];
-                space->enforceBounds(trial.get());
-                const Deviation next = deviationOf(trial.get());
-                isNearer = beyond(next, aim).norm() <= LEFT_BY_A_STEP * left.norm();
-                if (isNearer)
-                    deviation = next;
-            }
-            if (!isNearer)
+                return arm_->getStateSpace()->satisfiesBounds(state);
+            if (!step(slopesAt(state, deviation, beyond(deviation, aim)), aim, damping, deviation, state))
                 return false;
             damping = std::max(LEAST_DAMPING, damping / 100.0);
-            space->copyState(state, trial.get());
         }
         return false;
+    }
+
+    LinkPoseGoal::Slopes LinkPoseGoal::slopesAt(const ob::State *state, const Deviation &deviation,
+                                                const Deviation &left) const
+    {
+        const ob::StateSpacePtr &space = arm_->getStateSpace();
+        const auto &locations = space->getValueLocations();
+        Slopes slopes(6, static_cast<Eigen::Index>(locations.size()));
+        ob::ScopedState<> moved(space);
+        moved = state;
+        for (std::size_t i = 0; i < locations.size(); ++i)
+        {
+            double &value = *space->getValueAddressAtLocation(moved.get(), locations[i]);
+            const double before = value;
+            value += DIFFERENCE;
+            Deviation difference = deviationOf(moved.get()) - deviation;
+            value = before;
+            for (double &angle : difference.tail<3>())
+                angle = std::remainder(angle, 2.0 * M_PI);
+            difference.head<3>() /= reach_;
+            slopes.col(static_cast<Eigen::Index>(i)) =
+                (left.array() != 0.0).select(difference / DIFFERENCE, Deviation::Zero());
+        }
+        return slopes;
+    }
+
+    bool LinkPoseGoal::step(const Slopes &slopes, const Deviation &aim, double &damping, Deviation &deviation,
+                            ob::State *state) const
+    {
+        const Deviation left = beyond(deviation, aim);
+        ob::ScopedState<> trial(arm_->getStateSpace());
+        for (; damping <= MOST_DAMPING; damping *= 10.0)
+        {
+            move(slopes, left, damping, state, trial.get());
+            const Deviation next = deviationOf(trial.get());
+            if (beyond(next, aim).norm() > LEFT_BY_A_STEP * left.norm())
+                continue;
+            deviation = next;
+            arm_->getStateSpace()->copyState(state, trial.get());
+            return true;
+        }
+        return false;
+    }
+
+    void LinkPoseGoal::move(Slopes slopes, const Deviation &left, double damping, const ob::State *from,
+                            ob::State *to) const
+    {
+        const ob::StateSpacePtr &space = arm_->getStateSpace();
+        const auto &locations = space->getValueLocations();
+        const auto valueOf = [&](const ob::State *state, std::size_t i)
+        { return *space->getValueAddressAtLocation(state, locations[i]); };
+        bool isHeld = true;
+        for (unsigned int i = 0; isHeld && i < MOST_HELD; ++i)
+        {
+            const Matrix6 damped = slopes * slopes.transpose() + damping * Matrix6::Identity();
+            const Eigen::VectorXd way = -slopes.transpose() * damped.llt().solve(left);
+            space->copyState(to, from);
+            for (std::size_t k = 0; k < locations.size(); ++k)
+                *space->getValueAddressAtLocation(to, locations[k]) += way[static_cast<Eigen::Index>(k)];
+            space->enforceBounds(to);
+            // The others must do what a joint at its limit cannot.
+            isHeld = false;
+            for (std::size_t k = 0; k < locations.size(); ++k)
+            {
+                auto slope = slopes.col(static_cast<Eigen::Index>(k));
+                if (valueOf(to, k) != valueOf(from, k) || slope.isZero(0.0))
+                    continue;
+                slope.setZero();
+                isHeld = true;
+            }
+        }
     }
 }

@@ -25,9 +25,8 @@ namespace ompl_certificates
                                                  std::to_string(pair.second) + " are not a pair of its " +
                                                  std::to_string(bodies_.size()) + " bodies");
         space_->setName(name_);
-        // Those who use joint cells read values by their locations.
-        if (!bodyPairs_.empty())
-            space_->computeLocations();
+        // Many read values by their locations, at once.
+        space_->computeLocations();
     }
 
     double Robot::getPlannerRange() const

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 #include <sstream>
 
@@ -14,25 +15,47 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How many random states are tried: of a box that is partly out of bounds some are. */
-        constexpr unsigned int MOST_STATES = 100;
+        /** The bounds of the first coordinates, which are the position; null if they have none */
+        const ob::RealVectorBounds *positionBounds(const ob::StateSpace *space)
+        {
+            while (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space))
+                space = compound->getSubspaceCount() == 0 ? nullptr : compound->getSubspace(0).get();
+            const auto *position = dynamic_cast<const ob::RealVectorStateSpace *>(space);
+            return position ? &position->getBounds() : nullptr;
+        }
+
+        std::string cornerText(const std::vector<double> &corner)
+        {
+            std::ostringstream text;
+            for (std::size_t i = 0; i < corner.size(); ++i)
+                text << (i == 0 ? "[" : ", ") << corner[i];
+            return text.str() + "]";
+        }
     }
 
     ZoneGoal::ZoneGoal(RobotPtr robot, const ob::RealVectorBounds &box) : robot_(std::move(robot)), box_(box)
     {
+        if (!robot_)
+            throw ompl::Exception("ZoneGoal", "the robot must not be null");
         const std::string owner = robot_->getName() + ": goal";
         if (dynamic_cast<const Arm *>(robot_.get()))
             throw ompl::Exception(owner, "the state of an arm is no position; see LinkPoseGoal");
-        const ob::StateSpacePtr &space = robot_->getStateSpace();
-        space->computeLocations();
         const std::size_t dimension = robot_->getWorkspaceDimension();
-        if (space->getValueLocations().size() < dimension)
+        const ob::RealVectorBounds *bounds = positionBounds(robot_->getStateSpace().get());
+        if (!bounds || bounds->low.size() < dimension)
             throw ompl::Exception(owner, "the robot has no position");
         if (box_.low.size() != dimension || box_.high.size() != dimension)
             throw ompl::Exception(owner, "the box must have " + std::to_string(dimension) + " dimensions");
         for (std::size_t i = 0; i < dimension; ++i)
             if (!std::isfinite(box_.low[i]) || !std::isfinite(box_.high[i]) || box_.low[i] > box_.high[i])
                 throw ompl::Exception(owner, "the box must be finite, and no lower end above the upper one");
+        for (std::size_t i = 0; i < dimension; ++i)
+        {
+            box_.low[i] = std::max(box_.low[i], bounds->low[i]);
+            box_.high[i] = std::min(box_.high[i], bounds->high[i]);
+            if (box_.low[i] > box_.high[i])
+                throw ompl::Exception(owner, "the box is out of the bounds");
+        }
     }
 
     double ZoneGoal::distance(const ob::State *state) const
@@ -50,26 +73,16 @@ namespace ompl_certificates
 
     std::string ZoneGoal::describe() const
     {
-        std::ostringstream text;
-        for (const auto &[name, corner] : {std::pair{"its zone from ", &box_.low}, {" to ", &box_.high}})
-            for (std::size_t i = 0; i < corner->size(); ++i)
-                text << (i == 0 ? name : "") << (i == 0 ? "[" : ", ") << (*corner)[i]
-                     << (i + 1 == corner->size() ? "]" : "");
-        return text.str();
+        return "its zone from " + cornerText(box_.low) + " to " + cornerText(box_.high);
     }
 
     bool ZoneGoal::sample(ompl::RNG &random, ob::State *state) const
     {
         const ob::StateSpacePtr &space = robot_->getStateSpace();
-        for (unsigned int i = 0; i < MOST_STATES; ++i)
-        {
-            sampleUniform(*space, random, state);
-            for (std::size_t k = 0; k < box_.low.size(); ++k)
-                *space->getValueAddressAtLocation(state, space->getValueLocations()[k]) =
-                    random.uniformReal(box_.low[k], box_.high[k]);
-            if (space->satisfiesBounds(state))
-                return true;
-        }
-        return false;
+        sampleUniform(*space, random, state);
+        for (std::size_t i = 0; i < box_.low.size(); ++i)
+            *space->getValueAddressAtLocation(state, space->getValueLocations()[i]) =
+                random.uniformReal(box_.low[i], box_.high[i]);
+        return space->satisfiesBounds(state);
     }
 }

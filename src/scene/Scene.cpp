@@ -22,6 +22,26 @@ namespace ompl_certificates
         constexpr unsigned int CHOSEN_FROM = 10;
         constexpr std::uint_fast32_t GOAL_SEED = 1;
 
+        /** Write the state of \e region nearest to the start, of CHOSEN_FROM in which the team is free
+            \return false if there was none */
+        bool sampleNearest(const TeamSetup &setup, const TeamGoalRegion &region, ob::State *nearest)
+        {
+            const ob::StateSpacePtr &team = setup.getStateSpace();
+            const ob::State *start = setup.getProblemDefinition()->getStartState(0);
+            ob::ScopedState<> goal(team);
+            double least = HUGE_VAL;
+            ompl::RNG random(GOAL_SEED);
+            for (unsigned int i = 0; i < CHOSEN_FROM; ++i)
+            {
+                region.sampleGoal(random, goal.get());
+                if (!setup.getStateValidityChecker()->isValid(goal.get()) || team->distance(start, goal.get()) >= least)
+                    continue;
+                least = team->distance(start, goal.get());
+                team->copyState(nearest, goal.get());
+            }
+            return least < HUGE_VAL;
+        }
+
         std::string listOf(const std::vector<double> &values)
         {
             std::ostringstream text;
@@ -86,7 +106,8 @@ namespace ompl_certificates
     {
         if (!region || !goal.empty())
             return;
-        ompl::RNG random(GOAL_SEED);
+        // Robots with one region shall not all start from the same state of it.
+        ompl::RNG random(static_cast<std::uint_fast32_t>(std::hash<std::string>()(robot->getName())));
         ob::ScopedState<> state(robot->getStateSpace());
         if (!region->sample(random, state.get()))
             throw ompl::Exception("no state of '" + robot->getName() + "' was found that reaches " +
@@ -139,7 +160,6 @@ namespace ompl_certificates
                 throw ompl::Exception(source_,
                                       key + ".name: there is a robot called '" + member.robot->getName() + "' already");
         const auto &space = member.robot->getStateSpace();
-        space->computeLocations();
         const std::size_t expected = space->getValueLocations().size();
         try
         {
@@ -154,7 +174,17 @@ namespace ompl_certificates
                 throw ompl::Exception(source_, key + (coordinates == &member.start ? ".start" : ".goal") +
                                                    ": must have " + std::to_string(expected) + " coordinates, not " +
                                                    std::to_string(coordinates->size()));
+        if (member.region)
+        {
+            ob::ScopedState<> goal(space);
+            space->copyFromReals(goal.get(), member.goal);
+            if (member.region->distance(goal.get()) != 0.0)
+                throw ompl::Exception(source_, key + ".goal: " + listOf(member.goal) + " of '" +
+                                                   member.robot->getName() + "' is not in " +
+                                                   member.region->describe());
+        }
         members_.push_back(member);
+        areGoalsChosen_ = false;
     }
 
     void Scene::chooseGoals()
@@ -168,29 +198,26 @@ namespace ompl_certificates
     void Scene::chooseGoals(TeamSetup &setup)
     {
         setProblem(setup);
+        areGoalsChosen_ = true;
         if (!hasRegions())
             return;
         const ob::StateSpacePtr &team = setup.getStateSpace();
         const auto &region = static_cast<const TeamGoalRegion &>(*setup.getGoal());
-        const ob::State *start = setup.getProblemDefinition()->getStartState(0);
-        ob::ScopedState<> goal(team), nearest(team);
-        double least = HUGE_VAL;
-        ompl::RNG random(GOAL_SEED);
-        for (unsigned int i = 0; i < CHOSEN_FROM; ++i)
+        const auto *start = setup.getProblemDefinition()->getStartState(0)->as<ob::CompoundState>();
+        // Who is there already need not move.
+        std::vector<RobotGoalPtr> goals = region.getGoals();
+        ob::ScopedState<> known(region.getState());
+        for (std::size_t i = 0; i < goals.size(); ++i)
         {
-            region.sampleGoal(random, goal.get());
-            // Who is there already need not move.
-            for (std::size_t k = 0; i == 0 && k < members_.size(); ++k)
-                if (members_[k].region &&
-                    members_[k].region->distance(start->as<ob::CompoundState>()->components[k]) == 0.0)
-                    members_[k].robot->getStateSpace()->copyState(goal.get()->as<ob::CompoundState>()->components[k],
-                                                                  start->as<ob::CompoundState>()->components[k]);
-            if (!setup.getStateValidityChecker()->isValid(goal.get()) || team->distance(start, goal.get()) >= least)
+            if (!goals[i] || goals[i]->distance(start->components[i]) != 0.0)
                 continue;
-            least = team->distance(start, goal.get());
-            nearest = goal;
+            goals[i] = nullptr;
+            members_[i].robot->getStateSpace()->copyState(known.get()->as<ob::CompoundState>()->components[i],
+                                                          start->components[i]);
         }
-        if (least == HUGE_VAL)
+        ob::ScopedState<> nearest(team);
+        if (!sampleNearest(setup, TeamGoalRegion(setup.getSpaceInformation(), known, goals), nearest.get()) &&
+            !sampleNearest(setup, region, nearest.get()))
             return;
         copyGoal(*nearest.get()->as<ob::CompoundState>());
         setProblem(setup);
@@ -302,6 +329,8 @@ namespace ompl_certificates
     TeamControlSetupPtr Scene::makeControlSetup(double goalTolerance, Method method,
                                                 CertificateMotionValidator::Mode mode) const
     {
+        if (hasRegions())
+            throw ompl::Exception(source_, "a plan by controls needs a goal of one state for each robot");
         const TeamStateSpacePtr team = makeTeam();
         auto setup = std::make_shared<TeamControlSetup>(team, makeObstacles(), method, mode);
         setup->setStartAndGoalStates(makeStart(team), makeGoal(team), goalTolerance);
@@ -312,6 +341,13 @@ namespace ompl_certificates
     {
         if (members_.empty())
             throw ompl::Exception(source_, "robots: a scene needs at least one robot");
+        if (hasRegions() && !areGoalsChosen_)
+        {
+            Scene scene(*this);
+            scene.chooseGoals();
+            scene.validate();
+            return;
+        }
         validate("start", &Member::start);
         validate("goal", &Member::goal);
     }

@@ -2,12 +2,18 @@
 
 #include "YamlShapes.h"
 
+#include <algorithm>
+#include <array>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
     namespace
     {
+        /** What a pose of a link may have, in the plane or in space */
+        constexpr std::array KEYS{"link",     "point", "position",   "position_tolerance",
+                                  "rotation", "angle", "quaternion", "rotation_tolerance"};
+
         /** A point of the workspace, which may be planar */
         Eigen::Vector3d readPoint(const YamlNode &node, unsigned int dimension)
         {
@@ -22,8 +28,10 @@ namespace ompl_certificates
             if (!node.isList())
                 tolerance.setConstant(node.positive());
             else
-                for (std::size_t i = 0; i < count; ++i)
-                    tolerance[static_cast<Eigen::Index>(i)] = node.positives(count)[i];
+            {
+                const std::vector<double> numbers = node.positives(count);
+                std::copy(numbers.begin(), numbers.end(), tolerance.data());
+            }
             return tolerance;
         }
 
@@ -76,8 +84,8 @@ namespace ompl_certificates
     {
         if (!node.isMap())
             return false;
-        const auto isOwnKey = [&](const char *key) { return node.has(key) && !tree.hasJoint(key); };
-        return isOwnKey("link") || isOwnKey("position") || isOwnKey("rotation") || isOwnKey("quaternion");
+        return std::any_of(KEYS.begin(), KEYS.end(),
+                           [&](const char *key) { return node.has(key) && !tree.hasJoint(key); });
     }
 
     RobotGoalPtr readLinkPoseGoal(const YamlNode &node, const std::shared_ptr<const Arm> &arm)

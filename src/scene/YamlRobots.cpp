@@ -150,7 +150,23 @@ namespace ompl_certificates
             if (dynamics)
                 node.fail("must be a list: with dynamics the goal is one state");
             node.allow({"min", "max"});
-            return std::make_shared<ZoneGoal>(robot, readBounds(node, dimension));
+            ob::RealVectorBounds box(dimension);
+            box.low = node.at("min").numbers(dimension);
+            box.high = node.at("max").numbers(dimension);
+            const auto low = node.at("min").items(dimension, dimension),
+                       high = node.at("max").items(dimension, dimension);
+            for (unsigned int i = 0; i < dimension; ++i)
+                if (box.high[i] < box.low[i])
+                    high[i].fail("must not be below min, which is " + low[i].describe() + ", but is " +
+                                 high[i].describe());
+            try
+            {
+                return std::make_shared<ZoneGoal>(robot, box);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                node.fail(exception.what());
+            }
         }
 
         void chooseGoal(const YamlNode &robot, Scene::Member &member)

@@ -55,6 +55,14 @@ namespace ompl_certificates
         {
             return typeid(space) == typeid(ob::RealVectorStateSpace) ? space.getDimension() : 0;
         }
+
+        /** Whether setup() was called since the space got its extent */
+        bool isSetUp(const ob::StateSpace &space)
+        {
+            return space.getLongestValidSegmentLength() ==
+                       space.getMaximumExtent() * space.getLongestValidSegmentFraction() &&
+                   !space.getValueLocations().empty();
+        }
     }
 
     TeamStateSpace::TeamStateSpace(Metric metric) : metric_(metric)
@@ -287,6 +295,10 @@ namespace ompl_certificates
         if (hasResolution_)
             for (const ob::StateSpacePtr &component : components_)
                 segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
-        CompoundStateSpace::setup();
+        // Others may be using the space of a robot that they share.
+        for (const ob::StateSpacePtr &component : components_)
+            if (!isSetUp(*component))
+                component->setup();
+        StateSpace::setup();  // NOLINT(bugprone-parent-virtual-call)
     }
 }

@@ -184,4 +184,41 @@ TEST_F(TeamGoalRegionTest, RefusesWhatMakesNoSense)
     const auto other = std::make_shared<ob::SpaceInformation>(team_);
     other->setStateValidityChecker([](const ob::State *) { return true; });
     EXPECT_NE(messageAbout(other, freeState(true), goals_).find("TeamValidityChecker"), std::string::npos);
+    const auto plain = std::make_shared<ob::SpaceInformation>(team_->getRobots()[0]->getStateSpace());
+    plain->setStateValidityChecker(std::make_shared<TeamValidityChecker>(
+        plain, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3), std::vector{team_->getRobots()[0]}));
+    EXPECT_NE(messageAbout(plain, ob::ScopedState<>(plain), {goals_[0]}).find("TeamStateSpace"), std::string::npos);
+}
+
+/** Half of the discs that would fit */
+TEST(TeamGoalRegions, FindRoomForCrowds)
+{
+    ob::RealVectorBounds bounds(2), box(2);
+    bounds.setLow(0.0);
+    bounds.setHigh(20.0);
+    box.low = {8.0, 8.0};
+    box.high = {12.0, 11.0};
+    auto team = std::make_shared<TeamStateSpace>();
+    std::vector<RobotGoalPtr> goals;
+    std::vector<double> known;
+    for (unsigned int i = 0; i < 10; ++i)
+    {
+        team->addRobot(RigidRobot::inR2("disc_" + std::to_string(i), Body::disc(0.5), bounds));
+        goals.push_back(std::make_shared<ZoneGoal>(team->getRobots().back(), box));
+        // All at one place: that is in the goal, and free for none.
+        known.insert(known.end(), {10.0, 10.0});
+    }
+    team->setup();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    si->setStateValidityChecker(
+        std::make_shared<TeamValidityChecker>(si, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2)));
+    ob::ScopedState<> state(team);
+    state = known;
+    const TeamGoalRegion region(si, state, goals);
+    ompl::RNG random(1);
+    for (int i = 0; i < 20; ++i)
+    {
+        region.sampleGoal(random, state.get());
+        EXPECT_TRUE(si->isValid(state.get())) << i;
+    }
 }

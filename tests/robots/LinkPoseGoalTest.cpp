@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
+#include <thread>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -81,6 +82,34 @@ TEST(LinkPoseGoal, FindsThePosesOfRandomStates)
     EXPECT_LE(misses, 4);
 }
 
+/** The others must do what a joint at its limit cannot. */
+TEST(LinkPoseGoal, FindsPosesWithJointsAtTheirLimits)
+{
+    std::vector<double> values(7);
+    KinematicTree tree("base");
+    std::string parent = "base";
+    for (std::size_t i = 0; i < SEVEN.size(); ++i)
+    {
+        const Eigen::Vector3d axis = i % 2 == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+        const std::string link = "link" + std::to_string(i + 1);
+        tree.addLink(parent, joint(SEVEN[i], JointType::REVOLUTE, {0.1, 0.0, 0.3}, axis, -1.0, 1.0), link,
+                     Body::sphere(0.05));
+        parent = link;
+    }
+    const auto arm = std::make_shared<Arm>("arm", tree, SEVEN);
+    Random random(1);
+    ob::ScopedState<> state(arm->getStateSpace());
+    int found = 0;
+    for (int i = 0; i < 100; ++i)
+    {
+        for (std::size_t k = 0; k < values.size(); ++k)
+            values[k] = k < 5 ? random.sign() : random.uniform(-1.0, 1.0);
+        state = values;
+        found += countSamples(LinkPoseGoal(arm, poseOf(*arm, state.get(), "link7")), *arm, 1);
+    }
+    EXPECT_GE(found, 99);
+}
+
 TEST(LinkPoseGoal, TellsWhatIsBeyondTheTolerances)
 {
     const auto arm = sevenJointArm();
@@ -118,13 +147,19 @@ TEST(LinkPoseGoal, LeavesTurnsFree)
     ob::ScopedState<> state(arm->getStateSpace());
     state = std::vector<double>{0.3, -0.4, 0.5, 0.6, -0.7, 0.8, 0.9};
     for (int axis = 0; axis < 3; ++axis)
-        for (const double angle : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0})
+        for (const double angle : {-3.0, -2.0, -0.5 * M_PI, -1.0, 0.0, 1.0, 0.5 * M_PI, 2.0, 3.0})
         {
             LinkPose pose = poseOf(*arm, state.get(), "link7");
             const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
             pose.rotation->rotation = pose.rotation->rotation * turn;
             pose.rotation->tolerance[axis] = M_PI;
             EXPECT_EQ(LinkPoseGoal(arm, pose).distance(state.get()), 0.0) << axis << " " << angle;
+            // Tilts are told from the free turn.
+            LinkPose tilted = pose;
+            const int across = (axis + 1) % 3;
+            tilted.rotation->rotation *=
+                Eigen::AngleAxisd(0.1, turn.transpose() * Eigen::Vector3d::Unit(across)).toRotationMatrix();
+            EXPECT_NEAR(LinkPoseGoal(arm, tilted).distance(state.get()), 0.09, 0.04) << axis << " " << angle;
             pose.rotation->tolerance[axis] = std::abs(angle) + 1e-9;
             EXPECT_EQ(LinkPoseGoal(arm, pose).distance(state.get()), 0.0) << axis << " " << angle;
             if (angle == 0.0)
@@ -225,4 +260,39 @@ TEST(LinkPoseGoal, RefusesWhatMakesNoSense)
     expectRefusal([](LinkPose &pose) { pose.rotation->tolerance.x() = NAN; }, "rotation tolerance");
     expectRefusal([](LinkPose &pose) { pose.rotation->rotation *= 2.0; }, "rotation");
     expectRefusal([](LinkPose &pose) { pose.position->axes.col(0) *= -1.0; }, "axes");
+    EXPECT_NE(messageOf([&] { LinkPoseGoal(nullptr, good); }).find("must not be null"), std::string::npos);
+}
+
+TEST(LinkPoseGoal, RefusesPosesOutOfThePlaneOfAPlanarArm)
+{
+    KinematicTree tree("base");
+    tree.addLink("base", joint("joint1", JointType::CONTINUOUS, {0.0, 0.0, 0.0}), "link", Body::disc(0.1));
+    const auto arm = std::make_shared<Arm>("arm", tree, std::vector<std::string>{"joint1"});
+    LinkPose good{"link"};
+    good.position = LinkPose::Position{Eigen::Vector3d::Zero()};
+    good.rotation = LinkPose::Rotation{planarPose(0.0, 0.0, 0.7).linear()};
+    EXPECT_NO_THROW(LinkPoseGoal(arm, good));
+    LinkPose bad = good;
+    bad.position->point.z() = 1.0;
+    EXPECT_NE(messageOf([&] { LinkPoseGoal(arm, bad); }).find("z = 0"), std::string::npos);
+    bad = good;
+    bad.rotation->rotation *= Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    EXPECT_NE(messageOf([&] { LinkPoseGoal(arm, bad); }).find("turns about z alone"), std::string::npos);
+}
+
+/** A robot's goal is made while others sample one: run with the thread sanitizer. */
+TEST(LinkPoseGoal, IsMadeWhileOthersAreSampled)
+{
+    const auto arm = sevenJointArm();
+    LinkPose pose{"link7"};
+    pose.position = LinkPose::Position{Eigen::Vector3d(0.2, 0.0, 0.6)};
+    const LinkPoseGoal goal(arm, pose);
+    std::thread maker(
+        [&]
+        {
+            for (int i = 0; i < 2000; ++i)
+                LinkPoseGoal(arm, pose);
+        });
+    EXPECT_EQ(countSamples(goal, *arm, 50), 50);
+    maker.join();
 }

@@ -71,13 +71,14 @@ TEST(ZoneGoal, StaysWithinTheBounds)
     const RobotPtr robot = RigidRobot::inR2("robot", Body::disc(0.1), FLOOR);
     ompl::RNG random(1);
     ob::ScopedState<> state(robot->getStateSpace());
-    const ZoneGoal half(robot, boxOf({5.0, 9.0}, {6.0, 11.0})), beside(robot, boxOf({5.0, 11.0}, {6.0, 12.0}));
+    // Hardly any of it is within.
+    const ZoneGoal edge(robot, boxOf({5.0, 9.99}, {6.0, 1e6}));
     for (int i = 0; i < 50; ++i)
     {
-        ASSERT_TRUE(half.sample(random, state.get()));
+        ASSERT_TRUE(edge.sample(random, state.get()));
         EXPECT_LE(state[1], 10.0);
-        EXPECT_FALSE(beside.sample(random, state.get()));
     }
+    EXPECT_EQ(edge.describe(), "its zone from [5, 9.99] to [6, 10]");
 }
 
 TEST(ZoneGoal, RefusesWhatMakesNoSense)
@@ -88,6 +89,10 @@ TEST(ZoneGoal, RefusesWhatMakesNoSense)
     EXPECT_NE(messageAbout(robot, HALL).find("robot: goal: the box must have 2 dimensions"), std::string::npos);
     EXPECT_NE(messageAbout(robot, boxOf({0.0, 1.0}, {1.0, 0.0})).find("no lower end above"), std::string::npos);
     EXPECT_NE(messageAbout(robot, boxOf({0.0, 0.0}, {1.0, NAN})).find("must be finite"), std::string::npos);
+    EXPECT_NE(messageAbout(robot, boxOf({5.0, 11.0}, {6.0, 12.0})).find("out of the bounds"), std::string::npos);
+    EXPECT_NE(messageAbout(nullptr, FLOOR).find("must not be null"), std::string::npos);
+    // A line is a box as well.
+    EXPECT_NO_THROW(ZoneGoal(robot, boxOf({7.0, 0.0}, {7.0, 10.0})));
     const auto arm = std::make_shared<Arm>("arm", sevenJoints(), SEVEN);
     EXPECT_NE(messageAbout(arm, HALL).find("arm: goal: the state of an arm is no position"), std::string::npos);
 }

@@ -137,7 +137,7 @@ namespace ompl_certificates
                               "start: [1, 1], goal: {min: [7, 7], max: [9, 9]}}]\n",
                               "far");
                       }),
-                  "far:2: robots[0].goal: no state of 'robot_0' was found that reaches its zone from [7, 7] to [9, 9]");
+                  "far:2: robots[0].goal: robot_0: goal: the box is out of the bounds");
     }
 
     TEST(YamlFile, WrapsHeadings)

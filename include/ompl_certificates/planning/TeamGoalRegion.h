@@ -24,8 +24,8 @@ namespace ompl_certificates
             \param si has a TeamStateSpace and a TeamValidityChecker
             \param state a state of the goal: the first one that is sampled, and where robots without a RobotGoal go
             \param goals of the robots, in the team's order; null for those that go to \e state
-            \throws ompl::Exception if \e si has another checker, there are not as many goals as robots, or \e state is
-            not in the goal */
+            \throws ompl::Exception if \e si has another space or checker, there are not as many goals as robots, or
+            \e state is not in the goal */
         TeamGoalRegion(const ompl::base::SpaceInformationPtr &si, const ompl::base::ScopedState<> &state,
                        std::vector<RobotGoalPtr> goals);
 
@@ -47,9 +47,9 @@ namespace ompl_certificates
         /** \brief The largest distance of a robot from its goal. Its space's distance counts if it goes to a state. */
         double distanceGoal(const ompl::base::State *state) const override;
 
-        /** \brief Write a state of the goal in which the team is free: robot by robot, 20 states each are tried. If
-            none is found it is the state that the constructor got, which also is every tenth one. May be called from
-            many threads at once. */
+        /** \brief Write a state of the goal in which the team is free: robot by robot, 20 states each are tried. Up to
+            20 times a robot that finds no room is placed before the others. If none is found it is the state that the
+            constructor got, which also is every tenth one. May be called from many threads at once. */
         void sampleGoal(ompl::base::State *state) const override;
 
         /** \brief The same by the numbers of \e random. The known state is one where no other is found. */
@@ -62,10 +62,10 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Write a state of a robot's goal in which it is free, and apart from the robots before it and from
-            those that go to a state
+        /** \brief Write a state of a robot's goal in which it is free, and apart from those that are \e placed
             \return false if none was found */
-        bool sampleRobot(unsigned int robot, ompl::RNG &random, ompl::base::State *state) const;
+        bool sampleRobot(unsigned int robot, const std::vector<unsigned int> &placed, ompl::RNG &random,
+                         ompl::base::State *state) const;
 
         const std::shared_ptr<const TeamValidityChecker> checker_;
         const ompl::base::ScopedState<> state_;

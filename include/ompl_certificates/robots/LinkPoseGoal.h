@@ -35,7 +35,8 @@ namespace ompl_certificates
 
                 They limit the XYZ Euler angles of the rotation from \e rotation to the link's. Each rotation has two
                 triples of such angles; one within the limits is enough. From pi on any turn about that axis will
-                do. */
+                do; where that is the y axis, they limit XZY angles, which tell x from z however the link is turned
+                about y. */
             Eigen::Vector3d tolerance{Eigen::Vector3d::Constant(DEFAULT_ROTATION_TOLERANCE)};
         };
 
@@ -70,8 +71,8 @@ namespace ompl_certificates
     public:
         /** \brief The goal that \e pose describes
             \throws ompl::Exception that names the arm and the link: if there is no such link, if the arm does not move
-            it, or if \e pose has neither position nor rotation. Also if a number is not finite, a rotation is none, or
-            a tolerance is below 1e-9. */
+            it, or if \e pose has neither position nor rotation. Also if a number is not finite, a rotation is none,
+            a tolerance is below 1e-9, or the pose is out of the plane of a planar arm. */
         LinkPoseGoal(std::shared_ptr<const Arm> arm, LinkPose pose);
 
         /** \brief Where the link shall be */
@@ -80,8 +81,8 @@ namespace ompl_certificates
             return pose_;
         }
 
-        /** \brief The way that the point is out of its tolerances, and the angle that the link is, in radians, added
-            up. Costs one forward kinematics. */
+        /** \brief How far the point is beyond its tolerances, in lengths, plus how far the link is turned beyond its own,
+            in radians. Costs one forward kinematics. */
         double distance(const ompl::base::State *state) const override;
 
         /** \brief See RobotGoal. Tries up to 50 random states. Costs about 0.4 ms for an arm of seven joints and a pose
@@ -102,10 +103,25 @@ namespace ompl_certificates
             comparable to angles. */
         Deviation beyond(const Deviation &deviation, const Deviation &tolerance) const;
 
+        /** \brief What the coordinates do to the deviation: one column each. Lengths are in parts of reach_. */
+        using Slopes = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
         /** \brief Move \e state into the goal, from where it is
-            \param aim the tolerances to aim at; to be within those of the goal will do
+            \param aim the tolerances to aim at, within those of the goal: reaching the latter is enough
             \return false if it got stuck */
         bool approach(const Deviation &aim, ompl::base::State *state) const;
+
+        /** \brief The slopes at \e state, which has that \e deviation. Rows of what is not \e left to go are 0. */
+        Slopes slopesAt(const ompl::base::State *state, const Deviation &deviation, const Deviation &left) const;
+
+        /** \brief Bring \e state, and its \e deviation, nearer to \e aim: \e damping grows until a step does
+            \return false if none does */
+        bool step(const Slopes &slopes, const Deviation &aim, double &damping, Deviation &deviation,
+                  ompl::base::State *state) const;
+
+        /** \brief Write the state a damped step after \e from to \e to, within the limits of the joints */
+        void move(Slopes slopes, const Deviation &left, double damping, const ompl::base::State *from,
+                  ompl::base::State *to) const;
 
         std::shared_ptr<const Arm> arm_;
         LinkPose pose_;

@@ -16,11 +16,12 @@ namespace ompl_certificates
     {
     public:
         /** \brief The goal of \e robot to be in \e box, which has as many dimensions as its workspace
-            \throws ompl::Exception if the robot is an Arm or has fewer coordinates, or if
-            \e box has another dimension, numbers that are not finite, or a lower end above the upper one. */
+            \throws ompl::Exception if the robot is null, an Arm or has no position, or if \e box has another dimension,
+            numbers that are not finite, a lower end above the upper one, or no point within the bounds of the
+            position. */
         ZoneGoal(RobotPtr robot, const ompl::base::RealVectorBounds &box);
 
-        /** \brief The box */
+        /** \brief The part of the box that is within the bounds of the position */
         const ompl::base::RealVectorBounds &getBox() const
         {
             return box_;
@@ -29,7 +30,7 @@ namespace ompl_certificates
         /** \brief The distance of the position from the box */
         double distance(const ompl::base::State *state) const override;
 
-        /** \brief See RobotGoal. Nothing is found if the box and the bounds of the space have no point in common. */
+        /** \brief See RobotGoal: uniform in the box */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
 
         /** \brief Such as: its zone from [1, 2] to [3, 4] */
@@ -37,7 +38,7 @@ namespace ompl_certificates
 
     private:
         const RobotPtr robot_;
-        const ompl::base::RealVectorBounds box_;
+        ompl::base::RealVectorBounds box_;
     };
 }
 

@@ -130,8 +130,9 @@ namespace ompl_certificates
 
         /** \brief Add a robot
             \throws ompl::Exception if the robot is null, its name is taken, it has not the workspace's dimension, or
-            start or goal has not the number of coordinates that the robot's space has. The goal may be empty if there
-            is a region: then a state of it is taken, and it is an error if none is found. */
+            start or goal has not the number of coordinates that the robot's space has, or the goal is not in the
+            region. The goal may be empty if there is a region: then a state of it is taken, and it is an error if none
+            is found. */
         void addMember(const Member &member);
 
         /** \brief For robots with regions take the goal that is nearest to the start, of 10 in which the team is free.
@@ -195,12 +196,14 @@ namespace ompl_certificates
 
         /** \brief A setup of the scene's team, whose robots move by controls, among its obstacles, with start and goal
             \param goalTolerance how far from the goal the team may end, in its space's distance
-            \throws ompl::Exception as TeamControlSetup does, such as for a robot that is no DynamicRobot */
+            \throws ompl::Exception as TeamControlSetup does, such as for a robot that is no DynamicRobot, or if a robot
+            has a region */
         TeamControlSetupPtr
         makeControlSetup(double goalTolerance, Method method = Method::SHARED_PROJECTION,
                          CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE) const;
 
-        /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone
+        /** \brief Check that the team can stand at its start and at its goal: that no plan fails for this reason alone.
+            Of regions a goal is chosen, if chooseGoals() has not done so.
             \throws ompl::Exception that names the source, the key and the value if there is no robot, or a start or a
             goal is outside the bounds, touches an obstacle or overlaps another one's */
         void validate() const;
@@ -239,6 +242,7 @@ namespace ompl_certificates
         std::vector<Member> members_;
         std::vector<std::string> notes_;
         double resolution_{0.0};
+        bool areGoalsChosen_{false};
     };
 }
 
