@@ -49,6 +49,13 @@ namespace ompl_certificates
         }
     }
 
+    PointCloud finite(PointCloud cloud)
+    {
+        const auto isOut = [](const Eigen::Vector3d &point) { return !point.allFinite(); };
+        cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(), isOut), cloud.points.end());
+        return cloud;
+    }
+
     PointCloud thinned(PointCloud cloud, double cell)
     {
         if (!(cell > 0.0) || !std::isfinite(cell))

@@ -4,6 +4,7 @@
 #include "certificates/WholeFile.h"
 
 #include <limits>
+#include <locale>
 #include <ompl/util/Exception.h>
 #include <sstream>
 
@@ -25,7 +26,22 @@ namespace ompl_certificates
             std::uint64_t nodes{0};
             bool hasNodes{false};
             std::size_t data{0};
+
+            /** How many bytes of a node come after its number, which is all that counts here. Colors of ColorOcTree are
+                not in a binary file. */
+            std::size_t getColorBytes() const
+            {
+                return type == "ColorOcTree" && !isBinary ? 3 : 0;
+            }
         };
+
+        /** A stream whose numbers have points, whatever the program's locale */
+        std::istringstream streamOf(const std::string &text)
+        {
+            std::istringstream stream(text);
+            stream.imbue(std::locale::classic());
+            return stream;
+        }
 
         class OctomapText
         {
@@ -41,7 +57,7 @@ namespace ompl_certificates
 
             Header readHeader() const
             {
-                std::istringstream lines(text_);
+                std::istringstream lines = streamOf(text_);
                 std::string line;
                 std::getline(lines, line);
                 Header header;
@@ -51,7 +67,7 @@ namespace ompl_certificates
                          "'");
                 while (std::getline(lines, line))
                 {
-                    std::istringstream words(line);
+                    std::istringstream words = streamOf(line);
                     std::string key;
                     words >> key;
                     if (key == "data")
@@ -73,21 +89,24 @@ namespace ompl_certificates
                 fail("ends before its data");
             }
 
-            /** Requires that there are as many nodes as the header says, none deeper than octomap can count, and
-                nothing after them */
-            void requireNodes(const Header &header) const
+            /** The nodes as octomap's OcTree reads them
+                \throws ompl::Exception unless there are as many as the header says, none deeper than octomap can count,
+                and nothing after them */
+            std::string takeNodes(const Header &header) const
             {
                 std::size_t at = header.data;
                 std::uint64_t nodes = 0;
+                std::string data;
                 if (header.nodes > 0)
                 {
                     nodes = 1;
-                    header.isBinary ? walkBinary(at, nodes, 0) : walkFull(at, nodes, 0);
+                    header.isBinary ? walkBinary(at, nodes, 0) : walkFull(at, nodes, 0, header.getColorBytes(), data);
                 }
                 if (nodes != header.nodes)
                     fail("size: there are " + std::to_string(nodes) + " nodes, not " + std::to_string(header.nodes));
                 if (text_.find_first_not_of('\n', at) != std::string::npos)
                     fail("goes on after its last node");
+                return header.isBinary ? text_.substr(header.data) : data;
             }
 
         private:
@@ -100,15 +119,16 @@ namespace ompl_certificates
             {
                 std::string text;
                 words >> text;
-                std::istringstream number(text);
+                std::istringstream number = streamOf(text);
                 if (!(number >> header.resolution) || number.peek() != std::istringstream::traits_type::eof())
                     header.resolution = std::numeric_limits<double>::quiet_NaN();
             }
 
             void requireHeader(const Header &header) const
             {
-                if (header.type != "OcTree" && !(header.isBinary && header.type == "1"))
-                    fail("id: must be OcTree, not '" + header.type + "'");
+                if (header.type != "OcTree" && header.type != "ColorOcTree" && header.type != "OcTreeStamped" &&
+                    !(header.isBinary && header.type == "1"))
+                    fail("id: must be OcTree, ColorOcTree or OcTreeStamped, not '" + header.type + "'");
                 // Centers of all cells are then coordinates that shapes may have, too.
                 if (!(header.resolution >= 1e-9 && header.resolution <= 1e4))
                     fail("res: must be a number from 1e-9 to 1e4");
@@ -139,16 +159,19 @@ namespace ompl_certificates
                 }
             }
 
-            /** A node has a number and a bit for each child. */
-            void walkFull(std::size_t &at, std::uint64_t &nodes, unsigned int depth) const
+            /** A node has a number, maybe a color, and a bit for each child. All but colors goes to \e data. */
+            void walkFull(std::size_t &at, std::uint64_t &nodes, unsigned int depth, std::size_t colorBytes,
+                          std::string &data) const
             {
-                const char *const bytes = take(at, sizeof(float) + 1, depth);
-                const auto children = static_cast<unsigned char>(bytes[sizeof(float)]);
+                const char *const bytes = take(at, sizeof(float) + colorBytes + 1, depth);
+                const char last = bytes[sizeof(float) + colorBytes];
+                const auto children = static_cast<unsigned char>(last);
+                data.append(bytes, sizeof(float)).push_back(last);
                 for (unsigned int i = 0; i < 8; ++i)
                     if ((children >> i & 1U) != 0)
                     {
                         ++nodes;
-                        walkFull(at, nodes, depth + 1);
+                        walkFull(at, nodes, depth + 1, colorBytes, data);
                     }
             }
 
@@ -162,11 +185,11 @@ namespace ompl_certificates
         const std::string content = readRegularFile(file, MOST_BYTES);
         const OctomapText text(content, file);
         const Header header = text.readHeader();
-        text.requireNodes(header);
+        const std::string nodes = text.takeNodes(header);
         auto map = std::make_unique<octomap::OcTree>(header.resolution);
         if (header.nodes == 0)
             return map;
-        std::istringstream data(content.substr(header.data));
+        std::istringstream data = streamOf(nodes);
         if (header.isBinary)
             map->readBinaryData(data);
         else

@@ -7,14 +7,14 @@
 
 namespace ompl_certificates
 {
-    /** \brief Read the points of a PCD file, ascii or binary. Points with a coordinate that is not a number, as
-        organized clouds have where nothing was seen, are left out.
+    /** \brief Read the points of a PCD file: ascii, binary or binary_compressed. Here and below points with a
+        coordinate that is infinite or not a number, as clouds have where nothing was seen, are left out.
         \throws std::runtime_error that names line or byte and value if there is something wrong, as the other readers
         do */
     std::vector<Eigen::Vector3d> readPcd(std::string_view content);
 
-    /** \brief Read the points of a text: the first three numbers of each line. Lines that are empty or begin with # are
-        left out. */
+    /** \brief Read the points of a text: the first three numbers of each line. Lines that are empty or begin with # or //
+        are left out. */
     std::vector<Eigen::Vector3d> readXyz(std::string_view content);
 
     /** \brief Read the vertices of a PLY file, which need not have faces */

@@ -1,5 +1,6 @@
 #include "CloudReaders.h"
 #include "LineReader.h"
+#include "Lzf.h"
 #include "MeshPart.h"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ namespace ompl_certificates
     namespace
     {
         constexpr std::size_t MOST_FIELDS = 1000;
+
+        /** Two such numbers can be multiplied. */
+        constexpr std::size_t MOST_POINTS = std::size_t(1) << 31U;
+
+        /** A repetition of 264 bytes takes three. */
+        constexpr std::size_t MOST_PACKED = 88;
 
         template <typename Number>
         double convert(const char *bytes)
@@ -53,9 +60,9 @@ namespace ompl_certificates
                 else if (data_ == "binary")
                     readBinary();
                 else if (data_ == "binary_compressed")
-                    text_.fail("the data is binary_compressed, which is not supported; convert it to binary");
+                    readCompressed();
                 else
-                    text_.fail("the data is " + inQuotes(data_) + ", neither ascii nor binary");
+                    text_.fail("the data is " + inQuotes(data_) + ", neither ascii, binary nor binary_compressed");
                 return std::move(points_);
             }
 
@@ -81,7 +88,7 @@ namespace ompl_certificates
                     else if (key == "SIZE" || key == "TYPE" || key == "COUNT")
                         describeFields(key, words);
                     else if (key == "POINTS" || key == "WIDTH" || key == "HEIGHT")
-                        counts[std::string(key)] = wholeNumber(words[0], text_.getRest().size());
+                        counts[std::string(key)] = wholeNumber(key, words[0], MOST_POINTS);
                     else if (key == "DATA")
                         data_ = words[0];
                     else
@@ -113,14 +120,15 @@ namespace ompl_certificates
                     if (key == "TYPE")
                         fields_[i].type = words[i].front();
                     else
-                        (key == "SIZE" ? fields_[i].size : fields_[i].count) = wholeNumber(words[i], 1U << 20U);
+                        (key == "SIZE" ? fields_[i].size : fields_[i].count) = wholeNumber(key, words[i], 1U << 20U);
             }
 
-            std::size_t wholeNumber(const std::string &word, std::size_t most) const
+            std::size_t wholeNumber(std::string_view key, const std::string &word, std::size_t most) const
             {
                 std::size_t number;
                 if (!parseNumber(word, number) || number > most)
-                    text_.fail("there is " + inQuotes(word) + ", not a whole number up to " + std::to_string(most));
+                    text_.fail(std::string(key) + ": there is " + inQuotes(word) + ", not a whole number up to " +
+                               std::to_string(most));
                 return number;
             }
 
@@ -182,6 +190,32 @@ namespace ompl_certificates
                 if (rest.size() / std::max<std::size_t>(1, bytes_) < count_)
                     text_.fail(std::to_string(count_) + " points of " + std::to_string(bytes_) +
                                " bytes must follow, but there are " + std::to_string(rest.size()) + " bytes");
+                readNumbers([&](std::size_t i, const Place &place) { return rest.data() + i * bytes_ + place.byte; });
+            }
+
+            /** All numbers of a field follow each other, and then those of the next one. */
+            void readCompressed()
+            {
+                const std::string_view rest = text_.getRest();
+                std::uint32_t sizes[2];
+                if (rest.size() < sizeof(sizes))
+                    text_.fail("the sizes of the compressed data are missing");
+                std::memcpy(sizes, rest.data(), sizeof(sizes));
+                const std::string_view packed = rest.substr(sizeof(sizes));
+                if (sizes[0] > packed.size())
+                    text_.fail(std::to_string(sizes[0]) + " compressed bytes must follow, but there are " +
+                               std::to_string(packed.size()));
+                if (sizes[1] / bytes_ != count_ || sizes[1] % bytes_ != 0 || sizes[1] / MOST_PACKED > sizes[0])
+                    text_.fail("the compressed data cannot become " + std::to_string(sizes[1]) + " bytes, for " +
+                               std::to_string(count_) + " points of " + std::to_string(bytes_));
+                const std::string unpacked = unpackLzf(packed.substr(0, sizes[0]), sizes[1]);
+                readNumbers([&](std::size_t i, const Place &place)
+                            { return unpacked.data() + place.byte * count_ + i * place.size; });
+            }
+
+            template <typename BytesOf>
+            void readNumbers(const BytesOf &bytesOf)
+            {
                 points_.reserve(count_);
                 for (std::size_t i = 0; i < count_; ++i)
                 {
@@ -189,7 +223,7 @@ namespace ompl_certificates
                     for (std::size_t axis = 0; axis < 3; ++axis)
                     {
                         const Place &place = places_[axis];
-                        const char *bytes = rest.data() + i * bytes_ + place.byte;
+                        const char *const bytes = bytesOf(i, place);
                         point[static_cast<Eigen::Index>(axis)] =
                             place.size == 4 ? convert<float>(bytes) : convert<double>(bytes);
                     }
@@ -199,11 +233,10 @@ namespace ompl_certificates
 
             void add(const Eigen::Vector3d &point)
             {
-                if (point.hasNaN())
+                if (!point.allFinite())
                     return;
                 if (!isPoint(point))
-                    text_.fail("point " + std::to_string(points_.size()) +
-                               " has a coordinate that is not a finite number of at most 1e9");
+                    text_.fail("a point has a coordinate beyond 1e9");
                 points_.push_back(point);
             }
 
@@ -231,8 +264,16 @@ namespace ompl_certificates
         {
             const std::string_view line = text.getLine();
             const std::size_t first = line.find_first_not_of(" \t\r\v\f");
-            if (first != std::string_view::npos && line[first] != '#')
-                points.push_back(text.point());
+            if (first == std::string_view::npos || line[first] == '#' || line.substr(first, 2) == "//")
+                continue;
+            Eigen::Vector3d point;
+            for (double &coordinate : point)
+                coordinate = text.toNumber(text.next());
+            if (!point.allFinite())
+                continue;
+            if (!isPoint(point))
+                text.fail("a point has a coordinate beyond 1e9");
+            points.push_back(point);
         }
         return points;
     }

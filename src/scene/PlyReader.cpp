@@ -15,7 +15,7 @@ namespace ompl_certificates
 {
     namespace
     {
-        struct Type
+        struct PlyType
         {
             std::size_t size{0};
             bool isInteger{false};
@@ -23,7 +23,7 @@ namespace ompl_certificates
         };
 
         template <typename Number>
-        Type typeOf()
+        PlyType typeOf()
         {
             return {sizeof(Number), std::is_integral_v<Number>,
                     [](const char *bytes)
@@ -37,7 +37,7 @@ namespace ompl_certificates
         /** A longer list ends too early, in any file. */
         constexpr double LONGEST_LIST = std::numeric_limits<std::uint32_t>::max();
 
-        const std::map<std::string, Type> TYPES{
+        const std::map<std::string, PlyType> TYPES{
             {"char", typeOf<std::int8_t>()},     {"int8", typeOf<std::int8_t>()},
             {"uchar", typeOf<std::uint8_t>()},   {"uint8", typeOf<std::uint8_t>()},
             {"short", typeOf<std::int16_t>()},   {"int16", typeOf<std::int16_t>()},
@@ -55,9 +55,9 @@ namespace ompl_certificates
 
         struct Property
         {
-            Type type;
+            PlyType type;
             /** The type of its length, if it is a list; else of no size */
-            Type lengthType;
+            PlyType lengthType;
             std::size_t use;
         };
 
@@ -177,7 +177,7 @@ namespace ompl_certificates
                     use = INDICES;
                 if (use != NOTHING && element.has(use))
                     return false;
-                element.properties.push_back({type->second, isList ? length->second : Type(), use});
+                element.properties.push_back({type->second, isList ? length->second : PlyType(), use});
                 return true;
             }
 
@@ -222,15 +222,15 @@ namespace ompl_certificates
                     return;
                 const Eigen::Vector3d point(values), normal(values + NORMAL),
                     texture(values[TEXTURE] + values[TEXTURE + 2], values[TEXTURE + 1] + values[TEXTURE + 3], 0.0);
-                // An organized cloud has such where nothing was seen.
-                if (!needsFaces_ && point.hasNaN())
+                // Clouds have such where nothing was seen.
+                if (!needsFaces_ && !point.allFinite())
                     return;
                 if (!isPoint(point))
                     fail(NO_POINT);
                 part_.add({point, normal.cast<float>(), texture.cast<float>()});
             }
 
-            double value(const Type &type)
+            double value(const PlyType &type)
             {
                 if (isText_)
                 {

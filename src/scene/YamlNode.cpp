@@ -1,5 +1,7 @@
 #include "YamlNode.h"
 
+#include "LineReader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -174,8 +176,14 @@ namespace ompl_certificates
     double YamlNode::number() const
     {
         double value = 0.0;
+        const auto isNumber = [&]
+        {
+            // By itself yaml-cpp goes by the program's locale, which may have decimal commas. It knows .inf and .nan.
+            return parseNumber(node_.Scalar(), value) ||
+                   (YAML::convert<double>::decode(node_, value) && !std::isfinite(value));
+        };
         // A quoted number has the tag "!" and is a text.
-        if (!node_.IsScalar() || node_.Tag() == "!" || !YAML::convert<double>::decode(node_, value))
+        if (!node_.IsScalar() || node_.Tag() == "!" || !isNumber())
             fail("must be a number, not " + describe());
         if (!std::isfinite(value) || std::abs(value) > MAX_NUMBER)
             fail("must be a finite number of at most " + format(MAX_NUMBER) + ", not " + describe());

@@ -72,6 +72,10 @@ namespace ompl_certificates
             throw ompl::Exception("The padding of robots must be finite and not negative, not " +
                                   std::to_string(padding));
         const std::vector<PlacedPart> parts = partsOf(team, state);
+        // Nothing is near a body that is nowhere.
+        for (const PlacedPart &part : parts)
+            if (!part.toShape.matrix().allFinite())
+                throw ompl::Exception("The state of robots to be left out of a cloud must be finite");
         // More than rounding, so that no body touches a point that is left
         const double distance = (padding + cloud.radius) * (1.0 + 1e-9) + 1e-12;
         const auto isRobot = [&](const Eigen::Vector3d &point)

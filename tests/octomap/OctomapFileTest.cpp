@@ -1,9 +1,13 @@
 #include "RandomMaps.h"
 #include "ompl_certificates/octomap/OctomapObstacles.h"
+#include "support/DecimalCommas.h"
 #include "support/Folder.h"
 #include "support/Message.h"
 
+#include <functional>
 #include <gtest/gtest.h>
+#include <octomap/ColorOcTree.h>
+#include <octomap/OcTreeStamped.h>
 #include <sstream>
 
 using namespace ompl_certificates;
@@ -75,7 +79,7 @@ TEST_P(OctomapFile, IsRefusedWhenDamaged)
         std::string text = content;
         return text.replace(text.find(from), from.size(), to);
     };
-    expectRefusal(changed("id OcTree", "id ColorOcTree"), "ColorOcTree");
+    expectRefusal(changed("id OcTree", "id CountingOcTree"), "CountingOcTree");
     expectRefusal(changed("res 0.1", "res 0"), "res");
     expectRefusal(changed("res 0.1", "res nan"), "res");
     expectRefusal(changed("res 0.1", "res -1"), "res");
@@ -95,6 +99,43 @@ TEST_P(OctomapFile, IsRefusedWhenDamaged)
         const std::string file = write(text);
         messageOf([&] { OctomapObstacles{file}; });
     }
+}
+
+/** Of trees whose nodes have more than OcTree's, such as a color, the cells count. */
+template <typename Tree>
+void expectCellsOf(const octomap::OcTree &map, const std::function<std::string(const std::string &)> &write,
+                   bool isBinary)
+{
+    Tree tree(map.getResolution());
+    for (auto leaf = map.begin_leafs(); leaf != map.end_leafs(); ++leaf)
+        if (leaf.getDepth() == map.getTreeDepth())
+            tree.setNodeValue(leaf.getKey(), leaf->getLogOdds());
+    octomap::OcTree same(map.getResolution());
+    for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf)
+        same.setNodeValue(leaf.getKey(), leaf->getLogOdds());
+    std::stringstream stream;
+    ASSERT_TRUE(isBinary ? tree.writeBinary(stream) : tree.write(stream));
+    EXPECT_EQ(OctomapObstacles(write(stream.str())).getFingerprint(), OctomapObstacles(same).getFingerprint())
+        << tree.getTreeType();
+}
+
+TEST_P(OctomapFile, MayHaveColorsOrTimes)
+{
+    Random random(3);
+    const auto map = randomMap(random, 0.1);
+    const auto writeIt = [this](const std::string &content) { return write(content); };
+    expectCellsOf<octomap::ColorOcTree>(*map, writeIt, GetParam());
+    expectCellsOf<octomap::OcTreeStamped>(*map, writeIt, GetParam());
+}
+
+TEST_P(OctomapFile, IsReadInAnyLocale)
+{
+    Random random(4);
+    const auto map = randomMap(random, 0.1);
+    const std::string file = write(contentOf(*map, GetParam()));
+    const std::uint64_t expected = OctomapObstacles(file).getFingerprint();
+    const DecimalCommas commas;
+    EXPECT_EQ(OctomapObstacles(file).getFingerprint(), expected);
 }
 
 TEST_P(OctomapFile, MustBeThere)

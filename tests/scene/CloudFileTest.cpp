@@ -1,6 +1,7 @@
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
 #include "support/Message.h"
+#include "support/Random.h"
 
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/scene/CloudFile.h"
@@ -78,6 +79,72 @@ namespace ompl_certificates
         EXPECT_EQ(loadCloud(folder.write("fields.pcd", binary)).points.at(0), Eigen::Vector3d(1.0, 2.0, 3.0));
     }
 
+    /** What Python's zip of the fields of three points is, in the format of LibLZF */
+    std::string compressedPcd(const std::string &packed, std::uint32_t size)
+    {
+        const std::uint32_t sizes[2]{static_cast<std::uint32_t>(packed.size()), size};
+        std::string bytes(sizeof(sizes), '\0');
+        std::memcpy(bytes.data(), sizes, sizeof(sizes));
+        return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\nPOINTS 3\n"
+               "DATA binary_compressed\n" +
+               bytes + packed;
+    }
+
+    TEST(CloudFile, UnpacksCompressedPoints)
+    {
+        const Folder folder;
+        const float numbers[9] = {1.0F, 1.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
+        std::string fields(sizeof(numbers), '\0');
+        std::memcpy(fields.data(), numbers, sizeof(numbers));
+        // The first number as it is, its repetition of 8 bytes from 4 before, and 24 bytes as they are
+        const std::string packed = '\x03' + fields.substr(0, 4) + '\xC0' + '\x03' + '\x17' + fields.substr(12, 24);
+        const PointCloud cloud = loadCloud(folder.write("a.pcd", compressedPcd(packed, 36)));
+        ASSERT_EQ(cloud.points.size(), 3U);
+        EXPECT_EQ(cloud.points[0], Eigen::Vector3d(1.0, 2.0, 5.0));
+        EXPECT_EQ(cloud.points[2], Eigen::Vector3d(1.0, 4.0, 7.0));
+        const auto expectRefusal = [&](const std::string &content, const std::string &complaint)
+        {
+            const std::string file = folder.write("b.pcd", content), message = messageOf([&] { loadCloud(file); });
+            EXPECT_NE(message.find(complaint), std::string::npos) << message;
+        };
+        expectRefusal(compressedPcd(packed, 24), "cannot become 24 bytes, for 3 points of 12");
+        expectRefusal(compressedPcd(packed.substr(0, 20), 36), "ends too early");
+        expectRefusal(compressedPcd(packed.substr(0, 7), 36), "becomes 12 bytes, not 36");
+        expectRefusal(compressedPcd(packed + packed, 36), "becomes more than the 36 bytes");
+        expectRefusal(compressedPcd("\xC0\x03", 36), "repeats what is before its start");
+        expectRefusal(compressedPcd("", 36), "becomes 0 bytes, not 36");
+        expectRefusal(compressedPcd(packed, 36).substr(0, 120), "compressed bytes must follow, but there are");
+        // Whatever else is there, it neither hangs nor crashes.
+        for (std::size_t i = 0; i < scaled(500); ++i)
+        {
+            Random noise(i);
+            std::string damaged = packed;
+            damaged[noise.below(damaged.size())] = static_cast<char>(noise.below(256));
+            const std::string file = folder.write("c.pcd", compressedPcd(damaged, 36));
+            messageOf([&] { loadCloud(file); });
+        }
+    }
+
+    /** Sensors write them where nothing was seen. */
+    TEST(CloudFile, LeavesOutPointsThatAreNowhere)
+    {
+        const Folder folder;
+        for (const std::string nowhere : {"nan", "inf", "-inf"})
+        {
+            EXPECT_EQ(
+                loadCloud(folder.write("a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 " + nowhere + " 7"))).points.size(),
+                loadCloud(folder.write("b.pcd", PCD_TEXT)).points.size() - 1)
+                << nowhere;
+            EXPECT_EQ(loadCloud(folder.write("a.xyz", "//X Y Z\n1 2 3\n# seen\n1 " + nowhere + " 3\n")).points.size(),
+                      1U)
+                << nowhere;
+        }
+        const PointCloud all{{{1.0, 2.0, 3.0}, {NAN, 0.0, 0.0}, {0.0, 0.0, -HUGE_VAL}, {4.0, 5.0, 6.0}}, 0.5};
+        const PointCloud some = finite(all);
+        EXPECT_EQ(some.points, (std::vector<Eigen::Vector3d>{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}));
+        EXPECT_EQ(some.radius, 0.5);
+    }
+
     TEST(CloudFile, RefusesWhatIsNoCloud)
     {
         const Folder folder;
@@ -96,7 +163,7 @@ namespace ompl_certificates
             {"a.pcd", with(PCD_TEXT, "x y z", "x x z"), "the field 'x' must be there once"},
             {"a.pcd", with(PCD_TEXT, "F F F", "F I F"), "the field 'y' must be there once"},
             {"a.pcd", with(PCD_TEXT, "SIZE 4", "SIZE 2"), "the field 'x' must be there once"},
-            {"a.pcd", with(PCD_TEXT, "SIZE 4", "SIZE -4"), "line 4: there is '-4', not a whole number"},
+            {"a.pcd", with(PCD_TEXT, "SIZE 4", "SIZE -4"), "line 4: SIZE: there is '-4', not a whole number"},
             {"a.pcd", with(PCD_TEXT, "SIZE 4 4", "SIZE 4"), "there are 3 values for 4 fields"},
             {"a.pcd", with(with(PCD_TEXT, "WIDTH 3", "WIDTH 4"), "POINTS 3", "POINTS 4"),
              "it ends before the last of 4 points"},
@@ -107,9 +174,9 @@ namespace ompl_certificates
             {"a.pcd", PCD_TEXT + "1 2 3 4\n", "it goes on after the last of 3 points"},
             {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 3"), "line 12: there are 3 values of a point, not 4"},
             {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 c 7"), "line 12: there is 'c', not a number"},
-            {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 inf 7"), "not a finite number of at most 1e9"},
-            {"a.pcd", with(PCD_TEXT, "ascii", "binary_compressed"), "convert it to binary"},
-            {"a.pcd", with(PCD_TEXT, "ascii", "runes"), "neither ascii nor binary"},
+            {"a.pcd", with(PCD_TEXT, "1 2 3 7", "1 2 2e9 7"), "a coordinate beyond 1e9"},
+            {"a.pcd", with(PCD_TEXT, "ascii", "runes"), "neither ascii, binary nor binary_compressed"},
+            {"a.pcd", with(PCD_TEXT, "WIDTH 3", "WIDTH 1e3"), "WIDTH: there is '1e3', not a whole number up to"},
             {"a.pcd", with(PCD_TEXT, "ascii", "binary"), "3 points of 16 bytes must follow, but there are"},
             {"a.ply", "solid\n", "line 1: the first line is not 'ply'"},
             {"a.ply", with(PLY_TEXT, "float z", "float w"), "there is not one element 'vertex', with x, y and z"},
@@ -142,6 +209,16 @@ namespace ompl_certificates
         const Scene hit = sceneFromYaml(with(SCENE, "start: [4", "start: [0.6"), folder / "scene.yaml");
         const std::string message = messageOf([&] { hit.validate(); });
         EXPECT_NE(message.find("touches environment.obstacles[1]"), std::string::npos) << message;
+    }
+
+    TEST(CloudScene, SaysThatNothingWasSeen)
+    {
+        const Folder folder;
+        folder.write("cloud.xyz", "nan nan nan\n");
+        EXPECT_EQ(sceneFromYaml(SCENE, folder / "scene.yaml").getNotes(),
+                  (std::vector<std::string>{"environment.obstacles[1] is empty: nothing of it is an obstacle"}));
+        folder.write("cloud.xyz", "0 0 0\n");
+        EXPECT_TRUE(sceneFromYaml(SCENE, folder / "scene.yaml").getNotes().empty());
     }
 
     TEST(CloudScene, PlacesAndThinsTheCloud)

@@ -2,6 +2,7 @@
 #include "ompl_certificates/robots/ZoneGoal.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
+#include "support/DecimalCommas.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -66,6 +67,17 @@ namespace ompl_certificates
             else
                 EXPECT_EQ(message, "");
         }
+    }
+
+    TEST(YamlFile, IsReadInAnyLocale)
+    {
+        const test::DecimalCommas commas;
+        const Scene scene = sceneFromYaml(
+            "environment: {min: [0.5, 0], max: [9.5, 9]}\n"
+            "robots: [{type: single_integrator, start: [1.25, 1], goal: [2.5, 2]}]\n",
+            "commas");
+        EXPECT_EQ(scene.getMembers()[0].start, (std::vector<double>{1.25, 1.0}));
+        EXPECT_EQ(scene.getBounds().high[0], 9.5);
     }
 
     TEST(YamlFile, NotesDroppedVelocities)

@@ -94,3 +94,13 @@ TEST(RobotFilter, KnowsTheInsideOfClosedMeshes)
     EXPECT_THROW(withoutRobots(cloud, team, state.get(), -0.1), ompl::Exception);
     EXPECT_THROW(withoutRobots(cloud, team, state.get(), NAN), ompl::Exception);
 }
+
+/** Robots that are nowhere would filter nothing, and then collide with themselves. */
+TEST(RobotFilter, RefusesStatesThatAreNotFinite)
+{
+    const auto space = anyTeam(0);
+    ompl::base::ScopedState<> state(space);
+    std::vector<double> reals(state.reals().size(), NAN);
+    state = reals;
+    EXPECT_THROW(withoutRobots({{Eigen::Vector3d::Zero()}, 0.1}, Team(space), state.get(), 0.1), ompl::Exception);
+}

@@ -19,6 +19,10 @@ namespace ompl_certificates
         double radius{0.0};
     };
 
+    /** \brief The cloud without points that have a coordinate that is infinite or not a number: there a sensor has seen
+        nothing. loadCloud() leaves them out by itself. Cost: linear in the number of points. */
+    PointCloud finite(PointCloud cloud);
+
     /** \brief A cloud of fewer points: the one nearest to the center of each cell of a grid. The radius grows by the
         largest distance of a point to the one that stands for it, so that all that was occupied still is. It grows by
         less than the diagonal of a cell.
