@@ -280,7 +280,8 @@ namespace ompl_certificates
         if (root.has("robot_state"))
             state = readMoveItRobotState(root.at("robot_state"), tree, folder);
         const MoveItFrames frames = readFrames(root, robot, state);
-        const World world = readWorld(root.at("world"), frames, folder);
+        const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
+        const World world = isEmpty ? World() : readWorld(root.at("world"), frames, folder);
 
         if (wish.has("start_state"))
             merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);

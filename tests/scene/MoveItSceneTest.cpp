@@ -88,6 +88,8 @@ namespace ompl_certificates
                 ASSERT_EQ(file.scene.getObstacles().size(), 1u) << operation;
                 EXPECT_EQ(file.scene.getObstacles()[0].body, Body::box(1, 2, 3));
             }
+            // A scene need not have a world.
+            EXPECT_TRUE(read("robot_model_name: arm\n").scene.getObstacles().empty());
         }
 
         TEST_F(MoveItScene, ShapesAndOperationsMayBeNumbers)
