@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
+#include <limits>
 #include <utility>
 
 namespace ompl_certificates
@@ -25,13 +25,56 @@ namespace ompl_certificates
             return a.low != b.low ? a.low < b.low : a.high < b.high;
         }
 
-        std::size_t countCells(const CellBox &box)
+        /** The bits from \e low to below \e high */
+        std::uint32_t rowBits(std::int32_t low, std::int32_t high)
         {
-            std::size_t count = 1;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                // In the plane boxes are flat.
-                count *= static_cast<std::size_t>(std::max(box.high[axis] - box.low[axis], axis == 2 ? 1 : 0));
-            return count;
+            return (1U << static_cast<std::uint32_t>(high)) - (1U << static_cast<std::uint32_t>(low));
+        }
+
+        constexpr std::size_t NO_BOX = std::numeric_limits<std::size_t>::max();
+
+        /** For each place in a layer the last box whose first corner is there */
+        using LastBoxes = std::array<std::size_t, std::size_t(MOST_CELLS) * MOST_CELLS>;
+
+        /** Adds the cells of a layer of a block, joined along x, then along y
+            \param rows the bits of the layer's cells, a number for each row */
+        void joinLayer(const std::uint16_t *rows, std::int32_t z, std::vector<CellBox> &boxes)
+        {
+            std::array<std::size_t, MOST_CELLS> last;
+            last.fill(NO_BOX);
+            for (std::int32_t y = 0; y < MOST_CELLS; ++y)
+                for (std::uint32_t row = rows[y]; row != 0;)
+                {
+                    const std::int32_t low = __builtin_ctz(row), high = low + __builtin_ctz(~(row >> low));
+                    row &= ~rowBits(low, high);
+                    std::size_t &box = last[static_cast<std::size_t>(low)];
+                    if (box != NO_BOX && boxes[box].high[0] == high && boxes[box].high[1] == y)
+                        ++boxes[box].high[1];
+                    else
+                    {
+                        box = boxes.size();
+                        boxes.push_back({{low, y, z}, {high, y + 1, z + 1}});
+                    }
+                }
+        }
+
+        /** Joins the boxes from \e layer on with those of the same size below them */
+        void joinBelow(std::size_t layer, std::vector<CellBox> &boxes, LastBoxes &below)
+        {
+            std::size_t kept = layer;
+            for (std::size_t i = layer; i < boxes.size(); ++i)
+            {
+                const CellBox box = boxes[i];
+                std::size_t &last = below[static_cast<std::size_t>(box.low[0] + MOST_CELLS * box.low[1])];
+                if (last != NO_BOX && boxes[last].high == std::array{box.high[0], box.high[1], box.low[2]})
+                    boxes[last].high[2] = box.high[2];
+                else
+                {
+                    last = kept;
+                    boxes[kept++] = box;
+                }
+            }
+            boxes.resize(kept);
         }
     }
 
@@ -64,7 +107,7 @@ namespace ompl_certificates
         for (const CellBox &box : boxes)
         {
             const auto [first, last] = placesOf(box);
-            std::set<Place> met;
+            std::vector<Place> met;
             const auto meet = [&met, first = first, last = last](const auto &blocks)
             {
                 auto block = blocks.lower_bound(first);
@@ -78,11 +121,13 @@ namespace ompl_certificates
                     else if (z > last[2])
                         block = blocks.lower_bound({x, y + 1, first[2]});
                     else
-                        met.insert((block++)->first);
+                        met.push_back((block++)->first);
                 }
             };
             meet(blocks_);
             meet(edited_);
+            std::sort(met.begin(), met.end());
+            met.erase(std::unique(met.begin(), met.end()), met.end());
             for (const Place &place : met)
                 setWithin(place, box, false);
         }
@@ -99,23 +144,15 @@ namespace ompl_certificates
         return {first, last};
     }
 
-    std::size_t CellSet::indexOf(std::int32_t x, std::int32_t y, std::int32_t z)
+    std::size_t CellSet::rowOf(std::int32_t y, std::int32_t z)
     {
-        constexpr auto block = static_cast<std::size_t>(BLOCK);
-        return static_cast<std::size_t>(x) +
-               block * (static_cast<std::size_t>(y) + block * static_cast<std::size_t>(z));
+        return static_cast<std::size_t>(y + BLOCK * z);
     }
 
     CellSet::Cells CellSet::cellsOf(const Place &place) const
     {
-        Cells cells;
-        if (const auto block = blocks_.find(place); block != blocks_.end())
-            for (const CellBox &box : block->second->getTree().getBoxes())
-                for (std::int32_t x = box.low[0]; x < box.high[0]; ++x)
-                    for (std::int32_t y = box.low[1]; y < box.high[1]; ++y)
-                        for (std::int32_t z = box.low[2]; z < std::max(box.high[2], box.low[2] + 1); ++z)
-                            cells.set(indexOf(x - BLOCK * place[0], y - BLOCK * place[1], z - BLOCK * place[2]));
-        return cells;
+        const auto block = blocks_.find(place);
+        return block == blocks_.end() ? Cells{} : block->second.cells;
     }
 
     void CellSet::setWithin(const Place &place, const CellBox &box, bool occupied)
@@ -130,37 +167,66 @@ namespace ompl_certificates
             low[axis] = std::max(box.low[axis] - BLOCK * place[axis], 0);
             high[axis] = std::min(box.high[axis] - BLOCK * place[axis], BLOCK);
         }
+        const auto bits = static_cast<std::uint16_t>(rowBits(low[0], high[0]));
         for (std::int32_t z = low[2]; z < high[2]; ++z)
             for (std::int32_t y = low[1]; y < high[1]; ++y)
-                for (std::int32_t x = low[0]; x < high[0]; ++x)
-                    edited->second.set(indexOf(x, y, z), occupied);
+            {
+                std::uint16_t &row = edited->second[rowOf(y, z)];
+                row = static_cast<std::uint16_t>(occupied ? row | bits : row & ~bits);
+            }
     }
 
     std::vector<CellBox> CellSet::boxesOf(const Place &place, const Cells &cells) const
     {
+        // The boxes that joinCells() makes of the single cells, without sorting these
         std::vector<CellBox> boxes;
-        const std::int32_t thickness = dimension_ == 2 ? 0 : 1;
-        for (std::int32_t z = 0; z < BLOCK; ++z)
-            for (std::int32_t y = 0; y < BLOCK; ++y)
-                for (std::int32_t x = 0; x < BLOCK; ++x)
-                    if (cells.test(indexOf(x, y, z)))
-                    {
-                        const std::array<std::int32_t, 3> low{x + BLOCK * place[0], y + BLOCK * place[1],
-                                                              z + BLOCK * place[2]};
-                        boxes.push_back({low, {low[0] + 1, low[1] + 1, low[2] + thickness}});
-                    }
-        return joinCells(std::move(boxes), MOST_CELLS);
+        LastBoxes below;
+        below.fill(NO_BOX);
+        for (std::int32_t z = 0; z < (dimension_ == 2 ? 1 : BLOCK); ++z)
+        {
+            const std::size_t layer = boxes.size();
+            joinLayer(&cells[rowOf(0, z)], z, boxes);
+            joinBelow(layer, boxes, below);
+        }
+        for (CellBox &box : boxes)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                box.low[axis] += BLOCK * place[axis];
+                // In the plane boxes are flat.
+                box.high[axis] = axis < dimension_ ? box.high[axis] + BLOCK * place[axis] : box.low[axis];
+            }
+        return boxes;
+    }
+
+    bool CellSet::contains(const std::array<std::int32_t, 3> &cell) const
+    {
+        Place place{}, within{};
+        for (std::size_t axis = 0; axis < dimension_; ++axis)
+        {
+            place[axis] = divided(cell[axis], BLOCK);
+            within[axis] = cell[axis] - BLOCK * place[axis];
+        }
+        const auto isIn = [&within](const Cells &cells)
+        { return (cells[rowOf(within[1], within[2])] & rowBits(within[0], within[0] + 1)) != 0; };
+        if (const auto edited = edited_.find(place); edited != edited_.end())
+            return isIn(edited->second);
+        const auto block = blocks_.find(place);
+        return block != blocks_.end() && isIn(block->second.cells);
     }
 
     std::size_t CellSet::size() const
     {
         std::size_t count = 0;
+        const auto add = [&count](const Cells &cells)
+        {
+            for (const std::uint16_t row : cells)
+                count += static_cast<std::size_t>(__builtin_popcount(row));
+        };
         for (const auto &[place, block] : blocks_)
             if (edited_.count(place) == 0)
-                for (const CellBox &box : block->getTree().getBoxes())
-                    count += countCells(box);
+                add(block.cells);
         for (const auto &[place, cells] : edited_)
-            count += cells.count();
+            add(cells);
         return count;
     }
 
@@ -175,7 +241,7 @@ namespace ompl_certificates
             // cells.
             std::vector<CellBox> old, now = boxesOf(place, cells);
             if (const auto block = blocks_.find(place); block != blocks_.end())
-                old = block->second->getTree().getBoxes();
+                old = block->second.made->getTree().getBoxes();
             std::sort(old.begin(), old.end(), isBoxBefore);
             std::sort(now.begin(), now.end(), isBoxBefore);
             std::set_difference(now.begin(), now.end(), old.begin(), old.end(), std::back_inserter(added), isBoxBefore);
@@ -184,7 +250,7 @@ namespace ompl_certificates
             if (now.empty())
                 blocks_.erase(place);
             else
-                blocks_[place] = std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_);
+                blocks_[place] = {cells, std::make_shared<const CellBlock>(cellSize_, std::move(now), dimension_)};
         }
         edited_.clear();
         if (after_ && added.empty() && removed.empty())
@@ -200,7 +266,7 @@ namespace ompl_certificates
         std::vector<std::shared_ptr<const CellBlock>> blocks;
         blocks.reserve(blocks_.size());
         for (const auto &[place, block] : blocks_)
-            blocks.push_back(block);
+            blocks.push_back(block.made);
         ObstacleChange change;
         change.after.reset(
             new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));

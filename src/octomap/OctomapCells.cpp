@@ -140,15 +140,19 @@ namespace ompl_certificates
             throw ompl::Exception("The slice of an octomap must have its low end below its high one");
     }
 
+    bool isInSlice(const OctomapOptions &options, double resolution, const CellBox &box)
+    {
+        return !options.slice || (box.high[2] > options.slice->low / resolution + ROUNDING &&
+                                  box.low[2] < options.slice->high / resolution - ROUNDING);
+    }
+
     std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options, const CellBox &region)
     {
         requireValid(options);
         std::vector<CellBox> cells = MapWalk(map, options, region).getCells();
         if (!options.slice)
             return cells;
-        const auto &[low, high] = *options.slice;
-        const double lowest = low / map.getResolution() + ROUNDING, highest = high / map.getResolution() - ROUNDING;
-        const auto isOutside = [&](const CellBox &box) { return box.high[2] <= lowest || box.low[2] >= highest; };
+        const auto isOutside = [&](const CellBox &box) { return !isInSlice(options, map.getResolution(), box); };
         cells.erase(std::remove_if(cells.begin(), cells.end(), isOutside), cells.end());
         return cells;
     }

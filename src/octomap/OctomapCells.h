@@ -21,6 +21,10 @@ namespace ompl_certificates
         \throws ompl::Exception if the depth or the slice is not valid */
     void requireValid(const OctomapOptions &options);
 
+    /** \brief Whether the slice of \e options, if there is one, reaches into a box of cells with the edge length
+        \e resolution */
+    bool isInSlice(const OctomapOptions &options, double resolution, const CellBox &box);
+
     /** \brief The cells of \e map that \e options make obstacles, in cells of the map's resolution; they do not overlap
         \param region only the cells within it
         \throws ompl::Exception if the depth or the slice is not valid */

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <ompl/util/Exception.h>
-#include <set>
+#include <utility>
 
 namespace ompl_certificates
 {
     namespace
     {
-        /** Cells are read anew by cubes of so many along an axis, the blocks of a CellSet. */
-        constexpr std::int32_t BLOCK = 16;
-
         /** How many cells of the map a cell of a depth has along an axis */
         std::int32_t edgeOf(const OctomapOptions &options)
         {
@@ -29,6 +26,18 @@ namespace ompl_certificates
                 box.high[axis] /= edge;
             }
             return box;
+        }
+
+        /** The cell with an edge of so many of the map's that a key is in, in cells of the map */
+        CellBox cellAt(const octomap::OcTreeKey &key, std::int32_t edge)
+        {
+            CellBox cell;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                cell.low[axis] = (key[static_cast<unsigned int>(axis)] / edge) * edge - CellBox::FARTHEST;
+                cell.high[axis] = cell.low[axis] + edge;
+            }
+            return cell;
         }
     }
 
@@ -62,26 +71,48 @@ namespace ompl_certificates
         isRead_ = false;
     }
 
+    void OctomapSet::readChanged()
+    {
+        // Unknown cells are free, and the map prunes and expands only what stays as it is. So no other cells can differ
+        // from the set's, and most of these do not: they are newly known, and free.
+        std::vector<CellBox> occupied, freed;
+        for (auto changed = map_.changedKeysBegin(); changed != map_.changedKeysEnd(); ++changed)
+        {
+            const CellBox cell = cellAt(changed->first, edge_);
+            if (!isInSlice(options_, map_.getResolution(), cell))
+                continue;
+            const octomap::OcTreeNode *node = map_.search(changed->first);
+            const bool isOccupied = node && map_.isNodeOccupied(node);
+            const CellBox ours = inCellsOf(edge_, cell);
+            if (isOccupied != cells_.contains(ours.low))
+                isOccupied ? occupied.push_back(ours) : freed.push_back(cell);
+        }
+        cells_.insert(occupied);
+        free(std::move(freed));
+    }
+
+    void OctomapSet::free(std::vector<CellBox> cells)
+    {
+        if (edge_ == 1 && !options_.slice)
+            return cells_.remove(cells);
+        // Other cells of the map may keep one of the set's occupied.
+        if (options_.slice)
+            for (CellBox &column : cells)
+            {
+                column.low[2] = WHOLE_OCTOMAP.low[2];
+                column.high[2] = WHOLE_OCTOMAP.high[2];
+            }
+        const auto isBefore = [](const CellBox &a, const CellBox &b) { return a.low < b.low; };
+        const auto isSame = [](const CellBox &a, const CellBox &b) { return a.low == b.low; };
+        std::sort(cells.begin(), cells.end(), isBefore);
+        cells.erase(std::unique(cells.begin(), cells.end(), isSame), cells.end());
+        for (const CellBox &cell : cells)
+            read(cell);
+    }
+
     ObstacleChange OctomapSet::takeChange()
     {
-        if (!isRead_)
-            read(WHOLE_OCTOMAP);
-        else
-        {
-            const std::int32_t edge = BLOCK * edge_;
-            std::set<std::array<std::int32_t, 3>> regions;
-            for (auto changed = map_.changedKeysBegin(); changed != map_.changedKeysEnd(); ++changed)
-            {
-                std::array<std::int32_t, 3> low;
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    low[axis] = (changed->first[static_cast<unsigned int>(axis)] / edge) * edge - CellBox::FARTHEST;
-                if (options_.slice)
-                    low[2] = -CellBox::FARTHEST;
-                regions.insert(low);
-            }
-            for (const auto &low : regions)
-                read({low, {low[0] + edge, low[1] + edge, options_.slice ? CellBox::FARTHEST : low[2] + edge}});
-        }
+        isRead_ ? readChanged() : read(WHOLE_OCTOMAP);
         isRead_ = true;
         map_.resetChangeDetection();
         return cells_.takeChange();

@@ -5,8 +5,8 @@
 #include "ompl_certificates/obstacles/ObstacleChange.h"
 
 #include <array>
-#include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -57,7 +57,11 @@ namespace ompl_certificates
             \throws ompl::Exception as insert(). Then none is removed. */
         void remove(const std::vector<CellBox> &boxes);
 
-        /** \brief The number of cells. Cost: linear in the number of boxes that they are joined into. */
+        /** \brief Whether a cell is there, with all that was inserted and removed; in the plane its place along z does
+            not count. Cost: logarithmic in the number of blocks. */
+        bool contains(const std::array<std::int32_t, 3> &cell) const;
+
+        /** \brief The number of cells. Cost: linear in the number of blocks. */
         std::size_t size() const;
 
         /** \brief The obstacles now, and what was added and removed since the last call: the boxes that cells are
@@ -70,15 +74,23 @@ namespace ompl_certificates
         /** \brief How many cells a block has along an axis: as many as a box may have, so that blocks take apart few */
         static constexpr std::int32_t BLOCK = 16;
 
-        /** \brief The cells of a block: which of them are occupied */
-        using Cells = std::bitset<std::size_t(BLOCK) * BLOCK * BLOCK>;
+        /** \brief The cells of a block: for each row of them along x, which are occupied, a bit for each */
+        using Cells = std::array<std::uint16_t, std::size_t(BLOCK) * BLOCK>;
 
         /** \brief The first cell of a block, divided by BLOCK */
         using Place = std::array<std::int32_t, 3>;
 
-        /** \brief The bit of a cell, given by its place in its block */
-        static std::size_t indexOf(std::int32_t x, std::int32_t y, std::int32_t z);
+        /** \brief Where the row is in a block that has so much of y and z, counted from the block's first cell */
+        static std::size_t rowOf(std::int32_t y, std::int32_t z);
 
+        /** \brief The cells of a block, and the boxes that they are joined into */
+        struct Block
+        {
+            Cells cells;
+            std::shared_ptr<const CellBlock> made;
+        };
+
+        /** \brief The cells of a block as they were at the last takeChange() */
         Cells cellsOf(const Place &place) const;
 
         /** \brief The first and the last block that a box reaches into */
@@ -93,7 +105,7 @@ namespace ompl_certificates
         double cellSize_;
         unsigned int dimension_;
         /** \brief The blocks that are not empty, as they were at the last takeChange() */
-        std::map<Place, std::shared_ptr<const CellBlock>> blocks_;
+        std::map<Place, Block> blocks_;
         /** \brief The cells now of those blocks in which one may have come or gone since */
         std::map<Place, Cells> edited_;
         /** \brief What the last takeChange() made */
