@@ -65,7 +65,8 @@ namespace ompl_certificates
             for (std::size_t i = layer; i < boxes.size(); ++i)
             {
                 const CellBox box = boxes[i];
-                std::size_t &last = below[static_cast<std::size_t>(box.low[0] + MOST_CELLS * box.low[1])];
+                std::size_t &last = below[static_cast<std::size_t>(box.low[0]) +
+                                          std::size_t(MOST_CELLS) * static_cast<std::size_t>(box.low[1])];
                 if (last != NO_BOX && boxes[last].high == std::array{box.high[0], box.high[1], box.low[2]})
                     boxes[last].high[2] = box.high[2];
                 else
@@ -146,7 +147,7 @@ namespace ompl_certificates
 
     std::size_t CellSet::rowOf(std::int32_t y, std::int32_t z)
     {
-        return static_cast<std::size_t>(y + BLOCK * z);
+        return static_cast<std::size_t>(y) + std::size_t(BLOCK) * static_cast<std::size_t>(z);
     }
 
     CellSet::Cells CellSet::cellsOf(const Place &place) const

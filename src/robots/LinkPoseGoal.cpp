@@ -263,15 +263,17 @@ namespace ompl_certificates
     {
         const Deviation left = beyond(deviation, aim);
         ob::ScopedState<> trial(arm_->getStateSpace());
-        for (; damping <= MOST_DAMPING; damping *= 10.0)
+        while (damping <= MOST_DAMPING)
         {
             move(slopes, left, damping, state, trial.get());
             const Deviation next = deviationOf(trial.get());
-            if (beyond(next, aim).norm() > LEFT_BY_A_STEP * left.norm())
-                continue;
-            deviation = next;
-            arm_->getStateSpace()->copyState(state, trial.get());
-            return true;
+            if (beyond(next, aim).norm() <= LEFT_BY_A_STEP * left.norm())
+            {
+                deviation = next;
+                arm_->getStateSpace()->copyState(state, trial.get());
+                return true;
+            }
+            damping *= 10.0;
         }
         return false;
     }

@@ -205,7 +205,8 @@ namespace ompl_certificates
                 if (sizes[0] > packed.size())
                     text_.fail(std::to_string(sizes[0]) + " compressed bytes must follow, but there are " +
                                std::to_string(packed.size()));
-                if (sizes[1] / bytes_ != count_ || sizes[1] % bytes_ != 0 || sizes[1] / MOST_PACKED > sizes[0])
+                const std::size_t bytes = std::max<std::size_t>(1, bytes_);
+                if (sizes[1] / bytes != count_ || sizes[1] % bytes != 0 || sizes[1] / MOST_PACKED > sizes[0])
                     text_.fail("the compressed data cannot become " + std::to_string(sizes[1]) + " bytes, for " +
                                std::to_string(count_) + " points of " + std::to_string(bytes_));
                 const std::string unpacked = unpackLzf(packed.substr(0, sizes[0]), sizes[1]);
