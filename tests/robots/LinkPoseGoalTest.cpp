@@ -155,11 +155,13 @@ TEST(LinkPoseGoal, LeavesTurnsFree)
             pose.rotation->tolerance[axis] = M_PI;
             EXPECT_EQ(LinkPoseGoal(arm, pose).distance(state.get()), 0.0) << axis << " " << angle;
             // Tilts are told from the free turn.
-            LinkPose tilted = pose;
-            const int across = (axis + 1) % 3;
-            tilted.rotation->rotation *=
-                Eigen::AngleAxisd(0.1, turn.transpose() * Eigen::Vector3d::Unit(across)).toRotationMatrix();
-            EXPECT_NEAR(LinkPoseGoal(arm, tilted).distance(state.get()), 0.09, 0.04) << axis << " " << angle;
+            const Eigen::Vector3d across = Eigen::Vector3d::Unit((axis + 1) % 3);
+            for (const Eigen::Vector3d &tilt : {across, Eigen::Vector3d(turn.transpose() * across)})
+            {
+                LinkPose tilted = pose;
+                tilted.rotation->rotation *= Eigen::AngleAxisd(0.1, tilt).toRotationMatrix();
+                EXPECT_NEAR(LinkPoseGoal(arm, tilted).distance(state.get()), 0.09, 0.04) << axis << " " << angle;
+            }
             pose.rotation->tolerance[axis] = std::abs(angle) + 1e-9;
             EXPECT_EQ(LinkPoseGoal(arm, pose).distance(state.get()), 0.0) << axis << " " << angle;
             if (angle == 0.0)

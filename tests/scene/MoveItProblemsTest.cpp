@@ -107,8 +107,11 @@ namespace ompl_certificates
                 {
                     // Groups of states near each other, so that certificates are used
                     const bool isMiddle = i % 5 == 0;
+                    // Most states are free. The first ones of all are near one that collides.
                     if (isMiddle)
-                        sampler->sampleUniform(middle.get());
+                        do
+                            sampler->sampleUniform(middle.get());
+                        while (states == 0 && setups.front()->getSpaceInformation()->isValid(middle.get()));
                     sampler->sampleUniformNear(state.get(), middle.get(), isMiddle ? 0.0 : 0.2);
                     const bool valid = check([&](const ob::SpaceInformation &si) { return si.isValid(state.get()); });
                     ++states;
