@@ -1,7 +1,7 @@
 // After each of many frames, however the map is edited, the set's obstacles are those of the map made anew.
 
+#include "OctomapSetCase.h"
 #include "RandomMaps.h"
-#include "ompl_certificates/octomap/OctomapSet.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -13,29 +13,9 @@ namespace
 {
     constexpr double FRAMES_CELL_SIZE = 0.25;
 
-    struct Frames
-    {
-        const char *name;
-        unsigned int depth;
-        std::optional<ZInterval> slice;
-    };
-
-    std::ostream &operator<<(std::ostream &out, const Frames &frames)
-    {
-        return out << frames.name;
-    }
-
-    class OctomapFrames : public testing::TestWithParam<Frames>
+    class OctomapFrames : public OctomapSetTest
     {
     protected:
-        OctomapOptions options() const
-        {
-            OctomapOptions options;
-            options.depth = GetParam().depth;
-            options.slice = GetParam().slice;
-            return options;
-        }
-
         void expectEquality(Random &random, const Obstacles &changed, const Obstacles &fresh) const
         {
             const bool isFlat = GetParam().slice.has_value();
@@ -113,8 +93,8 @@ TEST_P(OctomapFrames, AreThoseOfTheMapMadeAnew)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, OctomapFrames,
-                         testing::Values(Frames{"whole", 16, {}}, Frames{"coarse", 14, {}},
-                                         Frames{"slice", 16, ZInterval{-0.6, 0.9}},
-                                         Frames{"coarseSlice", 15, ZInterval{0.0, 0.5}},
-                                         Frames{"veryCoarseSlice", 13, ZInterval{-0.3, 0.1}}),
+                         testing::Values(OctomapSetCase{"whole", 16, {}}, OctomapSetCase{"coarse", 14, {}},
+                                         OctomapSetCase{"slice", 16, ZInterval{-0.6, 0.9}},
+                                         OctomapSetCase{"coarseSlice", 15, ZInterval{0.0, 0.5}},
+                                         OctomapSetCase{"veryCoarseSlice", 13, ZInterval{-0.3, 0.1}}),
                          [](const auto &instance) { return std::string(instance.param.name); });

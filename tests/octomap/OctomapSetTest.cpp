@@ -1,6 +1,6 @@
 #include "MapTeams.h"
+#include "OctomapSetCase.h"
 #include "RandomMaps.h"
-#include "ompl_certificates/octomap/OctomapSet.h"
 #include "support/Message.h"
 #include "support/Quiet.h"
 
@@ -15,28 +15,8 @@ namespace
 {
     constexpr double RESOLUTION = 0.25;
 
-    struct Case
+    class OctomapSets : public OctomapSetTest
     {
-        const char *name;
-        unsigned int depth;
-        std::optional<ZInterval> slice;
-    };
-
-    std::ostream &operator<<(std::ostream &out, const Case &options)
-    {
-        return out << options.name;
-    }
-
-    class OctomapSets : public testing::TestWithParam<Case>
-    {
-    protected:
-        OctomapOptions options() const
-        {
-            OctomapOptions options;
-            options.depth = GetParam().depth;
-            options.slice = GetParam().slice;
-            return options;
-        }
     };
 
     using Cells = std::set<std::array<std::int32_t, 3>>;
@@ -135,10 +115,11 @@ TEST_P(OctomapSets, LeaveVerdictsOfFreshCheckers)
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, OctomapSets,
-                         testing::Values(Case{"whole", 16, {}}, Case{"coarse", 14, {}}, Case{"veryCoarse", 11, {}},
-                                         Case{"slice", 16, ZInterval{-0.6, 0.9}},
-                                         Case{"coarseSlice", 15, ZInterval{0.0, 0.5}},
-                                         Case{"veryCoarseSlice", 4, ZInterval{0.1, 0.5}}),
+                         testing::Values(OctomapSetCase{"whole", 16, {}}, OctomapSetCase{"coarse", 14, {}},
+                                         OctomapSetCase{"veryCoarse", 11, {}},
+                                         OctomapSetCase{"slice", 16, ZInterval{-0.6, 0.9}},
+                                         OctomapSetCase{"coarseSlice", 15, ZInterval{0.0, 0.5}},
+                                         OctomapSetCase{"veryCoarseSlice", 4, ZInterval{0.1, 0.5}}),
                          [](const auto &instance) { return std::string(instance.param.name); });
 
 TEST_P(OctomapSets, RereadWhatTheMapDoesNotNote)

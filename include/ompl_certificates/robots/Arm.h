@@ -93,8 +93,8 @@ namespace ompl_certificates
         /** \brief The last one of those that most joints move */
         std::size_t getTracedBody() const override;
 
-        /** \brief See Robot. An eighth of the extent in which a REVOLUTE joint counts half a turn at most, as a
-            CONTINUOUS one does, however far its limits are apart: about 1 for six or seven such joints. See
+        /** \brief See Robot. An eighth of the extent, about 1 for six or seven turning joints. However far the limits of
+            a REVOLUTE joint are apart, it counts half a turn at most, as a CONTINUOUS one does. See
             benchmarks/README.md for how much quicker plans are by it than by OMPL's own range. */
         double getPlannerRange() const override;
 
