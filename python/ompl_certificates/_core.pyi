@@ -91,6 +91,9 @@ class LinkPose:
         they are None: how far off the point may be along the workspace's axes, and the link about its own: XYZ Euler
         angles, in radians. From pi on any turn about that axis will do, and the angles are XZY if that is the y
         axis."""
+    @property
+    def link(self) -> str:
+        """The name of the link"""
 
 class AttachedBody:
     """A body that an arm carries, such as what it has grasped"""

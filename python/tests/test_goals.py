@@ -118,7 +118,10 @@ def test_a_single_arm_needs_no_dict() -> None:
             lambda: oc.plan(two_arms(), goal={"left": oc.LinkPose("tool_center", [0.1, 0.2])}),
             "goal of link 'tool_center': points must have 3 numbers",
         ),
-        (lambda: make_arm("arm", [0, 0, 0]).sample_goal([1.0]), "goal: must be a LinkPose or a Zone"),
+        (
+            lambda: make_arm("arm", [0, 0, 0]).sample_goal([1.0]),  # type: ignore[arg-type]
+            "goal: must be a LinkPose or a Zone",
+        ),
     ],
 )
 def test_errors_name_what_is_wrong(make: object, message: str) -> None:
@@ -231,4 +234,4 @@ def test_plans_by_controls_go_to_one_state() -> None:
         scene.add_robot(cart, [1, 1, 0], oc.Zone([7, 7], [9, 9]))
     scene.add_robot(cart, [1, 1, 0], [8, 8, 0])
     with pytest.raises(oc.Error, match="goal: must be one state: plans by controls take no Zone"):
-        oc.plan_controls(scene, goal=oc.Zone([7, 7], [9, 9]))
+        oc.plan_controls(scene, goal=oc.Zone([7, 7], [9, 9]))  # type: ignore[arg-type]
