@@ -237,7 +237,8 @@ namespace ompl_certificates
                 if (!point.allFinite())
                     return;
                 if (!isPoint(point))
-                    text_.fail("a point has a coordinate beyond 1e9");
+                    text_.fail("the point after " + std::to_string(points_.size()) +
+                               " others has a coordinate beyond 1e9");
                 points_.push_back(point);
             }
 

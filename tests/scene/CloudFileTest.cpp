@@ -79,7 +79,7 @@ namespace ompl_certificates
         EXPECT_EQ(loadCloud(folder.write("fields.pcd", binary)).points.at(0), Eigen::Vector3d(1.0, 2.0, 3.0));
     }
 
-    /** What Python's zip of the fields of three points is, in the format of LibLZF */
+    /** A file of three points, with data that says it becomes \e size bytes */
     std::string compressedPcd(const std::string &packed, std::uint32_t size)
     {
         const std::uint32_t sizes[2]{static_cast<std::uint32_t>(packed.size()), size};
