@@ -161,7 +161,7 @@ namespace ompl_certificates
             throw ompl::Exception("The box whose points are to be removed has corners that are no numbers");
         Eigen::AlignedBox3d box;
         for (const Layer &layer : layers_)
-            box.extend(layer.tree->getCube());
+            box.extend(layer.tree->getBox());
         box.clamp(wanted);
         if (box.isEmpty())
             return 0;

@@ -102,6 +102,18 @@ namespace ompl_certificates
             return number;
         }
 
+        /** The median of a coordinate, of a thousand points at most */
+        double medianOf(const std::vector<Eigen::Vector3d> &points, Eigen::Index axis)
+        {
+            constexpr std::size_t ENOUGH = 1000;
+            std::vector<double> coordinates;
+            for (std::size_t i = 0; i < points.size(); i += points.size() / ENOUGH + 1)
+                coordinates.push_back(points[i][axis]);
+            const auto middle = coordinates.begin() + static_cast<std::ptrdiff_t>(coordinates.size() / 2);
+            std::nth_element(coordinates.begin(), middle, coordinates.end());
+            return *middle;
+        }
+
         float roundedUp(double value)
         {
             return std::nextafter(static_cast<float>(value), FLOAT_INF);
@@ -127,21 +139,15 @@ namespace ompl_certificates
                 radii_[i] = balls[i].radius;
             }
         }
-        Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d &point : points_)
-            box.extend(point);
-        origin_ = box.center();
-        extent_ = 0.5 * box.sizes().maxCoeff();
+            box_.extend(point);
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            origin_[axis] = medianOf(points_, axis);
         const auto leaves = static_cast<std::uint32_t>((points_.size() + LEAF_SIZE - 1) / LEAF_SIZE);
         nodes_.reserve(leaves / 3 + 1);
         std::uint32_t root;
         largestRadius_ = addNode(0, leaves, root).radius;
         nodes_.shrink_to_fit();
-    }
-
-    double PointTree::getExtent() const
-    {
-        return origin_.norm() + std::sqrt(3.0) * extent_;
     }
 
     std::pair<std::uint32_t, std::uint32_t> PointTree::findSpare(std::uint32_t position) const
@@ -209,10 +215,12 @@ namespace ompl_certificates
             }
             Node &node = nodes_[index];
             const auto lane = static_cast<Eigen::Index>(k);
+            const float largest = bounds.box.min().cwiseAbs().cwiseMax(bounds.box.max().cwiseAbs()).maxCoeff();
+            const float margin = largest < FLOAT_INF ? static_cast<float>(ROUNDING) * largest : 0.0F;
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
-                node.low[axis][lane] = bounds.box.min()[static_cast<Eigen::Index>(axis)];
-                node.high[axis][lane] = bounds.box.max()[static_cast<Eigen::Index>(axis)];
+                node.low[axis][lane] = bounds.box.min()[static_cast<Eigen::Index>(axis)] - margin;
+                node.high[axis][lane] = bounds.box.max()[static_cast<Eigen::Index>(axis)] + margin;
             }
             node.radius[lane] = bounds.radius;
             node.child[k] = child;
@@ -284,7 +292,7 @@ namespace ompl_certificates
                 tryLeaf(static_cast<std::uint32_t>(first / LEAF_SIZE));
             return found;
         }
-        const auto slack = static_cast<float>(ROUNDING * (largest + extent_));
+        const auto slack = static_cast<float>(ROUNDING * largest);
         const Eigen::Vector3f p = shifted.cast<float>();
         const float low[3] = {p.x() + slack, p.y() + slack, p.z() + slack};
         const float high[3] = {p.x() - slack, p.y() - slack, p.z() - slack};

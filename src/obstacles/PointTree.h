@@ -84,15 +84,17 @@ namespace ompl_certificates
             return radii_.size() == 1 ? radii_.front() : radii_[position];
         }
 
-        /** \brief A cube around all points; empty if there are none */
-        Eigen::AlignedBox3d getCube() const
+        /** \brief The box of all points; empty if there are none */
+        const Eigen::AlignedBox3d &getBox() const
         {
-            const Eigen::Vector3d half = Eigen::Vector3d::Constant(extent_ + 1e-9 * (extent_ + origin_.norm()));
-            return points_.empty() ? Eigen::AlignedBox3d() : Eigen::AlignedBox3d(origin_ - half, origin_ + half);
+            return box_;
         }
 
         /** \brief The largest distance of a ball's point from the origin of the workspace, or more */
-        double getExtent() const;
+        double getExtent() const
+        {
+            return points_.empty() ? 0.0 : box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).norm();
+        }
 
     private:
         static constexpr std::uint32_t LEAF_SIZE = 16;
@@ -102,7 +104,8 @@ namespace ompl_certificates
         /** \brief More than the rounding of coordinates in single precision, relative to the largest */
         static constexpr double ROUNDING = 1e-6;
 
-        /** \brief Four boxes around points, relative to origin_, and their largest radii. An absent box is inside out
+        /** \brief Four boxes around points, relative to origin_, and their largest radii. A box is larger by the rounding
+            of its largest coordinate, so that searches need to add only that of their own. An absent box is inside out
             and infinite. */
         struct alignas(64) Node
         {
@@ -143,10 +146,10 @@ namespace ompl_certificates
             \param least set to the distance of that ball */
         std::uint32_t findNearestLeaf(const Eigen::Vector3d &point, double &least, Mask mask) const;
 
+        /** \brief Amid most points: coordinates relative to it are small, and rounded little, even if a few points are
+            very far away */
         Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};
-
-        /** \brief The largest coordinate of a point, relative to origin_ */
-        double extent_{0.0};
+        Eigen::AlignedBox3d box_;
         float largestRadius_{0.0F};
         std::vector<Eigen::Vector3d> points_;
         std::vector<double> radii_;
@@ -165,8 +168,8 @@ namespace ompl_certificates
         const FloatBox floatBox(box);
         const Eigen::Vector3d shift = pose.translation() - origin_;
         const BoxTurn turn(pose.linear(), shift);
-        const auto slack = static_cast<float>(
-            largestRadius_ + ROUNDING * (extent_ + shift.norm() + box.center().norm() + box.sizes().norm()));
+        const auto slack =
+            static_cast<float>(largestRadius_ + ROUNDING * (shift.norm() + box.center().norm() + box.sizes().norm()));
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;

@@ -1,10 +1,10 @@
 #include "ompl_certificates/scene/Scene.h"
 
+#include "SceneCollision.h"
 #include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/planning/TeamGoalRegion.h"
-#include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,55 +50,6 @@ namespace ompl_certificates
                 text << (i == 0 ? "[" : ", ") << values[i];
             text << "]";
             return text.str();
-        }
-
-        /** What helps if two arms have a link at the same place: they are parts of one mechanism. */
-        std::string hintOn(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
-                           const std::vector<Pose> &others)
-        {
-            const auto *arm = dynamic_cast<const Arm *>(&first), *other = dynamic_cast<const Arm *>(&second);
-            for (std::size_t i = 0; arm && other && i < poses.size(); ++i)
-                for (std::size_t k = 0; k < others.size(); ++k)
-                    if (arm->getLinkOfBody(i) == other->getLinkOfBody(k) && poses[i].matrix() == others[k].matrix())
-                        return ": both have link '" + arm->getLinkOfBody(i) +
-                               "' there; to be parts of one mechanism they need the same file, srdf and base";
-            return "";
-        }
-
-        /** What messages call a body of a robot that has several, or of an arm; else nothing */
-        std::string nameOfBody(const Robot &robot, std::size_t body)
-        {
-            if (const auto *arm = dynamic_cast<const Arm *>(&robot))
-                return "link '" + arm->getLinkOfBody(body) + "'";
-            return robot.getBodies().size() > 1 ? "body " + std::to_string(body) : "";
-        }
-
-        /** The bodies of two robots that touch each other, or of one, as the end of a message; nothing if neither has
-            more than one body */
-        std::string describeBodies(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
-                                   const std::vector<Pose> &others)
-        {
-            const bool alone = &first == &second;
-            std::vector<BodyPair> pairs = alone ? first.getBodyPairs() : std::vector<BodyPair>();
-            for (std::size_t i = 0; !alone && i < poses.size(); ++i)
-                for (std::size_t k = 0; k < others.size(); ++k)
-                    if (first.mayCollide(i, second, k) && second.mayCollide(k, first, i))
-                        pairs.push_back({i, k});
-            for (const BodyPair &pair : pairs)
-            {
-                const PlacedBody other{second.getBodies()[pair.second], others[pair.second]};
-                if (!FclObstacles({other}, other.body.getDimension())
-                         .collides(first.getBodies()[pair.first], poses[pair.first]))
-                    continue;
-                const std::string name = nameOfBody(first, pair.first), otherName = nameOfBody(second, pair.second);
-                const std::string whose = alone ? "" : " of '" + first.getName() + "'",
-                                  otherWhose = alone ? "" : " of '" + second.getName() + "'";
-                if (name.empty() && otherName.empty())
-                    return "";
-                return ": " + (name.empty() ? "" : name + whose) + (name.empty() || otherName.empty() ? "" : " and ") +
-                       (otherName.empty() ? "" : otherName + otherWhose);
-            }
-            return "";
         }
     }
 
@@ -362,10 +313,8 @@ namespace ompl_certificates
                    " of '" + members_[robot].robot->getName() + "'";
         };
         const TeamStateSpacePtr team = makeTeam();
-        const auto obstacles = makeObstacles();
         const ob::ScopedState<> state = makeState(team, coordinates);
         const auto *teamState = state.get()->as<TeamStateSpace::StateType>();
-        const std::vector<std::vector<Pose>> poses = placeRobots(*team, state.get());
         for (unsigned int i = 0; i < team->getRobotCount(); ++i)
         {
             const Robot &robot = team->getRobot(i);
@@ -374,85 +323,39 @@ namespace ompl_certificates
             const auto *dynamic = dynamic_cast<const DynamicRobot *>(&robot);
             if (dynamic && !dynamic->isWithinLimits(teamState->components[i]))
                 throw ompl::Exception(source_, describe(i) + " turns the hinge too far");
-            const std::string touch = describeTouch(robot, poses[i], *obstacles, team->getZInterval());
-            if (!touch.empty())
-                throw ompl::Exception(source_, describe(i) + " " + touch);
         }
-        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
-        // The obstacles leave each robot free.
-        for (unsigned int i = 0; i < team->getRobotCount(); ++i)
-            if (!checker.isRobotFree(i, teamState->components[i]))
+        const auto collision = findCollision(*this, team, state.get());
+        if (!collision)
+            return;
+        const std::string robot = describe(collision->robot);
+        switch (collision->with)
+        {
+            case SceneCollision::OBSTACLES:
+                throw ompl::Exception(source_, robot + " " + collision->touch);
+            case SceneCollision::ITSELF:
+                throw ompl::Exception(source_, robot + " collides with itself" + collision->bodies);
+            case SceneCollision::ROBOT:
                 throw ompl::Exception(source_,
-                                      describe(i) + " collides with itself" +
-                                          describeBodies(team->getRobot(i), poses[i], team->getRobot(i), poses[i]));
-        for (unsigned int first = 0; first < team->getRobotCount(); ++first)
-            for (unsigned int second = first + 1; second < team->getRobotCount(); ++second)
-                if (!checker.isPairFree(first, teamState->components[first], second, teamState->components[second]))
-                    throw ompl::Exception(source_, describe(first) + " and " + describe(second) + " overlap" +
-                                                       hintOn(team->getRobot(first), poses[first],
-                                                              team->getRobot(second), poses[second]));
-    }
-
-    std::vector<std::vector<Pose>> Scene::placeRobots(const TeamStateSpace &team, const ob::State *state)
-    {
-        std::vector<std::vector<Pose>> poses;
-        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-        {
-            poses.emplace_back(team.getRobot(i).getBodies().size());
-            team.getRobot(i).computePoses(state->as<TeamStateSpace::StateType>()->components[i], poses.back().data());
+                                      robot + " and " + describe(collision->other) + " overlap" + collision->hint);
         }
-        return poses;
-    }
-
-    std::string Scene::describeTouch(const Robot &robot, const std::vector<Pose> &poses, const Obstacles &obstacles,
-                                     const ZInterval &zInterval) const
-    {
-        // Which obstacle it is is looked for only once there is one.
-        const auto nameOfObstacle = [&](const Body &body, const Pose &pose) -> std::string
-        {
-            for (std::size_t i = 0; i < obstacles_.size(); ++i)
-                if (FclObstacles({obstacles_[i]}, getDimension(), zInterval).collides(body, pose))
-                    return obstacleTitles_[i];
-            for (std::size_t i = 0; i < sensed_.size(); ++i)
-                if (sensed_[i]->collides(body, pose))
-                    return sensedTitles_[i];
-            return "an obstacle";
-        };
-        for (std::size_t i = 0; i < poses.size(); ++i)
-        {
-            const Body &body = robot.getBodies()[i];
-            const Touching contact = obstacles.touches(body, poses[i]);
-            if (contact == Touching::UNKNOWN ? !obstacles.collides(body, poses[i]) : contact != Touching::YES)
-                continue;
-            const std::string name = nameOfBody(robot, i);
-            return "touches " + nameOfObstacle(body, poses[i]) + (name.empty() ? "" : " with " + name);
-        }
-        return "";
     }
 
     std::string Scene::describeCollision(const TeamStateSpacePtr &team, const ob::State *state) const
     {
-        const auto obstacles = makeObstacles();
-        const std::vector<std::vector<Pose>> poses = placeRobots(*team, state);
-        for (unsigned int i = 0; i < team->getRobotCount(); ++i)
+        const auto collision = findCollision(*this, team, state);
+        if (!collision)
+            return "";
+        const std::string robot = "'" + team->getRobot(collision->robot).getName() + "'";
+        switch (collision->with)
         {
-            const Robot &robot = team->getRobot(i);
-            const std::string touch = describeTouch(robot, poses[i], *obstacles, team->getZInterval());
-            if (!touch.empty())
-                return "robot '" + robot.getName() + "' " + touch;
+            case SceneCollision::OBSTACLES:
+                return "robot " + robot + " " + collision->touch;
+            case SceneCollision::ITSELF:
+                return "robot " + robot + " touches itself" + collision->bodies;
+            case SceneCollision::ROBOT:
+                break;
         }
-        const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
-        const auto *components = state->as<TeamStateSpace::StateType>()->components;
-        for (unsigned int i = 0; i < team->getRobotCount(); ++i)
-            if (!checker.isRobotFree(i, components[i]))
-                return "robot '" + team->getRobot(i).getName() + "' touches itself" +
-                       describeBodies(team->getRobot(i), poses[i], team->getRobot(i), poses[i]);
-        for (unsigned int first = 0; first < team->getRobotCount(); ++first)
-            for (unsigned int second = first + 1; second < team->getRobotCount(); ++second)
-                if (!checker.isPairFree(first, components[first], second, components[second]))
-                    return "robots '" + team->getRobot(first).getName() + "' and '" + team->getRobot(second).getName() +
-                           "' touch each other" +
-                           describeBodies(team->getRobot(first), poses[first], team->getRobot(second), poses[second]);
-        return "";
+        return "robots " + robot + " and '" + team->getRobot(collision->other).getName() + "' touch each other" +
+               collision->bodies;
     }
 }

@@ -70,6 +70,18 @@ namespace
         ASSERT_FALSE(cloud.certainlyHits(body, pose, NO_PART));
     }
 
+    /** Adds a few balls that are very far away, as sensors see them. They must not change what is told of others. */
+    void addFarBalls(Random &random, unsigned int dimension, Balls &balls)
+    {
+        const bool haveRadii = balls.radii.size() == balls.points.size();
+        for (unsigned int i = random.below(4); i > 0; --i)
+        {
+            balls.points.push_back(random.logUniform(1e2, 1e13) * random.direction(dimension));
+            if (haveRadii)
+                balls.radii.push_back(0.1);
+        }
+    }
+
     /** Gives some balls many copies, some of them with another radius; then sets all in another order */
     void repeatSome(Random &random, Balls &balls)
     {
@@ -124,8 +136,10 @@ TEST(PointCloudObstacles, KnowTheClearanceExactly)
         const Eigen::Vector3d center = random.chance(0.3) ? random.point(dimension, 1e6) : Eigen::Vector3d::Zero();
         const std::size_t count = anyCount(random);
         Balls balls{randomPoints(random, dimension, count, 5.0, center), randomRadii(random, count, 0.5)};
+        if (count > 0 && random.chance(0.3))
+            addFarBalls(random, dimension, balls);
         const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
-        ASSERT_EQ(cloud.size(), count);
+        ASSERT_EQ(cloud.size(), balls.points.size());
         for (int i = 0; i < 100; ++i)
         {
             Eigen::Vector3d point = center + random.point(dimension, random.logUniform(0.1, 100.0));
@@ -162,7 +176,9 @@ TEST(PointCloudObstacles, GiveTheVerdictOfAllPoints)
         Random random(seed);
         const unsigned int dimension = 2 + seed % 2;
         const std::size_t count = 1 + anyCount(random) / 4;
-        const Balls balls{randomPoints(random, dimension, count, 3.0), randomRadii(random, count, 0.3)};
+        Balls balls{randomPoints(random, dimension, count, 3.0), randomRadii(random, count, 0.3)};
+        if (random.chance(0.3))
+            addFarBalls(random, dimension, balls);
         const PointCloudObstacles cloud(balls.points, balls.radii, dimension);
         const Body body = anyBody(random, dimension, random.logUniform(0.1, 3.0));
         for (int i = 0; i < 4; ++i)

@@ -220,15 +220,6 @@ namespace ompl_certificates
         /** \brief Take \e state, one of a team that makeTeam() made, as the goal. */
         void copyGoal(const ompl::base::CompoundState &state);
 
-        /** \brief Where the bodies of all robots are */
-        static std::vector<std::vector<Pose>> placeRobots(const TeamStateSpace &team, const ompl::base::State *state);
-
-        /** \brief What the robot touches at \e poses, such as "touches environment.obstacles[0] with link 'hand'";
-            empty if nothing
-            \param obstacles all of them */
-        std::string describeTouch(const Robot &robot, const std::vector<Pose> &poses, const Obstacles &obstacles,
-                                  const ZInterval &zInterval) const;
-
         /** \brief validate() for the starts or for the goals, which \e key tells */
         void validate(const std::string &key, std::vector<double> Member::*coordinates) const;
 
