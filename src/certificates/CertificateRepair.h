@@ -19,7 +19,7 @@ namespace ompl_certificates
         /** \brief How many certificates were added, removed ones included. Others may add meanwhile. */
         virtual std::uint32_t getAddedCount() const = 0;
 
-        /** \brief Sets whether the indices of new certificates are noted for takeAdded(). Not while others add. */
+        /** \brief Sets whether the indices of new certificates are noted for takeAdded(). Others may add meanwhile. */
         virtual void setNotesAdded(bool notes) = 0;
 
         /** \brief The indices of the certificates that were added since setNotesAdded(true), or since the last call.

@@ -74,6 +74,8 @@ namespace ompl_certificates
         Bucket *bucket = findBucket(index);
         if (!bucket)
             throw ompl::Exception("There is no certificate " + std::to_string(index));
+        if (clearance == -INF)
+            throw ompl::Exception("A certificate's clearance must be above -infinity");
         bucket->clearance[index % BUCKET_SIZE] = clearance;
         // Bounds that are too wide cost time, but not truth.
         if (!std::isnan(clearance))

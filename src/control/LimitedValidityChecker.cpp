@@ -2,6 +2,7 @@
 
 #include "ompl_certificates/control/DynamicRobot.h"
 
+#include <limits>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -23,20 +24,26 @@ namespace ompl_certificates
     LimitedValidityChecker::LimitedValidityChecker(std::shared_ptr<const TeamValidityChecker> checker)
       : StateValidityChecker(existing(checker)->getSpaceInformation()), checker_(std::move(checker))
     {
+        specs_ = checker_->getSpecs();
     }
 
-    bool LimitedValidityChecker::isValid(const ompl::base::State *state) const
+    bool LimitedValidityChecker::isWithinLimits(const ompl::base::State *state) const
     {
         const Team &team = checker_->getTeam();
         for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
             if (!static_cast<const DynamicRobot &>(team.getRobot(robot))
                      .isWithinLimits(team.getRobotState(state, robot)))
                 return false;
-        return checker_->isValid(state);
+        return true;
+    }
+
+    bool LimitedValidityChecker::isValid(const ompl::base::State *state) const
+    {
+        return isWithinLimits(state) && checker_->isValid(state);
     }
 
     double LimitedValidityChecker::clearance(const ompl::base::State *state) const
     {
-        return checker_->clearance(state);
+        return isWithinLimits(state) ? checker_->clearance(state) : -std::numeric_limits<double>::infinity();
     }
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <cstdio>
+#include <charconv>
 
 namespace ompl_certificates
 {
@@ -13,9 +13,9 @@ namespace ompl_certificates
 
         std::string number(double value, int digits = DIGITS)
         {
-            char text[64];
-            std::snprintf(text, sizeof(text), "%.*f", digits, value);
-            return text;
+            // The longest number has 309 digits before the point.
+            char text[400];
+            return std::string(text, std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits).ptr);
         }
 
         std::string pair(const Eigen::Vector2d &point, int digits = DIGITS)

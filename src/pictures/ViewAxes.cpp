@@ -1,7 +1,7 @@
 #include "ViewAxes.h"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace ompl_certificates
 {
@@ -25,8 +25,7 @@ namespace ompl_certificates
         std::string numberOf(double value)
         {
             char text[32];
-            std::snprintf(text, sizeof(text), "%.6g", value);
-            return text;
+            return std::string(text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr);
         }
 
         /** The points of an axis that have ticks: multiples of a round number */

@@ -5,10 +5,9 @@
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
-#include <boost/lexical_cast.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <locale>
 #include <map>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
@@ -54,6 +53,9 @@
 #include <ompl/tools/config/MagicConstants.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <ompl/util/String.h>
+#include <optional>
+#include <sstream>
 #include <utility>
 
 namespace ompl_certificates
@@ -108,9 +110,17 @@ namespace ompl_certificates
                 const ob::Cost least(best * (1.0 + 1e-9) + std::numeric_limits<double>::min());
                 if (objective->isCostBetterThan(before, least))
                     objective->setCostThreshold(least);
-                const ob::PlannerStatus status = AITstar::solve(ptc);
-                objective->setCostThreshold(before);
-                return status;
+                try
+                {
+                    const ob::PlannerStatus status = AITstar::solve(ptc);
+                    objective->setCostThreshold(before);
+                    return status;
+                }
+                catch (...)
+                {
+                    objective->setCostThreshold(before);
+                    throw;
+                }
             }
         };
 
@@ -214,33 +224,49 @@ namespace ompl_certificates
             return text;
         }
 
+        /** The number that a text is, whatever the program's locale; nothing if it is no number */
+        std::optional<double> toNumber(const std::string &text)
+        {
+            std::istringstream in(text);
+            in.imbue(std::locale::classic());
+            double number;
+            return in >> number && in.eof() ? std::optional<double>(number) : std::nullopt;
+        }
+
+        /** A number as a parameter, whatever the program's locale */
+        std::string toText(double number)
+        {
+            std::ostringstream out;
+            out.imbue(std::locale::classic());
+            out.precision(std::numeric_limits<double>::max_digits10);
+            out << number;
+            return out.str();
+        }
+
         /** Why a number is too small where OMPL suggests a range such as 1:64; empty if it is not. Only zero and
             negative numbers are: some planners crash with them, but smaller numbers than those suggested may make
             sense. */
         std::string whyTooSmall(const std::string &value, const std::string &range)
         {
-            char *end = nullptr;
-            const double number = std::strtod(value.c_str(), &end);
-            if (end == value.c_str() || *end != '\0' || range.find(':') == std::string::npos)
+            const std::size_t colon = range.find(':');
+            const std::optional<double> number = toNumber(value), least = toNumber(range.substr(0, colon));
+            if (!number || !least || colon == std::string::npos)
                 return "";
-            const double least = std::strtod(range.c_str(), nullptr);
-            if (least > 0.0 && number <= 0.0)
+            if (*least > 0.0 && *number <= 0.0)
                 return "must be positive";
-            return least >= 0.0 && number < 0.0 ? "must not be negative" : "";
+            return *least >= 0.0 && *number < 0.0 ? "must not be negative" : "";
         }
 
         /** Whether a planner that was given \e value and now has \e result understood it. OMPL reads the leading number
             of a text, and takes every word but "false" for true. */
         bool understood(const std::string &value, const std::string &result)
         {
-            char *end = nullptr;
-            const double has = std::strtod(result.c_str(), &end);
-            if (result.empty() || *end != '\0')
+            const std::optional<double> has = toNumber(result), given = toNumber(value);
+            if (!has)
                 return result.empty() || result == value;
-            const double given = std::strtod(value.c_str(), &end);
-            if (end != value.c_str() && *end == '\0')
-                return std::abs(given - has) <= 1e-6 * std::abs(given);
-            return (value == "true" && has == 1.0) || (value == "false" && has == 0.0);
+            if (given)
+                return std::abs(*given - *has) <= 1e-6 * std::abs(*given);
+            return (value == "true" && *has == 1.0) || (value == "false" && *has == 0.0);
         }
 
         const Entry &find(const std::string &name)
@@ -279,12 +305,12 @@ namespace ompl_certificates
         const ob::SpaceInformation &si = *planner.getSpaceInformation();
         const auto *team = dynamic_cast<const TeamStateSpace *>(si.getStateSpace().get());
         std::string present;
-        if (!team || !planner.params().getParam("range", present) || std::stod(present) != 0.0)
+        if (!team || !planner.params().getParam("range", present) || ompl::stod(present) != 0.0)
             return;
         // Where the two are equal it is left to OMPL, to the last bit.
         const double range = team->getPlannerRange();
         if (range < (1.0 - 1e-9) * ompl::magic::MAX_MOTION_LENGTH_AS_SPACE_EXTENT_FRACTION * team->getMaximumExtent())
-            planner.params().setParam("range", boost::lexical_cast<std::string>(range));
+            planner.params().setParam("range", toText(range));
     }
 
     void setParameter(ob::Planner &planner, const std::string &key, const std::string &value)

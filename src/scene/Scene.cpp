@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
 #include "SceneCollision.h"
-#include "ompl_certificates/control/DynamicRobot.h"
+#include "ompl_certificates/control/Car.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/planning/TeamGoalRegion.h"
@@ -322,7 +322,9 @@ namespace ompl_certificates
                 throw ompl::Exception(source_, describe(i) + " is outside the bounds");
             const auto *dynamic = dynamic_cast<const DynamicRobot *>(&robot);
             if (dynamic && !dynamic->isWithinLimits(teamState->components[i]))
-                throw ompl::Exception(source_, describe(i) + " turns the hinge too far");
+                throw ompl::Exception(source_, describe(i) + (dynamic_cast<const Car *>(dynamic)
+                                                                  ? " turns the hinge too far"
+                                                                  : " is beyond the robot's limits"));
         }
         const auto collision = findCollision(*this, team, state.get());
         if (!collision)

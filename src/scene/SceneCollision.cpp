@@ -99,7 +99,7 @@ namespace ompl_certificates
         {
             const Robot &robot = team->getRobot(i);
             poses.emplace_back(robot.getBodies().size());
-            robot.computePoses(components[i], poses.back().data());
+            robot.placeBodies(components[i], poses.back().data());
             const std::string touch = describeTouch(scene, *obstacles, team->getZInterval(), robot, poses.back());
             if (!touch.empty())
                 return SceneCollision{SceneCollision::OBSTACLES, i, i, touch, "", ""};

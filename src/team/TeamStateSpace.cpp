@@ -76,8 +76,10 @@ namespace ompl_certificates
     {
         if (!robot)
             throw ompl::Exception(getName(), "a robot must not be null");
-        if (hasSubspace(robot->getName()))
-            throw ompl::Exception(getName(), "there is a robot called '" + robot->getName() + "' already");
+        // The space of a dynamic robot's shape has another name, wherever else it serves.
+        for (const RobotPtr &other : robots_)
+            if (other->getName() == robot->getName())
+                throw ompl::Exception(getName(), "there is a robot called '" + robot->getName() + "' already");
         if (!robots_.empty() && robot->getWorkspaceDimension() != getWorkspaceDimension())
             throw ompl::Exception(getName(), "robot '" + robot->getName() + "' moves in " +
                                                  std::to_string(robot->getWorkspaceDimension()) +

@@ -136,9 +136,23 @@ namespace ompl_certificates
         if (!limit_->take(fresh.size()))
             return NO_CERTIFICATE;
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        for (const Certificate &certificate : fresh)
-            certificates_[certificates_.append()] = certificate;
-        return teamCertificates_.fetch_add(1, std::memory_order_release);
+        const CertificateIndex team = teamCertificates_.load(std::memory_order_relaxed);
+        const std::uint32_t first = team * static_cast<std::uint32_t>(fresh.size());
+        try
+        {
+            // If memory ran out here before, some are there already.
+            while (certificates_.size() < first + fresh.size())
+                certificates_.append();
+        }
+        catch (...)
+        {
+            limit_->give(fresh.size());
+            throw;
+        }
+        for (std::uint32_t body = 0; body < fresh.size(); ++body)
+            certificates_[first + body] = fresh[body];
+        teamCertificates_.store(team + 1, std::memory_order_release);
+        return team;
     }
 
     double BasicMethod::provenTeamInterval(const CheckContext &context) const

@@ -32,9 +32,9 @@ namespace ompl_certificates
         {
             throw ompl::Exception(file, exception.what());
         }
-        if (certificates.size() > checker.getMaxCertificates())
-            OMPL_WARN("%s: has %zu certificates, of which the checker keeps at most %zu", file.c_str(),
-                      certificates.size(), checker.getMaxCertificates());
+        if (checker.getKeptCertificates() >= checker.getMaxCertificates())
+            OMPL_WARN("%s: some of its %zu certificates may not be kept, since the checker has %zu, as many as it may",
+                      file.c_str(), certificates.size(), checker.getKeptCertificates());
         return certificates.size();
     }
 }

@@ -38,35 +38,35 @@ namespace ompl_certificates
         /** Whether all samples of a motion are free, by whichever is quicker; if not, the last argument is set to the
             time up to which they are, if it is there
             \param sampled whether the method settles samples one by one */
-        template <typename... Free>
+        template <typename... FreeUntil>
         bool areSamplesFree(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
-                            bool sampled, Free &...free)
+                            bool sampled, FreeUntil &...freeUntil)
         {
             const auto byMethod = [&]
             {
-                return sampled ? SampledMotionCheck(check, context, s1, s2).isFree(free...)
-                               : DiscreteMotionCheck(check, context, s1, s2).isFree(free...);
+                return sampled ? SampledMotionCheck(check, context, s1, s2).isFree(freeUntil...)
+                               : DiscreteMotionCheck(check, context, s1, s2).isFree(freeUntil...);
             };
             return check.decide(context.motionPolicy, context, byMethod,
-                                [&] { return SampledMotionCheck(check, context, s1, s2, true).isFree(free...); });
+                                [&] { return SampledMotionCheck(check, context, s1, s2, true).isFree(freeUntil...); });
         }
 
-        /** Whether all of a motion is proved free; if not, \e free is set to the time up to which it is */
+        /** Whether all of a motion is proved free; if not, \e freeUntil is set to the time up to which it is */
         bool isProved(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
-                      double &free)
+                      double &freeUntil)
         {
             ContinuousMotionCheck whole(check, context, s1, s2);
-            if (whole.isFree(free))
+            if (whole.isFree(freeUntil))
                 return true;
             // The motion to the last valid state has cells of its own, and must be proved in those.
-            for (double step = whole.getCell(); free > 0.0; step *= 2.0)
+            for (double step = whole.getCell(); freeUntil > 0.0; step *= 2.0)
             {
-                check.getTeam().getStateSpace()->interpolate(s1, s2, free, context.last);
+                check.getTeam().getStateSpace()->interpolate(s1, s2, freeUntil, context.last);
                 const bool proved = ContinuousMotionCheck(check, context, s1, context.last).isFree();
                 --context.counts.motions;
                 if (proved)
                     break;
-                free = std::max(0.0, free - step);
+                freeUntil = std::max(0.0, freeUntil - step);
             }
             return false;
         }
@@ -103,18 +103,18 @@ namespace ompl_certificates
                                  : ContinuousMotionCheck(check, *context, s1, s2).isFree();
     }
 
-    bool CertificateMotionValidator::isFree(const ob::State *s1, const ob::State *s2, double &free) const
+    bool CertificateMotionValidator::isFree(const ob::State *s1, const ob::State *s2, double &freeUntil) const
     {
         const TeamCheck &check = checker_->getTeamCheck();
         const TeamCheck::Scope context(check);
-        return mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, free)
-                                 : isProved(check, *context, s1, s2, free);
+        return mode_ == DISCRETE ? areSamplesFree(check, *context, s1, s2, isSampled_, freeUntil)
+                                 : isProved(check, *context, s1, s2, freeUntil);
     }
 
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
-        double unused;
-        const bool valid = isFree(s1, s2) && areSamplesValid(s1, s2, unused);
+        double until = 1.0;
+        const bool valid = isFree(s1, s2) && areSamplesValid(s1, s2, until);
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
@@ -129,7 +129,7 @@ namespace ompl_certificates
         return nullptr;
     }
 
-    bool CertificateMotionValidator::areSamplesValid(const ob::State *s1, const ob::State *s2, double &free) const
+    bool CertificateMotionValidator::areSamplesValid(const ob::State *s1, const ob::State *s2, double &until) const
     {
         const ob::StateValidityChecker *checker = getFurtherChecker();
         if (!checker)
@@ -137,13 +137,13 @@ namespace ompl_certificates
         const ob::StateSpacePtr &space = si_->getStateSpace();
         const unsigned int count = std::max(1U, space->validSegmentCount(s1, s2));
         ob::ScopedState<> sample(space);
-        for (unsigned int i = 1; i <= count; ++i)
+        for (unsigned int i = 1; i <= count && static_cast<double>(i) / count <= until; ++i)
         {
             if (i < count)
                 space->interpolate(s1, s2, static_cast<double>(i) / count, sample.get());
             if (!checker->isValid(i < count ? sample.get() : s2))
             {
-                free = static_cast<double>(i - 1) / count;
+                until = static_cast<double>(i - 1) / count;
                 return false;
             }
         }
@@ -178,21 +178,20 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2,
                                                  std::pair<ob::State *, double> &lastValid) const
     {
-        double free = 1.0;
-        bool valid = isFree(s1, s2, free);
-        if (double most = 1.0; !areSamplesValid(s1, s2, most))
+        double freeUntil = 1.0;
+        bool valid = isFree(s1, s2, freeUntil);
+        if (double until = freeUntil; !areSamplesValid(s1, s2, until))
         {
             // How far a proof goes that ends earlier is not known.
-            if (most < free)
-                free = mode_ == DISCRETE ? most : 0.0;
+            freeUntil = mode_ == DISCRETE ? until : 0.0;
             valid = false;
         }
         countMotion(valid ? valid_ : invalid_);
         if (!valid)
         {
-            lastValid.second = free;
+            lastValid.second = freeUntil;
             if (lastValid.first)
-                checker_->getTeam().getStateSpace()->interpolate(s1, s2, free, lastValid.first);
+                checker_->getTeam().getStateSpace()->interpolate(s1, s2, freeUntil, lastValid.first);
         }
         return valid;
     }

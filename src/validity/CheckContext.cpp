@@ -34,12 +34,6 @@ namespace ompl_certificates
         }
     }
 
-    void CheckContext::resetPolicies()
-    {
-        statePolicy = motionPolicy = longMotionPolicy = pairPolicy = {};
-        robotPolicies.assign(robotPolicies.size(), {});
-    }
-
     CheckContext::~CheckContext()
     {
         for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)

@@ -135,9 +135,6 @@ namespace ompl_certificates
         /** \brief Whether a check is being made both ways */
         bool isTrial{false};
 
-        /** \brief Forgets whether certificates pay */
-        void resetPolicies();
-
         /** \brief States of the team's space: a sample, and a candidate for the last valid state */
         ompl::base::State *sample, *last;
     };
@@ -154,16 +151,14 @@ namespace ompl_certificates
 
         ~CheckContextPool()
         {
-            for (Slot &slot : slots_)
-                delete slot.context.load();
+            forget();
         }
 
-        /** \brief Forgets whether certificates pay. Not while a context is lent. */
-        void resetPolicies()
+        /** \brief Forgets what contexts know, such as whether certificates pay; except those lent just now. */
+        void forget()
         {
             for (Slot &slot : slots_)
-                if (CheckContext *context = slot.context.load())
-                    context->resetPolicies();
+                delete slot.context.exchange(nullptr, std::memory_order_acquire);
         }
 
         CheckContextPool(const CheckContextPool &) = delete;

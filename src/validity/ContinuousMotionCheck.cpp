@@ -148,7 +148,7 @@ namespace ompl_certificates
         return true;
     }
 
-    bool ContinuousMotionCheck::isFree(double &free)
+    bool ContinuousMotionCheck::isFree(double &freeUntil)
     {
         // The first cell that is not proved free
         int unproved = cells_;
@@ -167,7 +167,7 @@ namespace ompl_certificates
             giveReferences(s2_);
             return true;
         }
-        free = static_cast<double>(unproved) / cells_;
+        freeUntil = static_cast<double>(unproved) / cells_;
         return false;
     }
 }

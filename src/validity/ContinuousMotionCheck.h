@@ -30,9 +30,9 @@ namespace ompl_certificates
         /** \brief Whether all of the motion is proved free */
         bool isFree();
 
-        /** \brief The same; if not, \e free is set to the fraction of the motion, from its first state, that is proved
+        /** \brief The same; if not, \e freeUntil is set to the fraction of the motion, from its first state, that is proved
             free */
-        bool isFree(double &free);
+        bool isFree(double &freeUntil);
 
         /** \brief The length of a cell, as a fraction of the motion */
         double getCell() const

@@ -183,7 +183,7 @@ namespace ompl_certificates
             subjects_[subject].forEachRobot(placeRobot);
     }
 
-    bool DiscreteMotionCheck::isFree(double &free)
+    bool DiscreteMotionCheck::isFree(double &freeUntil)
     {
         // The first sample known to be invalid. The end of the motion has number segments_, but at least 1.
         segments_ = static_cast<int>(countSegments());
@@ -218,7 +218,7 @@ namespace ompl_certificates
         }
         if (invalid > end)
             return true;
-        free = static_cast<double>(invalid - 1) / static_cast<double>(end);
+        freeUntil = static_cast<double>(invalid - 1) / static_cast<double>(end);
         return false;
     }
 }

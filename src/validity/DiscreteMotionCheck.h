@@ -21,8 +21,8 @@ namespace ompl_certificates
         /** \brief Whether all samples are valid */
         bool isFree();
 
-        /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
-        bool isFree(double &free);
+        /** \brief The same; if not, \e freeUntil is set to the time of the last sample before the first invalid one */
+        bool isFree(double &freeUntil);
 
         /** \brief The same verdict by Method::STANDARD, sample by sample. For motions of some subjects. */
         bool isExactlyFree();

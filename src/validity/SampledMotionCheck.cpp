@@ -100,7 +100,7 @@ namespace ompl_certificates
         return check_.decide(context_.longMotionPolicy, context_, 0, certified, exact);
     }
 
-    bool SampledMotionCheck::isFree(double &free)
+    bool SampledMotionCheck::isFree(double &freeUntil)
     {
         const int end = std::max(countSegments(), 1);
         int invalid = 1;
@@ -108,7 +108,7 @@ namespace ompl_certificates
             ++invalid;
         if (invalid == end && isStateFree(s2_))
             return true;
-        free = static_cast<double>(invalid - 1) / end;
+        freeUntil = static_cast<double>(invalid - 1) / end;
         return false;
     }
 }

@@ -25,8 +25,8 @@ namespace ompl_certificates
         /** \brief Whether all samples are valid */
         bool isFree();
 
-        /** \brief The same; if not, \e free is set to the time of the last sample before the first invalid one */
-        bool isFree(double &free);
+        /** \brief The same; if not, \e freeUntil is set to the time of the last sample before the first invalid one */
+        bool isFree(double &freeUntil);
 
     private:
         /** \brief Whether all other samples of a long motion are free whose first samples are: by certificates, or by

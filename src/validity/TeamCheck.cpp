@@ -140,19 +140,18 @@ namespace ompl_certificates
         for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
         {
             const unsigned int first = pairs_.getFirst(pair), second = pairs_.getSecond(pair);
-            subjects_.push_back({Subject::PAIR, first, second, pair});
+            pairSubjects_.push_back({Subject::PAIR, first, second, pair});
             if (first == second)
-                robotSubjects_[first].push_back(subjects_.back());
+                robotSubjects_[first].push_back(pairSubjects_.back());
         }
+        subjects_.insert(subjects_.end(), pairSubjects_.begin(), pairSubjects_.end());
         if (method == Method::FCL)
             prepareFcl(team_, *obstacles_);
     }
 
     SubjectRange TeamCheck::getPair(unsigned int first, unsigned int second) const
     {
-        const unsigned int pair = pairs_.find(first, second);
-        // Pairs come last.
-        return {subjects_.data() + subjects_.size() - pairs_.getPairCount() + pair, 1};
+        return {&pairSubjects_[pairs_.find(first, second)], 1};
     }
 
     SubjectVerdict TeamCheck::settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const
@@ -265,7 +264,7 @@ namespace ompl_certificates
                 nearest = std::min(nearest, bodyClearance(*obstacles_, body, pose));
             }
         }
-        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+        for (unsigned int pair = 0; pair < pairs_.getPairCount() && !looksAtObstaclesAlone_; ++pair)
             nearest = std::min(nearest, pairs_.distance(pair, context));
         return nearest;
     }
@@ -280,7 +279,7 @@ namespace ompl_certificates
                 if (const Pose &pose = *poses++; !isFinite(pose) || obstacles_->collides(body, pose))
                     return "robot '" + team_.getRobot(robot).getName() + "' touches an obstacle";
         }
-        for (unsigned int pair = 0; pair < pairs_.getPairCount(); ++pair)
+        for (unsigned int pair = 0; pair < pairs_.getPairCount() && !looksAtObstaclesAlone_; ++pair)
             if (const auto bodies = pairs_.findCollision(pair, context))
             {
                 const std::string &first = team_.getRobot(pairs_.getFirst(pair)).getName(),
@@ -322,7 +321,7 @@ namespace ompl_certificates
 
     void TeamCheck::ignoreAllButObstacles()
     {
-        givesReferences_ = false;
+        looksAtObstaclesAlone_ = true;
         const auto dropPairs = [](std::vector<Subject> &subjects)
         {
             const auto isPair = [](const Subject &subject) { return subject.kind == Subject::PAIR; };
@@ -346,7 +345,7 @@ namespace ompl_certificates
 
     void TeamCheck::giveReferences(const ob::State *state, const CheckContext &context) const
     {
-        const auto *own = givesReferences_ ? team_.getReferences(state) : nullptr;
+        const auto *own = looksAtObstaclesAlone_ ? nullptr : team_.getReferences(state);
         if (own)
             for (std::size_t body = 0; body < context.hints.size(); ++body)
                 own->setReference(body, context.hints[body]);

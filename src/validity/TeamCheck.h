@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <memory>
+#include <ompl/util/Exception.h>
 #include <optional>
 #include <string>
 #include <utility>
@@ -80,8 +81,10 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        const ObstaclesPtr &shareObstacles() const
+        /** \brief The same, to be kept. Not within a check. */
+        ObstaclesPtr shareObstacles() const
         {
+            const WorldLock::Check world(lock_);
             return obstacles_;
         }
 
@@ -134,15 +137,18 @@ namespace ompl_certificates
             return certificatesAfter_;
         }
 
-        /** \brief All subjects of a state: robots first, then pairs */
+        /** \brief All subjects of a state: robots first, then pairs, unless they are ignored */
         const std::vector<Subject> &getSubjects() const
         {
             return subjects_;
         }
 
-        /** \brief The subjects of a robot alone: itself among the obstacles and, if it has body pairs, it and itself */
+        /** \brief The subjects of a robot alone: itself among the obstacles and, if it has body pairs, it and itself
+            \throws ompl::Exception if there is no such robot */
         SubjectRange getRobotSubjects(unsigned int robot) const
         {
+            if (robot >= robotSubjects_.size())
+                throw ompl::Exception("There is no robot " + std::to_string(robot));
             return {robotSubjects_[robot].data(), static_cast<unsigned int>(robotSubjects_[robot].size())};
         }
 
@@ -222,7 +228,7 @@ namespace ompl_certificates
         {
             checkMethod_->clear();
             pairs_.clear();
-            contexts_.resetPolicies();
+            contexts_.forget();
         }
 
         /** \brief See TeamValidityChecker::setAdaptive() */
@@ -368,10 +374,11 @@ namespace ompl_certificates
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
         bool adaptive_{true};
-        bool givesReferences_{true};
+        bool looksAtObstaclesAlone_{false};
         std::size_t certificatesAfter_{8192};
         std::vector<Subject> subjects_;
         std::vector<std::vector<Subject>> robotSubjects_;
+        std::vector<Subject> pairSubjects_;
         mutable WorldLock lock_;
         mutable Statistics statistics_;
         mutable CheckContextPool contexts_;

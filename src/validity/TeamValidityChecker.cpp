@@ -76,9 +76,9 @@ namespace ompl_certificates
 
     bool TeamValidityChecker::isRobotFree(unsigned int robot, const ob::State *robotState) const
     {
+        const SubjectRange subjects = check_->getRobotSubjects(robot);
         const TeamCheck::Scope context(*check_);
         check_->place(robot, robotState, *context);
-        const SubjectRange subjects = check_->getRobotSubjects(robot);
         return std::all_of(subjects.begin, subjects.begin + subjects.count,
                            [&](const Subject &subject) { return check_->settle(subject, *context, {}).free; });
     }
@@ -95,9 +95,9 @@ namespace ompl_certificates
 
     bool TeamValidityChecker::isRobotMotionFree(unsigned int robot, const ob::State *from, const ob::State *to) const
     {
+        const SubjectRange subjects = check_->getRobotSubjects(robot);
         const TeamCheck::Scope context(*check_);
-        return isMotionFree(*check_, *context, (*context).robotPolicies[robot], check_->getRobotSubjects(robot), {from},
-                            {to});
+        return isMotionFree(*check_, *context, (*context).robotPolicies[robot], subjects, {from}, {to});
     }
 
     bool TeamValidityChecker::isPairMotionFree(unsigned int first, const ob::State *firstFrom, const ob::State *firstTo,
@@ -207,6 +207,8 @@ namespace ompl_certificates
         const WorldLock::Check world(check_->getLock());
         if (!check_->getCheckMethod().addCertificates(certificates))
             throw ompl::Exception("The method " + nameOf(getMethod()) + " takes no single certificates");
+        // They are to be used at once, whatever was checked before.
+        check_->getContexts().forget();
     }
 
     void TeamValidityChecker::clear()

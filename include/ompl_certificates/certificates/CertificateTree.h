@@ -114,7 +114,7 @@ namespace ompl_certificates
 
         /** \brief Gives a certificate a new clearance. If that is not a number, the certificate proves nothing until it
             gets another. Needs exclusive use of the tree. Cost: logarithmic.
-            \throws ompl::Exception if there is no such certificate */
+            \throws ompl::Exception if there is no such certificate, or the clearance is minus infinity */
         void setClearance(CertificateIndex index, double clearance);
 
         /** \brief How many certificates were added, those that were removed included */

@@ -58,7 +58,8 @@ namespace ompl_certificates
         virtual bool isWithinLimits(const ompl::base::State *state) const;
 
     protected:
-        /** \brief A robot with the bodies and the name of \e shape
+        /** \brief A robot with the bodies and the name of \e shape, whose space, if there are velocities, from then on
+            is called after it with ".pose" added
             \param velocityNames names of the velocities in the state; none if it has none
             \throws ompl::Exception if \e shape is null, or if bounds are not finite, are empty, or do not match the
             names */

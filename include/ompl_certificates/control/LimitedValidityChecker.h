@@ -21,12 +21,14 @@ namespace ompl_certificates
 
         using ompl::base::StateValidityChecker::isValid;
 
-        /** \brief See TeamValidityChecker::clearance() */
+        /** \brief See TeamValidityChecker::clearance(); minus infinity beyond a limit */
         double clearance(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::clearance;
 
     private:
+        bool isWithinLimits(const ompl::base::State *state) const;
+
         const std::shared_ptr<const TeamValidityChecker> checker_;
     };
 }

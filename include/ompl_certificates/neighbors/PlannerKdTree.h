@@ -86,7 +86,7 @@ namespace ompl_certificates
 
         It returns what OMPL's GNAT returns, by the planner's own distance function, several times faster. The more
         robots, the larger that part of a planner's time. Of elements at equal distances, the one added first comes
-        first.
+        first, as long as none is removed.
 
         If the space is not given, the first state added tells it. The tree steps aside where it cannot know the
         distance:

@@ -161,8 +161,7 @@ namespace ompl_certificates
         Scene withFirstRobots(std::size_t count) const;
 
         /** \brief The space of the team, with the scene's resolution. Teams of one scene share the robots and their
-            spaces: so all of them have the resolution that the scene had when the last one was made, and threads that
-            plan at once need a scene each. */
+            spaces. */
         TeamStateSpacePtr makeTeam() const;
 
         /** \brief How far up and down the robots of a planar scene reach; see Body::getZInterval(). All heights if

@@ -81,7 +81,7 @@ namespace ompl_certificates
 
         /** \brief The validity checker that knows more than this library: that of the space information, or the one this
             validator was made with, if its class is not one of this library's. Null if neither is. Where a motion is
-            free, all its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
+            free, its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
             too. That costs what it costs, so let it look at what the certificates do not know, first.
 
             Nothing is locked while it is asked: it may wait for other threads, hold the obstacles and change them. If
@@ -99,12 +99,13 @@ namespace ompl_certificates
         /** \brief Whether a motion is free as far as the certificates' checker knows. Its lock is released afterwards. */
         bool isFree(const ompl::base::State *s1, const ompl::base::State *s2) const;
 
-        /** \brief The same; if it is not, \e free is set to the time up to which it is */
-        bool isFree(const ompl::base::State *s1, const ompl::base::State *s2, double &free) const;
+        /** \brief The same; if it is not, \e freeUntil is set to the time up to which it is */
+        bool isFree(const ompl::base::State *s1, const ompl::base::State *s2, double &freeUntil) const;
 
         /** \brief Whether the further checker, if there is one, finds all samples valid after the first
-            \param free set to the time of the last one before the first that is not */
-        bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &free) const;
+            \param until the time of the last sample to be asked about; set to that of the last one before the first
+            that is not valid */
+        bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &until) const;
 
         std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;

@@ -6,7 +6,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief How robots are checked against the obstacles. All methods give the same verdicts.
+    /** \brief How robots are checked against the obstacles. All methods give the same verdicts, except for a fault of
+        FCL alone that docs/guarantees.md tells.
 
         @par External documentation
         J. Bialkowski, M. Otte, E. Frazzoli, Fast Collision Checking: From Single Robots to Multi-Robot Teams, 2013,

@@ -73,7 +73,7 @@ namespace ompl_certificates
         /** \brief A lower bound of the distance from the team to the nearest contact: with an obstacle, between
             robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within
             the leaves of the sphere trees. Not positive if \e state is not valid. Cost: some microseconds for each
-            robot. */
+            robot and for each pair of robots; at first milliseconds, if there are meshes. */
         double clearance(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::clearance;
@@ -161,8 +161,10 @@ namespace ompl_certificates
         std::vector<Certificate> getCertificates() const;
 
         /** \brief Adds certificates of these obstacles, for example from another run. They must be true: they are not
-            checked. Partial gives them to each robot.
-            \throws ompl::Exception if the method keeps no single certificates: FCL, STANDARD and BASIC */
+            checked. Partial gives them to each robot. At the limit of setMaxCertificates() no more are added.
+            \throws ompl::Exception if the method keeps no single certificates: FCL, STANDARD and BASIC. Also if a point is
+            not finite, or not in the plane of a planar team, or a clearance is not a number or minus infinity; those
+            before it are then added. */
         void addCertificates(const std::vector<Certificate> &certificates);
 
         /** \brief Removes all certificates. References in states become stale, which costs time but changes no verdict.
