@@ -352,7 +352,10 @@ class Checker:
     ) -> NDArray[np.float64]:
         """Those of the points, of shape (n, dimension), that are no part of the team where it was when a sensor saw
         them. Leaves out points inside a robot's body or nearer to it than padding: the radius of the cloud, and the
-        errors of the sensor and of the state."""
+        errors of the sensor and of the state. Also rows that are not finite, where a sensor saw nothing."""
+    def find_robots(self, points: ArrayLike, state: ArrayLike, *, padding: float = 0.0) -> NDArray[np.bool_]:
+        """Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask for colors and
+        intensities. Rows that are not finite are none."""
     def certificates(self) -> NDArray[np.float64]:
         """The certificates of the obstacles: an array of shape (n, dimension + 1), in each row a point and its
         clearance"""
@@ -364,6 +367,12 @@ class Checker:
         """How checks were settled so far, as in the report of a plan"""
     def reset_statistics(self) -> None:
         """Set all counts to 0."""
+    def set_max_certificates(self, most: Optional[int]) -> None:
+        """Keep at most so many certificates, of obstacles and of pairs of robots together, or as many as come up (None,
+        the default). At the limit none are added. A world that changes for hours needs one: each change looks at the
+        certificates near it."""
+    def clear_certificates(self) -> None:
+        """Forget all certificates. Not while others use the checker."""
     def set_adaptive(self, adaptive: bool) -> None:
         """Whether to skip certificates where they have not paid lately (the default). If not, counts depend only on the
         states, for experiments. Not while others use the checker."""

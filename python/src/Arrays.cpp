@@ -3,6 +3,7 @@
 #include "Rotations.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <ompl/util/Exception.h>
 
@@ -89,10 +90,19 @@ namespace ompl_certificates_python
     {
         if (object.is_none())
             throw ompl::Exception(what, "must be numbers, not None");
+        // Numbers are behind the mask, too, and would count.
+        if (py::hasattr(object, "mask") && py::hasattr(object, "filled"))
+            throw ompl::Exception(what, "must not be a masked array; take the rows that count");
         // It clears Python's error, here and below.
         const auto given = py::array::ensure(object);
-        if (given && given.dtype().kind() == 'c')
+        const char kind = given ? given.dtype().kind() : 'O';
+        if (kind == 'c')
             throw ompl::Exception(what, "must be real numbers, not complex ones");
+        if (kind == 'V')
+            throw ompl::Exception(what, "must be numbers; of a structured array, take the fields that are coordinates");
+        // Texts and times could be converted.
+        if (std::strchr("SUMm", kind))
+            throw ompl::Exception(what, "must be numbers");
         auto array = given ? Doubles::ensure(given) : Doubles();
         if (!given || !array)
             throw ompl::Exception(what, "must be numbers");

@@ -81,22 +81,46 @@ namespace ompl_certificates_python
             return toArray(points, checker.getDimension());
         }
 
-        Doubles pointsWithoutRobots(const Checker &checker, const py::object &array, const py::object &values,
-                                    double padding)
+        /** Which points are part of the team; those that are not finite are not */
+        std::vector<bool> findRobotsOf(const Checker &checker, const PointCloud &cloud, const py::object &values,
+                                       double padding)
+        {
+            const auto state = checker.toState(toDoubles(values, "state"), "state");
+            const py::gil_scoped_release release;
+            return findRobots(cloud, Team(checker.getSetup().getStateSpace()), state.get(), padding);
+        }
+
+        PointCloud cloudOf(const Checker &checker, const py::object &array)
         {
             const Doubles points = toDoubles(array, "points");
             const unsigned int dimension = checker.getDimension();
             if (points.ndim() != 2 || points.shape(1) != static_cast<py::ssize_t>(dimension))
                 throw ompl::Exception("points", "must have the shape (n, " + std::to_string(dimension) + "), not " +
                                                     shapeOf(points));
-            const auto state = checker.toState(toDoubles(values, "state"), "state");
             PointCloud cloud;
             cloud.points = toPoints3(points, "points", dimension == 2);
-            {
-                const py::gil_scoped_release release;
-                cloud = withoutRobots(std::move(cloud), Team(checker.getSetup().getStateSpace()), state.get(), padding);
-            }
-            return toArray(cloud.points, dimension);
+            return cloud;
+        }
+
+        Doubles pointsWithoutRobots(const Checker &checker, const py::object &array, const py::object &values,
+                                    double padding)
+        {
+            PointCloud cloud = finite(cloudOf(checker, array));
+            const std::vector<bool> are = findRobotsOf(checker, cloud, values, padding);
+            std::size_t i = 0;
+            cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(),
+                                              [&](const Eigen::Vector3d & /*point*/) { return are[i++]; }),
+                               cloud.points.end());
+            return toArray(cloud.points, checker.getDimension());
+        }
+
+        py::array_t<bool> robotMask(const Checker &checker, const py::object &array, const py::object &values,
+                                    double padding)
+        {
+            const std::vector<bool> are = findRobotsOf(checker, cloudOf(checker, array), values, padding);
+            py::array_t<bool> mask(static_cast<py::ssize_t>(are.size()));
+            std::copy(are.begin(), are.end(), mask.mutable_data());
+            return mask;
         }
 
         void bindClouds(py::class_<Checker, std::shared_ptr<Checker>> &checker)
@@ -120,7 +144,12 @@ namespace ompl_certificates_python
                      py::arg("padding") = 0.0,
                      "Those of the points, of shape (n, dimension), that are no part of the team where it was when a "
                      "sensor saw them. Leaves out points inside a robot's body or nearer to it than padding: the "
-                     "radius of the cloud, and the errors of the sensor and of the state.");
+                     "radius of the cloud, and the errors of the sensor and of the state. Also rows that are not "
+                     "finite, where a sensor saw nothing.")
+                .def("find_robots", &robotMask, py::arg("points"), py::arg("state"), py::kw_only(),
+                     py::arg("padding") = 0.0,
+                     "Which of the points are part of the team, as without_robots tells: bools of shape (n,), a mask "
+                     "for colors and intensities. Rows that are not finite are none.");
         }
 
         /** A body and its pose */
@@ -136,6 +165,9 @@ namespace ompl_certificates_python
             for (const auto &[number, pose] : moved)
                 change.moved.emplace(number, toPose(pose, checker.getDimension()));
             change.removed = removed;
+            for (const ObstacleSet::Id number : removed)
+                if (moved.count(number) > 0)
+                    throw ompl::Exception("remove", "obstacle " + std::to_string(number) + " is to be moved as well");
             const py::gil_scoped_release release;
             return checker.changeObstacles(change);
         }

@@ -110,6 +110,19 @@ namespace ompl_certificates_python
                 { return loadCertificates(*self.getSetup().getTeamChecker(), file); },
                 py::arg("file"),
                 "Read what another run knew of the same obstacles, and return the number of certificates.")
+            .def(
+                "set_max_certificates",
+                [](Checker &self, const std::optional<std::size_t> &most) {
+                    self.getSetup().getTeamChecker()->setMaxCertificates(
+                        most.value_or(std::numeric_limits<std::size_t>::max()));
+                },
+                py::arg("most"),
+                "Keep at most so many certificates, of obstacles and of pairs of robots together, or as many as come "
+                "up (None, the default). At the limit none are added. A world that changes for hours needs one: each "
+                "change looks at the certificates near it.")
+            .def(
+                "clear_certificates", [](Checker &self) { self.getSetup().getTeamChecker()->clear(); },
+                "Forget all certificates. Not while others use the checker.")
             .def("statistics", &statisticsOf, "How checks were settled so far, as in the report of a plan")
             .def(
                 "reset_statistics", [](Checker &self) { self.getSetup().getStatistics().reset(); },

@@ -1,5 +1,6 @@
 #include "Progress.h"
 
+#include <charconv>
 #include <exception>
 #include <future>
 
@@ -21,6 +22,8 @@ namespace ompl_certificates_python
       , hasCallback_(!callback_.is_none())
       , planner_(planner)
     {
+        if (hasCallback_ && !PyCallable_Check(callback_.ptr()))
+            throw py::type_error("callback must be callable");
     }
 
     ompl::base::PlannerTerminationCondition Progress::condition()
@@ -104,6 +107,12 @@ namespace ompl_certificates_python
         nextCost_ = seconds + PERIOD.count();
         for (const auto &[name, query] : planner_.getPlannerProgressProperties())
             if (name.compare(0, 10, "best cost ") == 0)
-                cost_ = std::stod(query());
+            {
+                // Whatever the program's locale; it is inf without a solution.
+                const std::string text = query();
+                double cost;
+                if (std::from_chars(text.data(), text.data() + text.size(), cost).ec == std::errc())
+                    cost_ = cost;
+            }
     }
 }

@@ -191,8 +191,8 @@ def test_many_obstacles_change_at_once(room: oc.Scene) -> None:
     expected = single.is_valid(states)
     assert (checker.is_valid(states) == expected).all(), f"seed {seed}"
     # One that is not there undoes all of the change.
-    for change in ({"remove": [1, 1]}, {"remove": [1], "move": {77: (0, 0)}}, {"remove": [2], "move": {2: (5, 5)}}):
-        with pytest.raises(oc.Error, match="^There is no obstacle (1|77|2)$"):
+    for change in ({"remove": [1, 1]}, {"remove": [1], "move": {77: (0, 0)}}):
+        with pytest.raises(oc.Error, match="^There is no obstacle (1|77)$"):
             checker.change_obstacles(**change)  # type: ignore[arg-type]
         assert (checker.is_valid(states) == expected).all()
     with pytest.raises(oc.Error, match="^pose: "):

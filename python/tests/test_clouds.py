@@ -2,7 +2,7 @@
 
 import pathlib
 import threading
-from typing import List, Tuple
+from typing import Any, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
@@ -226,3 +226,57 @@ def test_clouds_that_are_empty_are_in_nobodys_way() -> None:
     checker.change_cloud(scan, insert=[[2, 2, 2]])
     assert not checker.is_valid([2, 2, 2]) and checker.is_valid(here)
     assert "cloud 3" in checker.describe_collision([2, 2, 2])
+
+
+def test_robots_are_found_in_a_frame() -> None:
+    scene, _ = world(3, np.zeros((0, 3)))
+    checker = oc.Checker(scene)
+    seed = 5
+    frame = np.random.default_rng(seed).uniform(2, 4, (500, 3))
+    frame[::7] = np.nan
+    colors = np.arange(500)
+    state = [3.0, 3, 3]
+    mask = checker.find_robots(frame, state, padding=0.1)
+    near = np.linalg.norm(frame - state, axis=1) <= 0.4
+    assert (mask == near).all(), f"seed {seed}"
+    assert 0 < mask.sum() < 500
+    rest = np.isfinite(frame).all(axis=1) & ~mask
+    assert (checker.without_robots(frame, state, padding=0.1) == frame[rest]).all(), f"seed {seed}"
+    assert len(colors[rest]) == rest.sum()
+
+
+@pytest.mark.parametrize(
+    "points, message",
+    [
+        (np.ma.masked_array(np.eye(3), np.eye(3) < 0.5), "must not be a masked array"),  # type: ignore[no-untyped-call]
+        (np.array([["1", "2", "3"]]), "must be numbers"),
+        (np.zeros((1, 3), "datetime64[s]"), "must be numbers"),
+        (np.zeros(2, [("x", "f4"), ("y", "f4"), ("z", "f4")]), "take the fields that are coordinates"),
+    ],
+)
+def test_points_are_numbers(points: Any, message: str) -> None:
+    checker = oc.Checker(world(3, np.zeros((0, 3)))[0])
+    with pytest.raises(oc.Error, match=message):
+        checker.add_cloud(points, RADIUS)
+
+
+def test_certificates_are_kept_up_to_a_limit() -> None:
+    scene, cloud = world(3, np.random.default_rng(1).uniform(0, 10, (2000, 3)))
+    checker = oc.Checker(scene)
+    checker.set_adaptive(False)
+    checker.set_max_certificates(5)
+    states = np.random.default_rng(2).uniform(0, 10, (500, 3))
+    valid = checker.is_valid(states)
+    assert len(checker.certificates()) == 5
+    checker.set_max_certificates(None)
+    assert (checker.is_valid(states) == valid).all()
+    assert len(checker.certificates()) > 5
+    checker.clear_certificates()
+    assert len(checker.certificates()) == 0
+    assert (checker.is_valid(states) == valid).all()
+
+
+def test_an_obstacle_is_not_moved_and_removed_at_once() -> None:
+    checker = oc.Checker(world(3, np.zeros((0, 3)))[0])
+    with pytest.raises(oc.Error, match="^remove: obstacle 0 is to be moved as well$"):
+        checker.change_obstacles(move={0: [1, 1, 1]}, remove=[0])

@@ -305,3 +305,19 @@ def test_no_solution_is_no_path() -> None:
     with pytest.raises(oc.Error, match="^at: there is no path$"):
         plan.at(0.0)
     assert "DRRTstar" in oc.planner_names()
+
+
+@pytest.mark.parametrize("planner", ["RRTConnect", "RRTstar", "KPIECE1", "PRM", "DRRTstar"])
+def test_who_is_at_the_goal_stays(planner: str) -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.3), [0, 0], [10, 10], turns=False), [1, 1], [1, 1])
+    plan = oc.plan(scene, planner, time=5)
+    assert plan.solved and plan.cost == 0
+    assert (plan.path == [1, 1]).all()
+
+
+def test_callbacks_can_be_called() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.3), [0, 0], [10, 10], turns=False), [1, 1], [2, 1])
+    with pytest.raises(TypeError, match="callback must be callable"):
+        oc.plan(scene, time=1, callback=3)  # type: ignore[arg-type]

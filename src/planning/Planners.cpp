@@ -53,7 +53,6 @@
 #include <ompl/tools/config/MagicConstants.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
-#include <ompl/util/String.h>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -65,6 +64,28 @@ namespace ompl_certificates
 
     namespace
     {
+        /** Where a start is a goal, makes it the solution: many planners leave it and come back by a detour, or never
+            look at it.
+            \return whether there is such a start */
+        bool isSolvedByStart(const ob::SpaceInformationPtr &si, ob::ProblemDefinition &problem,
+                             const std::string &planner)
+        {
+            for (unsigned int i = 0; problem.getGoal() && i < problem.getStartStateCount(); ++i)
+            {
+                const ob::State *start = problem.getStartState(i);
+                if (!problem.getGoal()->isSatisfied(start) || !si->satisfiesBounds(start) || !si->isValid(start))
+                    continue;
+                const auto path = std::make_shared<og::PathGeometric>(si, start);
+                ob::PlannerSolution solution(path);
+                solution.setPlannerName(planner);
+                if (const ob::OptimizationObjectivePtr &objective = problem.getOptimizationObjective())
+                    solution.setOptimized(objective, path->cost(objective), true);
+                problem.addSolutionPath(solution);
+                return true;
+            }
+            return false;
+        }
+
         /** A planner with hooks around its solve() */
         template <typename PlannerType>
         class Hooked : public PlannerType
@@ -80,15 +101,24 @@ namespace ompl_certificates
 
             ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
             {
-                const ob::PlannerStatus status = hooks_.stop ? PlannerType::solve(ob::plannerOrTerminationCondition(
-                                                                   ptc, ob::PlannerTerminationCondition(hooks_.stop)))
-                                                             : PlannerType::solve(ptc);
+                const ob::PlannerStatus status = solveUnlessAtGoal(ptc);
                 if (hooks_.after)
                     hooks_.after();
                 return status;
             }
 
         private:
+            ob::PlannerStatus solveUnlessAtGoal(const ob::PlannerTerminationCondition &ptc)
+            {
+                this->checkValidity();
+                if (isSolvedByStart(this->si_, *this->pdef_, this->getName()))
+                    return ob::PlannerStatus::EXACT_SOLUTION;
+                if (!hooks_.stop)
+                    return PlannerType::solve(ptc);
+                return PlannerType::solve(
+                    ob::plannerOrTerminationCondition(ptc, ob::PlannerTerminationCondition(hooks_.stop)));
+            }
+
             SolveHooks hooks_;
         };
 
@@ -305,7 +335,7 @@ namespace ompl_certificates
         const ob::SpaceInformation &si = *planner.getSpaceInformation();
         const auto *team = dynamic_cast<const TeamStateSpace *>(si.getStateSpace().get());
         std::string present;
-        if (!team || !planner.params().getParam("range", present) || ompl::stod(present) != 0.0)
+        if (!team || !planner.params().getParam("range", present) || toNumber(present) != 0.0)
             return;
         // Where the two are equal it is left to OMPL, to the last bit.
         const double range = team->getPlannerRange();

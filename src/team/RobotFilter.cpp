@@ -66,7 +66,8 @@ namespace ompl_certificates
         }
     }
 
-    PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding)
+    std::vector<bool> findRobots(const PointCloud &cloud, const Team &team, const ompl::base::State *state,
+                                 double padding)
     {
         if (!(padding >= 0.0) || !std::isfinite(padding))
             throw ompl::Exception("The padding of robots must be finite and not negative, not " +
@@ -78,12 +79,21 @@ namespace ompl_certificates
                 throw ompl::Exception("The state of robots to be left out of a cloud must be finite");
         // More than rounding, so that no body touches a point that is left
         const double distance = (padding + cloud.radius) * (1.0 + 1e-9) + 1e-12;
-        const auto isRobot = [&](const Eigen::Vector3d &point)
-        {
-            return std::any_of(parts.begin(), parts.end(),
-                               [&](const PlacedPart &part) { return isNear(part, point, distance); });
-        };
-        cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(), isRobot), cloud.points.end());
+        std::vector<bool> are(cloud.points.size());
+        for (std::size_t i = 0; i < are.size(); ++i)
+            are[i] = std::any_of(parts.begin(), parts.end(),
+                                 [&](const PlacedPart &part) { return isNear(part, cloud.points[i], distance); });
+        return are;
+    }
+
+    PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding)
+    {
+        const std::vector<bool> are = findRobots(cloud, team, state, padding);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < are.size(); ++i)
+            if (!are[i])
+                cloud.points[kept++] = cloud.points[i];
+        cloud.points.resize(kept);
         return cloud;
     }
 }

@@ -9,6 +9,7 @@
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <ompl/util/Exception.h>
 #include <type_traits>
@@ -60,6 +61,22 @@ namespace ompl_certificates
         /** How many certificates are repaired, and how many new ones looked at, while all checks wait */
         constexpr std::size_t REPAIR_STEP = 128, LOOK_STEP = 64;
 
+        /** For about how long more of them are, while all checks wait: each wait for these may cost a busy machine's
+            time slice. */
+        constexpr std::chrono::microseconds LONG_STEP{300};
+
+        /** Calls \e step, which tells whether something is left, until nothing is or the time is over
+            \return whether something is left */
+        template <typename Step>
+        bool repeat(const Step &step)
+        {
+            const auto end = std::chrono::steady_clock::now() + LONG_STEP;
+            while (step())
+                if (std::chrono::steady_clock::now() >= end)
+                    return true;
+            return false;
+        }
+
         /** So many times more than it needs to, a change lets checks go on before it has withdrawn all certificates. */
         constexpr std::size_t MORE_OPENINGS = 20;
 
@@ -79,7 +96,7 @@ namespace ompl_certificates
                     continue;
                 }
                 repair.find();
-                if (!repair.withdraw(openings > 0 ? REPAIR_STEP : repair.countFound()))
+                if (!repeat([&] { return repair.withdraw(openings > 0 ? REPAIR_STEP : repair.countFound()); }))
                     return;
                 --openings;
                 world.open();
@@ -311,7 +328,7 @@ namespace ompl_certificates
         before = std::exchange(obstacles_, change.after);
         checkMethod_->setObstacles(obstacles_);
         exactMethod_.setObstacles(obstacles_);
-        while (repair.repair(REPAIR_STEP))
+        while (repeat([&] { return repair.repair(REPAIR_STEP); }))
         {
             world.open();
             world.close();

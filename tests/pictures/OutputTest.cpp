@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 #include "certificates/WholeFile.h"
 #include "support/ArmTexts.h"
+#include "support/DecimalCommas.h"
 #include "support/Folder.h"
 #include "support/Svg.h"
 
@@ -365,6 +366,14 @@ namespace ompl_certificates
             picture.write(file(name + ".svg"));
             EXPECT_EQ(readWholeFile(file(name + ".svg")), full);
         }
+    }
+
+    TEST_F(Output, PicturesAreTheSameInAnyLocale)
+    {
+        const Scene scene = sceneOf("warehouse.yaml");
+        const std::string svg = ScenePicture(scene).toSvg();
+        const test::DecimalCommas commas;
+        EXPECT_EQ(ScenePicture(scene).toSvg(), svg);
     }
 
     TEST(ScenePicture, EscapesNames)

@@ -134,6 +134,39 @@ TEST_P(FurtherChecker, KeepsItsRuleInContinuousMode)
     EXPECT_GT(refused, 20U);
 }
 
+// It may be expensive.
+TEST(FurtherCheckers, AreAskedOnlyWhereCertificatesSayFree)
+{
+    const auto setup = crowd(1, 3, 4.0, 8, Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
+    const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+    unsigned int asked = 0, invalid = 0;
+    setup->setStateValidityChecker(
+        [&, checker = setup->getTeamChecker()](const ob::State *state)
+        {
+            ++asked;
+            invalid += checker->isValid(state) ? 0 : 1;
+            return true;
+        });
+    si->setup();
+    Random random(1);
+    ob::ScopedState<> last(si);
+    unsigned int blocked = 0;
+    for (int i = 0; i < 500; ++i)
+    {
+        const ob::ScopedState<> from = randomState(random, si->getStateSpace());
+        ob::ScopedState<> to = randomStateNear(random, from, random.uniform(0.0, 2.0));
+        to.enforceBounds();
+        if (!setup->getTeamChecker()->isValid(from.get()))
+            continue;
+        std::pair<ob::State *, double> found(last.get(), -1.0);
+        blocked += si->getMotionValidator()->checkMotion(from.get(), to.get(), found) ? 0 : 1;
+        si->checkMotion(from.get(), to.get());
+    }
+    EXPECT_GT(blocked, 20U);
+    EXPECT_GT(asked, 100U);
+    EXPECT_EQ(invalid, 0U);
+}
+
 TEST_P(FurtherChecker, IsHeededInPlansAndSimplerPaths)
 {
     ompl::RNG::setSeed(4);

@@ -1,5 +1,7 @@
 #include "ompl_certificates/planning/Planners.h"
 
+#include "support/DecimalCommas.h"
+
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -13,8 +15,10 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/util/Exception.h>
+#include <ompl/util/String.h>
 
 using namespace ompl_certificates;
+using namespace ompl_certificates::test;
 namespace ob = ompl::base;
 
 namespace
@@ -91,7 +95,7 @@ namespace
     {
         std::string range;
         EXPECT_TRUE(planner.params().getParam("range", range));
-        return std::stod(range);
+        return ompl::stod(range);
     }
 }
 
@@ -140,12 +144,30 @@ TEST(Planners, TakeTheirOwnParametersAndNoOthers)
     setParameter(*planner, "range", "0.25");
     std::string range;
     EXPECT_TRUE(planner->params().getParam("range", range));
-    EXPECT_EQ(std::stod(range), 0.25);
+    EXPECT_EQ(ompl::stod(range), 0.25);
     EXPECT_NE(complaintOf([&] { setParameter(*planner, "gaol_bias", "0.1"); }).find("did you mean goal_bias?"),
               std::string::npos);
     EXPECT_EQ(
         complaintOf([&] { setParameter(*planner, "range", "far"); }).find("RRT refuses 'far' as its parameter 'range'"),
         0U);
+}
+
+TEST(Planners, TakeNumbersInAnyLocale)
+{
+    const DecimalCommas commas;
+    const auto planner = makePlanner("RRT", squareWithoutObstacles());
+    setParameter(*planner, "range", "0.250");
+    EXPECT_EQ(rangeOf(*planner), 0.25);
+    const auto star = makePlanner("RRTstar", squareWithoutObstacles());
+    EXPECT_NE(complaintOf([&] { setParameter(*star, "rewire_factor", "-1.5"); }).find("must "), std::string::npos);
+
+    const auto team = armAndBall(6.0);
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 3));
+    const auto given = makePlanner("RRT", setup.getSpaceInformation());
+    EXPECT_NEAR(rangeOf(*given), team->getPlannerRange(), 1e-5);
+    setParameter(*given, "range", "0.3");
+    configureRange(*given);
+    EXPECT_EQ(rangeOf(*given), 0.3);
 }
 
 // Some of OMPL's planners would crash, or never end.
@@ -188,6 +210,48 @@ TEST(Planners, CallTheHooksAroundSolve)
     planner->solve(ob::plannerNonTerminatingCondition());
     EXPECT_TRUE(stopped);
     EXPECT_TRUE(after);
+}
+
+// RRTConnect's plan would come back to where it began, and RRTstar would find none.
+TEST(Planners, StayWhereTheStartIsTheGoal)
+{
+    const auto si = squareWithoutObstacles();
+    for (const std::string &name : plannerNames())
+    {
+        SCOPED_TRACE(name);
+        bool after = false;
+        const auto planner = makePlanner(name, si, {{}, [&] { after = true; }});
+        auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
+        problem->setOptimizationObjective(objective);
+        ob::ScopedState<> start(si);
+        start = std::vector<double>{0.1, 0.1};
+        problem->setStartAndGoalStates(start, start);
+        planner->setProblemDefinition(problem);
+        planner->setup();
+        EXPECT_EQ(planner->solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION);
+        ASSERT_TRUE(problem->getSolutionPath());
+        EXPECT_EQ(problem->getSolutionPath()->length(), 0.0);
+        EXPECT_FALSE(problem->hasApproximateSolution());
+        EXPECT_TRUE(after);
+    }
+}
+
+// Where the start is invalid, the goal there is no plan.
+TEST(Planners, DoNotStayWhereTheStartIsInvalid)
+{
+    const auto si = squareWithoutObstacles();
+    si->setStateValidityChecker([](const ob::State *) { return false; });
+    si->setup();
+    const auto planner = makePlanner("RRTConnect", si);
+    auto problem = std::make_shared<ob::ProblemDefinition>(si);
+    ob::ScopedState<> start(si);
+    start = std::vector<double>{0.1, 0.1};
+    problem->setStartAndGoalStates(start, start);
+    planner->setProblemDefinition(problem);
+    planner->setup();
+    EXPECT_EQ(planner->solve(0.1), ob::PlannerStatus::INVALID_START);
+    EXPECT_FALSE(problem->hasSolution());
 }
 
 // OMPL's own goes on sampling for ever.

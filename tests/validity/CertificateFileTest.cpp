@@ -114,6 +114,22 @@ TEST_P(CertificateFile, SavesChecksAndChangesNoVerdict)
     EXPECT_LT(warm->getStatistics().getCounts().asked, cold->getStatistics().getCounts().asked);
 }
 
+TEST_P(CertificateFile, IsUsedAtOnce)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
+    TeamSetup setup(team_, obstacles, Method::SHARED_PROJECTION);
+    const TeamValidityChecker &checker = *setup.getTeamChecker();
+    Random random(4);
+    for (int i = 0; i < 20; ++i)
+        checker.isValid(randomState(random, team_).get());
+    ASSERT_EQ(setup.getStatistics().getCounts().certifiedFree, 0U);
+    loadCertificates(*setup.getTeamChecker(), file_);
+    for (int i = 0; i < 20; ++i)
+        checker.isValid(randomState(random, team_).get());
+    EXPECT_GT(setup.getStatistics().getCounts().certifiedFree, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Teams, CertificateFile, testing::Range(0U, 3U));
 
 TEST_F(CertificateFile, IsRefusedForOtherObstacles)

@@ -128,6 +128,34 @@ TEST_P(Revalidating, FindsWhatANewCheckFinds)
 
 INSTANTIATE_TEST_SUITE_P(Teams, Revalidating, testing::Range(0U, 3U));
 
+TEST_F(Revalidating, ItsCheckerStillKnowsPairsOfRobots)
+{
+    const TeamStateSpacePtr team = anyTeam(0);
+    ASSERT_GT(team->getRobotCount(), 1U);
+    ObstacleSet set(team->getWorkspaceDimension(), team->getZInterval());
+    TeamSetup setup(team, set.takeChange().after);
+    set.add({team->getWorkspaceDimension() == 2 ? Body::box(0.1, 0.1) : Body::box(0.1, 0.1, 0.1),
+             Pose(Eigen::Translation3d(100.0, 0.0, 0.0))});
+    const Revalidation revalidation(*setup.getTeamChecker(), set.takeChange());
+    const TeamValidityChecker &checker = *revalidation.getChecker();
+    Random random(1);
+    std::array<unsigned int, 2> verdicts{};
+    for (int i = 0; i < 300; ++i)
+    {
+        const ob::ScopedState<> state = randomState(random, team);
+        const auto *const *parts = state.get()->as<ob::CompoundState>()->components;
+        const bool free = checker.isPairFree(0, parts[0], 1, parts[1]);
+        EXPECT_EQ(free, setup.getTeamChecker()->isPairFree(0, parts[0], 1, parts[1]));
+        ++verdicts[free];
+        // Of the team's state, only the obstacles matter.
+        EXPECT_TRUE(checker.isValid(state.get()));
+        EXPECT_GT(checker.clearance(state.get()), 0.0);
+        EXPECT_EQ(checker.describeCollision(state.get()), "");
+    }
+    EXPECT_GT(verdicts[0], 0U);
+    EXPECT_GT(verdicts[1], 0U);
+}
+
 TEST_F(Revalidating, FindsTheMotionsOfAPathThatMeetNewPoints)
 {
     Random random(1);

@@ -4,6 +4,8 @@
 #include "ompl_certificates/geometry/PointCloud.h"
 #include "ompl_certificates/team/Team.h"
 
+#include <vector>
+
 namespace ompl_certificates
 {
     /** \brief The cloud without the team that was seen with it. Drops points that are nearer to a body than \e padding
@@ -15,6 +17,11 @@ namespace ompl_certificates
         \throws ompl::Exception if the padding is negative or not finite, or the state is not finite
         Cost: some nanoseconds per point and body. Points near a mesh take a time linear in its triangles. */
     PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding);
+
+    /** \brief Which points withoutRobots() drops, in their order: for those whose points have colors or intensities
+        \throws ompl::Exception as withoutRobots() */
+    std::vector<bool> findRobots(const PointCloud &cloud, const Team &team, const ompl::base::State *state,
+                                 double padding);
 }
 
 #endif
