@@ -1,6 +1,7 @@
 #include "CertifiedEnvironment.h"
 
-#include "ExactCheck.h"
+#include "ContactThenFcl.h"
+#include "TimedSettling.h"
 #include "geometry/Infinity.h"
 
 #include <algorithm>

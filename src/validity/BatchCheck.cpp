@@ -80,7 +80,7 @@ namespace ompl_certificates
         {
             bool free = true;
             subject.forEachRobot([&](unsigned int robot)
-                                 { free = free && check_.getExactMethod().isFreeAt(sample, robot, context_); });
+                                 { free = free && check_.getStandardMethod().isFreeAt(sample, robot, context_); });
             return free;
         };
         return haveAll(false, areRobotsFree) &&

@@ -47,7 +47,7 @@ namespace ompl_certificates
         firstSample_ = samples_;
         firstCheck_ = checks_;
         nextTrial_ = checks_ + 1;
-        certified_ = exact_ = CheckTimes(TRIAL_MEMORY);
+        certified_ = standard_ = CheckTimes(TRIAL_MEMORY);
         estimated_ = measured_ = 0.0;
     }
 
@@ -55,18 +55,18 @@ namespace ompl_certificates
     {
         takesTurns_ = true;
         nextTrial_ = checks_ + 1;
-        certified_ = exact_ = CheckTimes(TURN_MEMORY);
+        certified_ = standard_ = CheckTimes(TURN_MEMORY);
     }
 
     void CertificatePolicy::note(std::uint64_t samples, std::chrono::nanoseconds certified,
-                                 std::chrono::nanoseconds exact)
+                                 std::chrono::nanoseconds standard)
     {
         certified_.add(samples, certified);
-        exact_.add(samples, exact);
+        standard_.add(samples, standard);
         // This check is not counted yet.
         const auto checksInUse = static_cast<double>(checks_ - firstCheck_ + 1);
         const auto samplesInUse = static_cast<double>(samples_ - firstSample_ + samples);
-        if (samplesInUse >= MATURE && exact_.mean() < CHEAP)
+        if (samplesInUse >= MATURE && standard_.mean() < CHEAP)
             beginTurns();
         else
             judge(checksInUse, samplesInUse);
@@ -77,20 +77,20 @@ namespace ompl_certificates
         // In turns, either way checks other motions, but so many that their means can be compared.
         const auto timeOf = [&](const CheckTimes &times)
         { return takesTurns_ ? times.mean() : times.estimate(samplesInUse / checksInUse); };
-        const double certified = timeOf(certified_), exact = timeOf(exact_);
-        if (exact_.count() >= ENOUGH_TRIALS && exact < requiredFactor(samplesInUse) * certified)
+        const double certified = timeOf(certified_), standard = timeOf(standard_);
+        if (standard_.count() >= ENOUGH_TRIALS && standard < requiredFactor(samplesInUse) * certified)
         {
             usesCertificates_ = false;
             // The time lost, as the number of samples that the standard check makes in it. It is not known when mature
             // certificates began to lose. So at most MATURE samples count as lost.
-            const double trials = takesTurns_ ? 0.0 : static_cast<double>(exact_.count());
-            const double lost = std::min(samplesInUse, MATURE) * (certified / std::max(exact, 1.0) - 1.0) +
+            const double trials = takesTurns_ ? 0.0 : static_cast<double>(standard_.count());
+            const double lost = std::min(samplesInUse, MATURE) * (certified / std::max(standard, 1.0) - 1.0) +
                                 trials * samplesInUse / checksInUse;
             nextUse_ = std::max(PATIENCE * samples_, samples_ + static_cast<std::uint64_t>(TRIES_APART * lost));
             takesTurns_ = false;
             return;
         }
-        const double cost = std::max(exact / std::max(certified, 1.0), 1.0);
+        const double cost = std::max(standard / std::max(certified, 1.0), 1.0);
         const double shortest = std::clamp(SHORTEST_SAMPLES * checksInUse / samplesInUse, 1.0, SHORTEST_INTERVAL);
         const double interval = takesTurns_ ? TURNS_APART * static_cast<double>(TURN)
                                             : std::clamp(FRACTION * checksInUse, shortest, LONGEST_INTERVAL);

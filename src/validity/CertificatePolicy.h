@@ -55,27 +55,27 @@ namespace ompl_certificates
         }
 
         /** \brief Whether the trial begins with the standard check. In turn, since the second has the warmer cache. */
-        bool beginsExactly() const
+        bool beginsWithStandard() const
         {
-            return exact_.count() % 2 == 1;
+            return standard_.count() % 2 == 1;
         }
 
         /** \brief Notes how long the same check of \e samples samples took in either way */
-        void note(std::uint64_t samples, std::chrono::nanoseconds certified, std::chrono::nanoseconds exact);
+        void note(std::uint64_t samples, std::chrono::nanoseconds certified, std::chrono::nanoseconds standard);
 
         /** \brief Notes how long a timed check of \e samples samples took, by the way whose turn it is. Before
             count() */
         void noteTurn(std::uint64_t samples, std::chrono::nanoseconds time)
         {
-            (usesCertificates() ? certified_ : exact_).add(samples, time);
+            (usesCertificates() ? certified_ : standard_).add(samples, time);
         }
 
         /** \brief Notes how long a check with certificates took that is no trial, and how long it would have taken
             without, in nanoseconds. Such an estimate is rough and decides nothing. But where certificates clearly pay
             by it, the first trial waits: in a short plan, a few trials would cost more than all other checks. */
-        void noteEstimate(std::chrono::nanoseconds certified, double exact)
+        void noteEstimate(std::chrono::nanoseconds certified, double standard)
         {
-            estimated_ += (exact - estimated_) / ESTIMATE_MEMORY;
+            estimated_ += (standard - estimated_) / ESTIMATE_MEMORY;
             measured_ += (static_cast<double>(certified.count()) - measured_) / ESTIMATE_MEMORY;
         }
 
@@ -132,7 +132,7 @@ namespace ompl_certificates
         std::uint64_t firstSample_{0}, firstCheck_{0};
 
         /** \brief The times compared since then */
-        CheckTimes certified_{TRIAL_MEMORY}, exact_{TRIAL_MEMORY};
+        CheckTimes certified_{TRIAL_MEMORY}, standard_{TRIAL_MEMORY};
 
         /** \brief Running means of the times of other checks since then, without certificates and with them. Both begin
             at 0, so only their ratio counts. */

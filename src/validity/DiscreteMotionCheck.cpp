@@ -110,7 +110,7 @@ namespace ompl_certificates
     bool DiscreteMotionCheck::areInnerSamplesFree()
     {
         if (!isBounded())
-            return isExactlyFree();
+            return isFreeByStandard();
         proveFromStart();
         auto &queue = context_.open;
         queue.clear();
@@ -139,7 +139,7 @@ namespace ompl_certificates
         return true;
     }
 
-    bool DiscreteMotionCheck::isExactlyFree()
+    bool DiscreteMotionCheck::isFreeByStandard()
     {
         const auto segments = static_cast<int>(countSegments());
         BreadthFirstSamples samples(context_.open, segments);
@@ -150,16 +150,16 @@ namespace ompl_certificates
             return BatchCheck(check_, context_, {subjects_, subjectCount_})
                 .areFree(samples, static_cast<std::size_t>(std::max(segments, 1)), true, segments, place);
         }
-        return isExactlyFreeAt(1.0) &&
-               samples.areFree([&](int sample) { return isExactlyFreeAt(static_cast<double>(sample) / segments); });
+        return isFreeByStandardAt(1.0) &&
+               samples.areFree([&](int sample) { return isFreeByStandardAt(static_cast<double>(sample) / segments); });
     }
 
-    bool DiscreteMotionCheck::isExactlyFreeAt(double time)
+    bool DiscreteMotionCheck::isFreeByStandardAt(double time)
     {
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
             place(subjects_[subject], time);
-            if (!check_.isExactlyFree(subjects_[subject], context_))
+            if (!check_.isFreeByStandard(subjects_[subject], context_))
                 return false;
         }
         return true;
@@ -192,7 +192,7 @@ namespace ompl_certificates
         if (segments_ >= 2 && !isBounded())
         {
             for (int sample = 1; sample < end && sample < invalid; ++sample)
-                if (!isExactlyFreeAt(static_cast<double>(sample) / end))
+                if (!isFreeByStandardAt(static_cast<double>(sample) / end))
                     invalid = sample;
         }
         else if (segments_ >= 2)

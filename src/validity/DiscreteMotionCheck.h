@@ -25,11 +25,11 @@ namespace ompl_certificates
         bool isFree(double &freeUntil);
 
         /** \brief The same verdict by Method::STANDARD, sample by sample. For motions of some subjects. */
-        bool isExactlyFree();
+        bool isFreeByStandard();
 
     private:
         /** \brief Whether the subjects are free at a time, by Method::STANDARD */
-        bool isExactlyFreeAt(double time);
+        bool isFreeByStandardAt(double time);
 
         /** \brief Puts the states of all robots at \e time into the batch, as those of a sample */
         void placeInBatch(std::size_t number, double time);

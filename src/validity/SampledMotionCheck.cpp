@@ -17,8 +17,13 @@ namespace ompl_certificates
     }
 
     SampledMotionCheck::SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
-                                           const ompl::base::State *s2, bool exactly)
-      : check_(check), context_(context), s1_(s1), s2_(s2), exactly_(exactly), posesBefore_(context.counts.robotPoses)
+                                           const ompl::base::State *s2, bool byStandard)
+      : check_(check)
+      , context_(context)
+      , s1_(s1)
+      , s2_(s2)
+      , byStandard_(byStandard)
+      , posesBefore_(context.counts.robotPoses)
     {
         ++context_.counts.motions;
     }
@@ -36,7 +41,7 @@ namespace ompl_certificates
 
     bool SampledMotionCheck::isStateFree(const ompl::base::State *state) const
     {
-        return exactly_ ? check_.isExactlyFree(state, context_) : check_.isFreeByMethod(state, context_);
+        return byStandard_ ? check_.isFreeByStandard(state, context_) : check_.isFreeByMethod(state, context_);
     }
 
     bool SampledMotionCheck::isSampleFree(int sample) const
@@ -48,7 +53,7 @@ namespace ompl_certificates
 
     bool SampledMotionCheck::isFree()
     {
-        const bool batched = context_.batch.isPossible() && (exactly_ || check_.getMethod() == Method::STANDARD);
+        const bool batched = context_.batch.isPossible() && (byStandard_ || check_.getMethod() == Method::STANDARD);
         if (!batched && !isStateFree(s2_))
             return false;
         BreadthFirstSamples samples(context_.openSamples, countSegments());
@@ -58,7 +63,7 @@ namespace ompl_certificates
                            : samples.areFree(most, [this](int sample) { return isSampleFree(sample); });
         };
         constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-        if (!exactly_ || segments_ < LONG_MOTION || !check_.getTeam().interpolatesRobots())
+        if (!byStandard_ || segments_ < LONG_MOTION || !check_.getTeam().interpolatesRobots())
             return areFree(all, true);
         return areFree(FIRST_SAMPLES, true) && isRestFree([&] { return areFree(all, false); });
     }
@@ -82,8 +87,8 @@ namespace ompl_certificates
         return batches.areFree(samples, least, withEnd, segments_, place);
     }
 
-    template <typename Exact>
-    bool SampledMotionCheck::isRestFree(const Exact &exact)
+    template <typename Standard>
+    bool SampledMotionCheck::isRestFree(const Standard &standard)
     {
         CheckCounts &counts = context_.counts;
         const std::uint64_t posesOfFirst = counts.robotPoses - posesBefore_;
@@ -97,7 +102,7 @@ namespace ompl_certificates
                 std::min(counts.motionSamplesSkipped - before.motionSamplesSkipped, posesOfFirst);
             return free;
         };
-        return check_.decide(context_.longMotionPolicy, context_, 0, certified, exact);
+        return check_.decide(context_.longMotionPolicy, context_, 0, certified, standard);
     }
 
     bool SampledMotionCheck::isFree(double &freeUntil)

@@ -14,9 +14,9 @@ namespace ompl_certificates
     class SampledMotionCheck
     {
     public:
-        /** \param exactly whether to check by Method::STANDARD in place of the team's own method */
+        /** \param byStandard whether to check by Method::STANDARD in place of the team's own method */
         SampledMotionCheck(const TeamCheck &check, CheckContext &context, const ompl::base::State *s1,
-                           const ompl::base::State *s2, bool exactly = false);
+                           const ompl::base::State *s2, bool byStandard = false);
         ~SampledMotionCheck();
 
         SampledMotionCheck(const SampledMotionCheck &) = delete;
@@ -30,9 +30,9 @@ namespace ompl_certificates
 
     private:
         /** \brief Whether all other samples of a long motion are free whose first samples are: by certificates, or by
-            \e exact, whichever is quicker */
-        template <typename Exact>
-        bool isRestFree(const Exact &exact);
+            \e standard, whichever is quicker */
+        template <typename Standard>
+        bool isRestFree(const Standard &standard);
 
         /** \brief Whether the next samples are free, several at once; see BatchCheck::areFree() */
         bool areBatchesFree(BreadthFirstSamples &samples, std::size_t least, bool withEnd);
@@ -44,7 +44,7 @@ namespace ompl_certificates
         const TeamCheck &check_;
         CheckContext &context_;
         const ompl::base::State *s1_, *s2_;
-        const bool exactly_;
+        const bool byStandard_;
         /** \brief The poses counted before this motion */
         const std::uint64_t posesBefore_;
         int segments_{0};

@@ -3,7 +3,7 @@
 #include "BasicMethod.h"
 #include "BodyClearance.h"
 #include "BodyPreparation.h"
-#include "ExactMethod.h"
+#include "MemorylessMethod.h"
 #include "ProjectedMethod.h"
 
 #include "ompl_certificates/obstacles/MixedObstacles.h"
@@ -47,7 +47,7 @@ namespace ompl_certificates
             {
                 case Method::FCL:
                 case Method::STANDARD:
-                    return std::make_unique<ExactMethod>(obstacles, method == Method::STANDARD);
+                    return std::make_unique<MemorylessMethod>(obstacles, method == Method::STANDARD);
                 case Method::BASIC:
                     return std::make_unique<BasicMethod>(team, obstacles, limit);
                 case Method::PARTIAL:
@@ -140,7 +140,7 @@ namespace ompl_certificates
       , method_(method)
       , limit_(std::move(limit))
       , checkMethod_(checkMethod ? std::move(checkMethod) : makeMethod(method, team_, obstacles_, limit_))
-      , exactMethod_(obstacles_, true)
+      , standardMethod_(obstacles_, true)
       , teamMethod_(checkMethod_->getTeamMethod())
       , pairs_(team_, method, limit_)
       , contexts_(team_, pairs_.getBodyPairCount())
@@ -221,13 +221,13 @@ namespace ompl_certificates
         return pairs_.provenInterval(subject.pair, context);
     }
 
-    bool TeamCheck::isExactlyFree(const Subject &subject, CheckContext &context) const
+    bool TeamCheck::isFreeByStandard(const Subject &subject, CheckContext &context) const
     {
         if (subject.kind == Subject::PAIR)
             return pairs_.settle(subject.pair, context, {}).free;
         bool free = true;
         for (unsigned int robot = subject.first; free && robot <= subject.last; ++robot)
-            free = exactMethod_.settleRobot(robot, context, {}).free;
+            free = standardMethod_.settleRobot(robot, context, {}).free;
         return free;
     }
 
@@ -249,7 +249,7 @@ namespace ompl_certificates
     {
         return decide(
             context.statePolicy, context, [&] { return isFreeByMethod(state, context); },
-            [&] { return isExactlyFree(state, context); });
+            [&] { return isFreeByStandard(state, context); });
     }
 
     bool TeamCheck::isFreeByMethod(const ob::State *state, CheckContext &context) const
@@ -261,9 +261,9 @@ namespace ompl_certificates
         return free;
     }
 
-    bool TeamCheck::isExactlyFree(const ob::State *state, CheckContext &context) const
+    bool TeamCheck::isFreeByStandard(const ob::State *state, CheckContext &context) const
     {
-        return areAllFree(state, context, [&](const Subject &subject) { return isExactlyFree(subject, context); });
+        return areAllFree(state, context, [&](const Subject &subject) { return isFreeByStandard(subject, context); });
     }
 
     double TeamCheck::clearance(const ob::State *state, CheckContext &context) const
@@ -327,7 +327,7 @@ namespace ompl_certificates
         withdrawAll(world, repair);
         before = std::exchange(obstacles_, change.after);
         checkMethod_->setObstacles(obstacles_);
-        exactMethod_.setObstacles(obstacles_);
+        standardMethod_.setObstacles(obstacles_);
         while (repeat([&] { return repair.repair(REPAIR_STEP); }))
         {
             world.open();

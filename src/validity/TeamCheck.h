@@ -2,7 +2,7 @@
 #define OMPL_CERTIFICATES_VALIDITY_TEAM_CHECK_
 
 #include "CheckMethod.h"
-#include "ExactMethod.h"
+#include "MemorylessMethod.h"
 #include "RobotPairs.h"
 
 #include "certificates/CertificateLimit.h"
@@ -105,9 +105,9 @@ namespace ompl_certificates
         }
 
         /** \brief The check of robots by Method::STANDARD */
-        const ExactMethod &getExactMethod() const
+        const MemorylessMethod &getStandardMethod() const
         {
-            return exactMethod_;
+            return standardMethod_;
         }
 
         const RobotPairs &getPairs() const
@@ -160,30 +160,30 @@ namespace ompl_certificates
         SubjectVerdict settle(const Subject &subject, CheckContext &context, const MotionSample &sample) const;
 
         /** \brief Whether a subject whose robots' poses are in \e context is free, by Method::STANDARD */
-        bool isExactlyFree(const Subject &subject, CheckContext &context) const;
+        bool isFreeByStandard(const Subject &subject, CheckContext &context) const;
 
-        /** \brief The result of \e certified or \e exact, which check the same with certificates and without:
+        /** \brief The result of \e certified or \e standard, which check the same with certificates and without:
             whichever takes less time. Makes both checks at some calls, and counts one of them. */
-        template <typename Certified, typename Exact>
+        template <typename Certified, typename Standard>
         bool decide(CertificatePolicy &policy, CheckContext &context, const Certified &certified,
-                    const Exact &exact) const
+                    const Standard &standard) const
         {
-            return decide(policy, context, certificatesAfter_, 0.0, certified, exact);
+            return decide(policy, context, certificatesAfter_, 0.0, certified, standard);
         }
 
         /** \brief The same, with \e certificatesAfter in place of getCertificatesAfter(), for the rest of a check
             whose first samples were checked by Method::STANDARD. These tell what the rest would take without
             certificates, which spares trials. */
-        template <typename Certified, typename Exact>
+        template <typename Certified, typename Standard>
         bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
-                    const Certified &certified, const Exact &exact) const
+                    const Certified &certified, const Standard &standard) const
         {
             const std::chrono::duration<double, std::nano> first = std::chrono::steady_clock::now() - context.begin;
             const double samples = static_cast<double>(robotSamplesOf(context.counts));
             // Within a trial, the check may have begun in the other way.
             const bool isKnown = samples > 0.0 && !context.isTrial;
             return decide(policy, context, certificatesAfter, isKnown ? first.count() / samples : 0.0, certified,
-                          exact);
+                          standard);
         }
 
         /** \brief How long the hints, or the bounding spheres of a pair, prove a subject free after the start of a
@@ -205,7 +205,7 @@ namespace ompl_certificates
         bool isFreeByMethod(const ompl::base::State *state, CheckContext &context) const;
 
         /** \brief Whether a state of the team is free, by Method::STANDARD */
-        bool isExactlyFree(const ompl::base::State *state, CheckContext &context) const;
+        bool isFreeByStandard(const ompl::base::State *state, CheckContext &context) const;
 
         /** \brief Whether a state of the team is free, by whichever is quicker */
         bool isFree(const ompl::base::State *state, CheckContext &context) const;
@@ -334,10 +334,10 @@ namespace ompl_certificates
         }
 
         /** \brief See decide()
-            \param exactTime what a robot's sample takes without certificates, in nanoseconds; 0 if that is not known */
-        template <typename Certified, typename Exact>
-        bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter, double exactTime,
-                    const Certified &certified, const Exact &exact) const;
+            \param standardTime what a sample of a robot takes without certificates, in nanoseconds; 0 if not known */
+        template <typename Certified, typename Standard>
+        bool decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
+                    double standardTime, const Certified &certified, const Standard &standard) const;
 
         /** \brief Whether all subjects are free, once their robots are placed; asks for each until one is not */
         template <typename IsFree>
@@ -369,7 +369,7 @@ namespace ompl_certificates
         const std::shared_ptr<CertificateLimit> limit_;
         const std::unique_ptr<CheckMethod> checkMethod_;
         /** \brief For when certificates do not pay */
-        ExactMethod exactMethod_;
+        MemorylessMethod standardMethod_;
         /** \brief Null if the method settles robots one by one */
         const TeamMethod *const teamMethod_;
         RobotPairs pairs_;
@@ -384,9 +384,9 @@ namespace ompl_certificates
         mutable CheckContextPool contexts_;
     };
 
-    template <typename Certified, typename Exact>
+    template <typename Certified, typename Standard>
     bool TeamCheck::decide(CertificatePolicy &policy, CheckContext &context, std::size_t certificatesAfter,
-                           double exactTime, const Certified &certified, const Exact &exact) const
+                           double standardTime, const Certified &certified, const Standard &standard) const
     {
         if (!makesCertificates(method_) || !adaptive_)
             return certified();
@@ -394,23 +394,23 @@ namespace ompl_certificates
             policy.setFirstUse(checkMethod_->getCertificateCount() > 0 ? 0 : certificatesAfter);
         const CheckCounts counts = context.counts;
         const auto samples = [&] { return samplesOf(context.counts) - samplesOf(counts); };
-        const auto check = [&] { return policy.usesCertificates() ? certified() : exact(); };
+        const auto check = [&] { return policy.usesCertificates() ? certified() : standard(); };
         bool free = false;
         // A trial within a trial would spoil the times of the outer one.
         if (!context.isTrial && policy.isTrial())
         {
             const TrialMark mark(context);
             std::chrono::nanoseconds withoutThem{0};
-            const bool exactFirst = policy.beginsExactly();
-            if (exactFirst)
-                withoutThem = timeOf(exact, free);
+            const bool standardFirst = policy.beginsWithStandard();
+            if (standardFirst)
+                withoutThem = timeOf(standard, free);
             context.counts = counts;
             const std::chrono::nanoseconds withThem = timeOf(certified, free);
             // Counts are those of the check with certificates, in trials, too: of a motion that collides, the standard
             // check counts fewer samples, since none is skipped.
             const CheckCounts certifiedCounts = context.counts;
-            if (!exactFirst)
-                withoutThem = timeOf(exact, free);
+            if (!standardFirst)
+                withoutThem = timeOf(standard, free);
             context.counts = certifiedCounts;
             policy.note(samples(), withThem, withoutThem);
         }
@@ -420,10 +420,10 @@ namespace ompl_certificates
             const std::chrono::nanoseconds time = timeOf(check, free);
             policy.noteTurn(samples(), time);
         }
-        else if (exactTime > 0.0 && policy.usesCertificates())
+        else if (standardTime > 0.0 && policy.usesCertificates())
         {
             const std::chrono::nanoseconds time = timeOf(certified, free);
-            policy.noteEstimate(time, exactTime *
+            policy.noteEstimate(time, standardTime *
                                           static_cast<double>(robotSamplesOf(context.counts) - robotSamplesOf(counts)));
         }
         else

@@ -18,12 +18,13 @@ namespace ompl_certificates
                           const SubjectRange &subjects, std::initializer_list<const ob::State *> from,
                           std::initializer_list<const ob::State *> to)
         {
-            const auto exact = [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isExactlyFree(); };
+            const auto standard = [&]
+            { return DiscreteMotionCheck(check, context, subjects, from, to).isFreeByStandard(); };
             if (check.getMethod() == Method::STANDARD)
-                return exact();
+                return standard();
             return check.decide(
                 policy, context, [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isFree(); },
-                exact);
+                standard);
         }
 
         const ob::StateSpacePtr &spaceOf(const ob::SpaceInformationPtr &si)

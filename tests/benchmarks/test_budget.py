@@ -27,7 +27,7 @@ REPORT = """# To display the perf.data header info, please use --header/--header
      1.39%            23  libompl_certificates.so.0.2.0            [.] ompl_certificates::RobotPairs::TwoBodies::gap
      1.21%            20  libompl_certificates.so.0.2.0            [.] ompl_certificates::Statistics::add
      1.10%            18  libompl_certificates.so.0.2.0            [.] ompl_certificates::TriangleTree::distance
-     1.00%            17  libompl_certificates.so.0.2.0            [.] ompl_certificates::TeamCheck::isExactlyFree
+     1.00%            17  libompl_certificates.so.0.2.0            [.] ompl_certificates::TeamCheck::isFreeByStandard
      0.50%             8  libfcl.so.0.7.0                          [.] fcl::detail::MeshCollisionTraversalNode<fcl::OBBRSS<double> >::leafTesting
      0.40%             7  libc.so.6                                [.] cfree@GLIBC_2.2.5
 """

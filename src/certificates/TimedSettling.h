@@ -1,10 +1,7 @@
-#ifndef OMPL_CERTIFICATES_CERTIFICATES_EXACT_CHECK_
-#define OMPL_CERTIFICATES_CERTIFICATES_EXACT_CHECK_
+#ifndef OMPL_CERTIFICATES_CERTIFICATES_TIMED_SETTLING_
+#define OMPL_CERTIFICATES_CERTIFICATES_TIMED_SETTLING_
 
 #include "SwitchingPolicy.h"
-
-#include "ompl_certificates/certificates/CheckCounts.h"
-#include "ompl_certificates/obstacles/Obstacles.h"
 
 #include <chrono>
 
@@ -56,26 +53,6 @@ namespace ompl_certificates
         const bool asksClearances_;
         std::chrono::steady_clock::time_point start_;
     };
-
-    /** \brief Whether a body collides: by the contact test if \e contact, then by the exact check if needed
-        \param by set to the test that settled it
-        \param hit set to a part that the body touches, or to NO_PART */
-    inline bool collides(const Obstacles &obstacles, const Body &body, const Pose &pose, bool contact, SettledBy &by,
-                         ObstaclePart &hit, CheckCounts &counts)
-    {
-        hit = NO_PART;
-        if (contact)
-        {
-            by = SettledBy::CONTACT;
-            ++counts.contactTests;
-            const Touching touching = obstacles.touches(body, pose, &hit);
-            if (touching != Touching::UNKNOWN)
-                return touching == Touching::YES;
-        }
-        by = SettledBy::EXACT_CHECK;
-        ++counts.exactCalls;
-        return obstacles.collides(body, pose);
-    }
 }
 
 #endif

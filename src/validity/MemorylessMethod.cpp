@@ -1,18 +1,19 @@
-#include "ExactMethod.h"
+#include "MemorylessMethod.h"
 
-#include "certificates/ExactCheck.h"
+#include "certificates/ContactThenFcl.h"
 
 #include <algorithm>
 
 namespace ompl_certificates
 {
-    ExactMethod::ExactMethod(ObstaclesPtr obstacles, bool contactTest)
+    MemorylessMethod::MemorylessMethod(ObstaclesPtr obstacles, bool contactTest)
       : obstacles_(std::move(obstacles)), contactTest_(contactTest)
     {
     }
 
     template <typename IsAsked>
-    bool ExactMethod::areFree(unsigned int robot, CheckContext &context, SettledBy by, const IsAsked &isAsked) const
+    bool MemorylessMethod::areFree(unsigned int robot, CheckContext &context, SettledBy by,
+                                   const IsAsked &isAsked) const
     {
         const auto &bodies = context.team.getRobot(robot).getBodies();
         const std::size_t first = context.team.getFirstBody(robot);
@@ -35,13 +36,13 @@ namespace ompl_certificates
         return free;
     }
 
-    SubjectVerdict ExactMethod::settleRobot(unsigned int robot, CheckContext &context,
-                                            const MotionSample & /*sample*/) const
+    SubjectVerdict MemorylessMethod::settleRobot(unsigned int robot, CheckContext &context,
+                                                 const MotionSample & /*sample*/) const
     {
         return {areFree(robot, context, SettledBy::CERTIFICATE, [](std::size_t) { return true; })};
     }
 
-    bool ExactMethod::isFreeAt(std::size_t sample, unsigned int robot, CheckContext &context) const
+    bool MemorylessMethod::isFreeAt(std::size_t sample, unsigned int robot, CheckContext &context) const
     {
         return areFree(robot, context, SettledBy::CONTACT,
                        [&](std::size_t body) { return contains(context.batch.nearObstacles[body], sample); });

@@ -1,16 +1,16 @@
-#ifndef OMPL_CERTIFICATES_VALIDITY_EXACT_METHOD_
-#define OMPL_CERTIFICATES_VALIDITY_EXACT_METHOD_
+#ifndef OMPL_CERTIFICATES_VALIDITY_MEMORYLESS_METHOD_
+#define OMPL_CERTIFICATES_VALIDITY_MEMORYLESS_METHOD_
 
 #include "CheckMethod.h"
 
 namespace ompl_certificates
 {
     /** \brief Method::FCL and Method::STANDARD: keep no certificates */
-    class ExactMethod : public CheckMethod
+    class MemorylessMethod : public CheckMethod
     {
     public:
         /** \param contactTest whether the contact test precedes FCL */
-        ExactMethod(ObstaclesPtr obstacles, bool contactTest);
+        MemorylessMethod(ObstaclesPtr obstacles, bool contactTest);
 
         SubjectVerdict settleRobot(unsigned int robot, CheckContext &context,
                                    const MotionSample &sample) const override;
