@@ -2,6 +2,8 @@
 
 #include "ompl_certificates/certificates/CertificateTree.h"
 
+#include "geometry/Infinity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
