@@ -15,7 +15,8 @@ namespace ompl_certificates
         {
             // The longest number has 309 digits before the point.
             char text[400];
-            return std::string(text, std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits).ptr);
+            return std::string(text,
+                               std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, digits).ptr);
         }
 
         std::string pair(const Eigen::Vector2d &point, int digits = DIGITS)

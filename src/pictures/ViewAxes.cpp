@@ -25,7 +25,8 @@ namespace ompl_certificates
         std::string numberOf(double value)
         {
             char text[32];
-            return std::string(text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr);
+            return std::string(text,
+                               std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr);
         }
 
         /** The points of an axis that have ticks: multiples of a round number */
