@@ -226,7 +226,7 @@ class Scene:
         height. Of those of shape (n, 3) only the ones count that a robot reaches with its meshes; so add the robots
         first."""
     def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
-        """The same, from a PCD, PLY, .xyz or .txt file"""
+        """The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv"""
     def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, grids and
         octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in the plane or (nx, ny, nz).

@@ -188,7 +188,7 @@ namespace ompl_certificates_python
                         return addCloud(self, std::move(cloud), cell);
                     },
                     py::arg("file"), py::arg("radius"), py::arg("cell") = 0.0,
-                    "The same, from a PCD, PLY, .xyz or .txt file")
+                    "The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv")
                 .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
                      py::arg("first") = std::vector<std::int64_t>(),
                      "Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, "

@@ -13,9 +13,13 @@ namespace ompl_certificates
         do */
     std::vector<Eigen::Vector3d> readPcd(std::string_view content);
 
-    /** \brief Read the points of a text: the first three numbers of each line. Lines that are empty or begin with # or //
-        are left out. */
+    /** \brief Read the points of a text: the first three numbers of each line, or those in the columns x, y and z that
+        the first line names. Lines that are empty or begin with # or // are left out, and a first line that is the
+        number of points. */
     std::vector<Eigen::Vector3d> readXyz(std::string_view content);
+
+    /** \brief The same, with commas between the numbers */
+    std::vector<Eigen::Vector3d> readCsv(std::string_view content);
 
     /** \brief Read the vertices of a PLY file, which need not have faces */
     std::vector<Eigen::Vector3d> readPlyPoints(std::string_view content);

@@ -257,26 +257,4 @@ namespace ompl_certificates
                       "PCD files are read as they are on little-endian machines");
         return PcdReader(content).run();
     }
-
-    std::vector<Eigen::Vector3d> readXyz(std::string_view content)
-    {
-        std::vector<Eigen::Vector3d> points;
-        LineReader text(content);
-        while (text.nextLine())
-        {
-            const std::string_view line = text.getLine();
-            const std::size_t first = line.find_first_not_of(" \t\r\v\f");
-            if (first == std::string_view::npos || line[first] == '#' || line.substr(first, 2) == "//")
-                continue;
-            Eigen::Vector3d point;
-            for (double &coordinate : point)
-                coordinate = text.toNumber(text.next());
-            if (!point.allFinite())
-                continue;
-            if (!isPoint(point))
-                text.fail("a point has a coordinate beyond 1e9");
-            points.push_back(point);
-        }
-        return points;
-    }
 }

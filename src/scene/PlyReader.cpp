@@ -3,6 +3,7 @@
 #include "LineReader.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cmath>
 #include <cstring>
 #include <iomanip>
@@ -169,7 +170,7 @@ namespace ompl_certificates
                     return false;
                 Element &element = elements_.back();
                 std::size_t use = NOTHING;
-                const auto found = std::find(USES.begin(), USES.end(), words.back());
+                const auto found = std::find(USES.begin(), USES.end(), boost::algorithm::to_lower_copy(words.back()));
                 if (element.name == "vertex" && !isList && found != USES.end())
                     use = static_cast<std::size_t>(found - USES.begin());
                 if (element.name == "face" && isList && type->second.isInteger &&

@@ -8,13 +8,13 @@ using namespace ompl_certificates;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    static const char *const names[] = {"cloud.pcd", "cloud.ply", "cloud.xyz"};
+    static const char *const names[] = {"cloud.pcd", "cloud.ply", "cloud.xyz", "cloud.csv"};
     if (size == 0)
         return 0;
     return fuzz::run(
         [&]
         {
-            const std::string file = fuzz::folder().write(names[data[0] % 3], fuzz::textOf(data + 1, size - 1));
+            const std::string file = fuzz::folder().write(names[data[0] % 4], fuzz::textOf(data + 1, size - 1));
             const PointCloud cloud = loadCloud(file);
             for (const unsigned int dimension : {2U, 3U})
             {

@@ -145,6 +145,23 @@ namespace ompl_certificates
         EXPECT_EQ(some.radius, 0.5);
     }
 
+    TEST(CloudFile, ReadsTextsAsScannersWriteThem)
+    {
+        const Folder folder;
+        const std::vector<Eigen::Vector3d> expected{{1.0, 2.0, 3.0}, {-4.5, 5.0, 0.6}};
+        const std::pair<const char *, std::string> files[] = {
+            {"a.asc", "1 2 3 255 0 0\n-4.5 5 0.6 0 0 0\n"},
+            {"a.pts", "2\n1 2 3 -1200 10 10 10\n-4.5 5 0.6 7 1 1 1\n"},
+            {"a.csv", "1,2,3\r\n-4.5, 5 ,0.6\r\n"},
+            {"a.csv", "//X,Y,Z,R\n1,2,3,9\n-4.5,5,0.6,9\n"},
+            {"a.csv", "time,\"x\",Y,z,intensity\n7,1,2,3,\n7,9,,9,4\n,-4.5,5,0.6,1\n"},
+            {"a.txt", "# seen\nZ Y X\n3 2 1\n0.6 5 -4.5\n"}};
+        for (const auto &[name, content] : files)
+            EXPECT_EQ(loadCloud(folder.write(name, content)).points, expected) << name << ":\n" << content;
+        EXPECT_EQ(loadCloud(folder.write("a.ply", with(PLY_TEXT, "float z", "float Z"))).points,
+                  loadCloud(folder.write("b.ply", PLY_TEXT)).points);
+    }
+
     TEST(CloudFile, RefusesWhatIsNoCloud)
     {
         const Folder folder;
@@ -154,7 +171,7 @@ namespace ompl_certificates
             std::string content, complaint;
         };
         const Broken files[] = {
-            {"a.las", "", "must end with .pcd, .ply, .xyz or .txt"},
+            {"a.las", "", "must end with .pcd, .ply, .xyz, .txt, .asc, .pts or .csv"},
             {"a.pcd", "", "the header has no line 'DATA'"},
             {"a.pcd", "hello\n", "there is no such number of values"},
             {"a.pcd", "hello you\n", "line 1: there is 'hello', which is no entry"},
@@ -183,7 +200,13 @@ namespace ompl_certificates
             {"a.ply", with(PLY_TEXT, "vertex 2", "vertex 3"), "it ends before the last 'vertex'"},
             {"a.xyz", "1 2 3\n1 2\n", "line 2: "},
             {"a.xyz", "1 2 3e99\n", "line 1: "},
-            {"a.txt", "one two three\n", "line 1: "}};
+            {"a.txt", "one two three\n", "line 1: "},
+            {"a.txt", "x y x\n1 2 3\n", "line 1: there is 'x', not a number"},
+            {"a.txt", "id x y z\n7 1 2\n", "line 2: there is '', not a number"},
+            {"a.txt", "1,2,3\n", "line 1: "},
+            {"a.csv", "1;2;3\n", "line 1: "},
+            {"a.csv", "1,5;2,5;3,5\n", "line 1: there is '5;2', not a number"},
+            {"a.csv", "1,2\n", "line 1: "}};
         for (const Broken &file : files)
         {
             const std::string path = folder.write(file.name, file.content);

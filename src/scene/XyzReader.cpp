@@ -1,0 +1,106 @@
+#include "CloudReaders.h"
+#include "LineReader.h"
+#include "MeshPart.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <cctype>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        bool isComment(std::string_view line)
+        {
+            const std::size_t first = line.find_first_not_of(" \t\r\v\f");
+            return first == std::string_view::npos || line[first] == '#' || line.substr(first, 2) == "//";
+        }
+
+        /** Which words of a line are x, y and z */
+        using Columns = std::array<std::size_t, 3>;
+
+        /** Reads the names of columns
+            \return whether x, y and z are among \e words, once each */
+        bool findColumns(const std::vector<std::string_view> &words, Columns &columns)
+        {
+            std::array<int, 3> found{};
+            for (std::size_t i = 0; i < words.size(); ++i)
+            {
+                std::string name = boost::algorithm::to_lower_copy(std::string(words[i]));
+                name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+                const std::size_t axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : 3;
+                if (axis < 3)
+                {
+                    columns[axis] = i;
+                    ++found[axis];
+                }
+            }
+            return found == std::array<int, 3>{1, 1, 1};
+        }
+
+        bool isCount(std::string_view word)
+        {
+            return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+        }
+    }
+
+    std::vector<Eigen::Vector3d> readXyz(std::string_view content)
+    {
+        std::vector<Eigen::Vector3d> points;
+        std::vector<std::string_view> words;
+        Columns columns{0, 1, 2};
+        bool isFirst = true;
+        LineReader text(content);
+        while (text.nextLine())
+        {
+            if (isComment(text.getLine()))
+                continue;
+            const bool mayBeHeader = std::exchange(isFirst, false);
+            words.clear();
+            const std::size_t most = mayBeHeader ? SIZE_MAX : 1 + *std::max_element(columns.begin(), columns.end());
+            for (std::string_view word = text.next(); !word.empty(); word = text.next())
+            {
+                words.push_back(word);
+                if (words.size() == most)
+                    break;
+            }
+            if (mayBeHeader && ((words.size() == 1 && isCount(words[0])) || findColumns(words, columns)))
+                continue;
+            Eigen::Vector3d point;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                point[static_cast<Eigen::Index>(axis)] =
+                    text.toNumber(columns[axis] < words.size() ? words[columns[axis]] : std::string_view());
+            if (!point.allFinite())
+                continue;
+            if (!isPoint(point))
+                text.fail("a point has a coordinate beyond 1e9");
+            points.push_back(point);
+        }
+        return points;
+    }
+
+    std::vector<Eigen::Vector3d> readCsv(std::string_view content)
+    {
+        // A value that is missing is no number, so that others keep their columns.
+        std::string text;
+        text.reserve(content.size());
+        bool isMissing = true;
+        for (const char c : content)
+        {
+            const bool isEnd = c == '\n' || c == '\r';
+            if (c == ',')
+                text += isMissing ? " nan " : " ";
+            else
+                text += c;
+            if (c == ',' || isEnd)
+                isMissing = true;
+            else if (c != ' ' && c != '\t')
+                isMissing = false;
+        }
+        return readXyz(text);
+    }
+}
