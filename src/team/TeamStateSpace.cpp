@@ -63,6 +63,20 @@ namespace ompl_certificates
                        space.getMaximumExtent() * space.getLongestValidSegmentFraction() &&
                    !space.getValueLocations().empty();
         }
+
+        /** Draws the random numbers that setup() of a space draws, for random projections, and leaves the space alone */
+        void drawAsInSetup(const ob::StateSpace &space)
+        {
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+                for (const ob::StateSpacePtr &part : compound->getSubspaces())
+                    drawAsInSetup(*part);
+            else if (typeid(space) == typeid(ob::RealVectorStateSpace))
+            {
+                ob::RealVectorStateSpace copy(space.getDimension());
+                copy.setBounds(static_cast<const ob::RealVectorStateSpace &>(space).getBounds());
+                copy.setup();
+            }
+        }
     }
 
     TeamStateSpace::TeamStateSpace(Metric metric) : metric_(metric)
@@ -297,9 +311,12 @@ namespace ompl_certificates
         if (hasResolution_)
             for (const ob::StateSpacePtr &component : components_)
                 segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
-        // Others may be using the space of a robot that they share.
+        // Others may be using the space of a robot that they share. A planner that comes next draws the same numbers, also
+        // where another team has set it up.
         for (const ob::StateSpacePtr &component : components_)
-            if (!isSetUp(*component))
+            if (isSetUp(*component))
+                drawAsInSetup(*component);
+            else
                 component->setup();
         StateSpace::setup();  // NOLINT(bugprone-parent-virtual-call)
     }

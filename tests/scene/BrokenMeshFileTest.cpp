@@ -81,7 +81,7 @@ namespace ompl_certificates
             {"line.ply", with(ply, "end_header", "elephant\nend_header"), "there is 'elephant', which makes no sense"},
             {"header.ply", ply.substr(0, ply.find("end_header")), "the header has no line 'end_header'"},
             {"xml.dae", collada("<node><instance_geometry url=\"#g\"/></nod>"), "it is not XML"},
-            {"axis.ply", with(ply, "float z", "float Z"),
+            {"axis.ply", with(ply, "float z", "float w"),
              "there is not one element 'vertex', with x, y and z, and then one 'face'"},
             {"faces.ply", with(ply, "vertex_indices", "texcoord"),
              "there is not one element 'vertex', with x, y and z, and then one 'face'"},

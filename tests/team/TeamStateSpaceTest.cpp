@@ -1,9 +1,11 @@
+#include "support/Quiet.h"
 #include "support/Teams.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -92,6 +94,25 @@ TEST_P(AnyTeam, CountsSegmentsByAResolutionOfItsOwn)
         EXPECT_EQ(team_->validSegmentCount(motions[i].first.get(), motions[i].second.get()), counts[i]);
     EXPECT_THROW(team_->setLongestValidSegmentFraction(0.0), ompl::Exception);
     EXPECT_THROW(team_->setLongestValidSegmentFraction(1.0), ompl::Exception);
+}
+
+// OMPL's spaces draw random projections when they are first set up.
+TEST_P(AnyTeam, DrawsNoMoreRandomNumbersForTheFirstTeamOfItsRobots)
+{
+    const Quiet quiet;
+    const std::vector<RobotPtr> robots = anyTeam(GetParam())->getRobots();
+    std::vector<double> next;
+    for (int i = 0; i < 3; ++i)
+    {
+        TeamStateSpace team;
+        for (const RobotPtr &robot : robots)
+            team.addRobot(robot);
+        ompl::RNG::setSeed(1);
+        team.setup();
+        next.push_back(ompl::RNG().uniform01());
+    }
+    EXPECT_EQ(next[0], next[1]);
+    EXPECT_EQ(next[1], next[2]);
 }
 
 TEST_P(AnyTeam, HasALockableListOfRobots)
