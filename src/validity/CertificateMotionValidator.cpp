@@ -180,7 +180,18 @@ namespace ompl_certificates
     {
         double freeUntil = 1.0;
         bool valid = isFree(s1, s2, freeUntil);
-        if (double until = freeUntil; !areSamplesValid(s1, s2, until))
+        if (!valid && mode_ == CONTINUOUS)
+        {
+            if (freeUntil > 0.0 && getFurtherChecker())
+            {
+                // The motion to the last valid state has samples of its own.
+                ob::ScopedState<> last(checker_->getTeam().getStateSpace());
+                last.getSpace()->interpolate(s1, s2, freeUntil, last.get());
+                double until = 1.0;
+                freeUntil = areSamplesValid(s1, last.get(), until) ? freeUntil : 0.0;
+            }
+        }
+        else if (double until = freeUntil; !areSamplesValid(s1, s2, until))
         {
             // How far a proof goes that ends earlier is not known.
             freeUntil = mode_ == DISCRETE ? until : 0.0;
