@@ -128,7 +128,7 @@ namespace
                 ASSERT_EQ(last.second, expected.second);
                 valid += free ? 1 : 0;
             }
-            EXPECT_GE(valid, scaled(5));
+            EXPECT_GT(valid, scaled(10));
             if (makesCertificates(method))
             {
                 EXPECT_GT(checker->getStatistics().getCounts().certifiedFree, 0U);

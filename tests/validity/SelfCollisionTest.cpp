@@ -103,8 +103,8 @@ TEST_P(SelfCollision, IsWhatFclSaysOfTheBodyPairs)
             }
         }
     }
-    EXPECT_GT(touching, scaled(500));
-    EXPECT_GT(apart, scaled(500));
+    EXPECT_GT(touching, scaled(1000));
+    EXPECT_GT(apart, scaled(1000));
 }
 
 TEST_P(SelfCollision, StopsMotionsWhereOmplsOwnValidatorDoes)
@@ -145,8 +145,8 @@ TEST_P(SelfCollision, StopsMotionsWhereOmplsOwnValidatorDoes)
                 from = to;
         }
     }
-    EXPECT_GT(free, scaled(50));
-    EXPECT_GT(blocked, scaled(50));
+    EXPECT_GT(free, scaled(100));
+    EXPECT_GT(blocked, scaled(100));
 }
 
 TEST_P(SelfCollision, IsExcludedForAsLongAsAValidIntervalSays)
