@@ -31,6 +31,9 @@ namespace ompl_certificates
         constexpr std::uint64_t PATIENCE = 2;
         constexpr double TRIES_APART = 32.0;
 
+        /** Where certificates lose by the first estimate, the standard check goes on up to so many samples. */
+        constexpr std::uint64_t FIRST_STANDARD = 2048;
+
         double requiredFactor(double samples)
         {
             if (samples < FIRST_JUDGED)
@@ -70,6 +73,17 @@ namespace ompl_certificates
             beginTurns();
         else
             judge(checksInUse, samplesInUse);
+    }
+
+    void CertificatePolicy::noteEstimate(std::chrono::nanoseconds certified, double standard)
+    {
+        estimated_ += (standard - estimated_) / ESTIMATE_MEMORY;
+        measured_ += (static_cast<double>(certified.count()) - measured_) / ESTIMATE_MEMORY;
+        if (standard_.count() == 0 && samples_ < FIRST_STANDARD && estimated_ < measured_)
+        {
+            usesCertificates_ = false;
+            nextUse_ = FIRST_STANDARD;
+        }
     }
 
     void CertificatePolicy::judge(double checksInUse, double samplesInUse)

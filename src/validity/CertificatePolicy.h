@@ -71,13 +71,10 @@ namespace ompl_certificates
         }
 
         /** \brief Notes how long a check with certificates took that is no trial, and how long it would have taken
-            without, in nanoseconds. Such an estimate is rough and decides nothing. But where certificates clearly pay
-            by it, the first trial waits: in a short plan, a few trials would cost more than all other checks. */
-        void noteEstimate(std::chrono::nanoseconds certified, double standard)
-        {
-            estimated_ += (standard - estimated_) / ESTIMATE_MEMORY;
-            measured_ += (static_cast<double>(certified.count()) - measured_) / ESTIMATE_MEMORY;
-        }
+            without, in nanoseconds. Such an estimate is rough, so it decides only about the beginning: in a short plan,
+            a few trials cost more than all other checks. Where certificates clearly pay by it, the first trial waits.
+            Where they lose, the standard check goes on for a while without one. */
+        void noteEstimate(std::chrono::nanoseconds certified, double standard);
 
         /** \brief Whether it has counted no check yet */
         bool isNew() const

@@ -158,6 +158,38 @@ TEST(CertificatePolicy, WaitsWithTrialsWhereCertificatesClearlyPay)
     EXPECT_EQ(firstTrial(2000.0), 32U);
 }
 
+TEST(CertificatePolicy, StepsAsideForAWhileWhereTheFirstEstimateIsALoss)
+{
+    const auto firstTrial = [](double exact)
+    {
+        CertificatePolicy policy;
+        policy.setFirstUse(0);
+        for (unsigned int checks = 0;; ++checks)
+        {
+            if (policy.isTrial())
+                return checks;
+            if (policy.usesCertificates())
+                policy.noteEstimate(nanoseconds(500), exact);
+            policy.count(SAMPLES);
+        }
+    };
+    EXPECT_EQ(firstTrial(510.0), 1U);
+    // From 2048 samples on, certificates get their trials whatever estimates say.
+    EXPECT_EQ(firstTrial(490.0), 2048U / SAMPLES + 1U);
+}
+
+TEST(CertificatePolicy, AfterATrialNoEstimateDecides)
+{
+    CertificatePolicy policy;
+    policy.setFirstUse(0);
+    policy.count(SAMPLES);
+    ASSERT_TRUE(policy.isTrial());
+    policy.note(SAMPLES, nanoseconds(500), nanoseconds(1000));
+    policy.count(SAMPLES);
+    policy.noteEstimate(nanoseconds(500), 1.0);
+    EXPECT_TRUE(policy.usesCertificates());
+}
+
 TEST(CertificatePolicy, JudgesLongMotionsThatTrialsDoNotMeet)
 {
     // One motion in 32 is long and takes most of the time, unless by certificates. Trials meet none but the first.
