@@ -47,8 +47,16 @@ namespace
         }
     };
 
-    class Curves : public ErrorsOnly<std::shared_ptr<ob::SE2StateSpace>>
+    class Curves : public ErrorsOnly<std::string>
     {
+    protected:
+        static std::shared_ptr<CurveRobot> robot()
+        {
+            if (GetParam() == "ReedsShepp")
+                return std::make_shared<CurveRobot>(std::make_shared<ob::ReedsSheppStateSpace>(RADIUS));
+            const bool symmetric = GetParam() == "SymmetricDubins";
+            return std::make_shared<CurveRobot>(std::make_shared<ob::DubinsStateSpace>(RADIUS, symmetric));
+        }
     };
 }
 
@@ -56,7 +64,7 @@ namespace
 TEST_P(Curves, MayBeSimplifiedWhereTheyLeaveTheBounds)
 {
     auto team = std::make_shared<TeamStateSpace>();
-    team->addRobot(std::make_shared<CurveRobot>(GetParam()));
+    team->addRobot(robot());
     const TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 2));
     const auto &si = setup.getSpaceInformation();
     si->setup();
@@ -82,9 +90,9 @@ TEST_P(Curves, MayBeSimplifiedWhereTheyLeaveTheBounds)
     driven. */
 TEST_P(Curves, AreProvedInTheDirectionInWhichTheyAreDriven)
 {
-    const auto robot = std::make_shared<CurveRobot>(GetParam());
+    const auto car = robot();
     auto team = std::make_shared<TeamStateSpace>();
-    team->addRobot(robot);
+    team->addRobot(car);
     Random random(1);
     ob::ScopedState<> from(team), to(team), middle(team);
     const auto choose = [&](ob::ScopedState<> &state)
@@ -99,7 +107,7 @@ TEST_P(Curves, AreProvedInTheDirectionInWhichTheyAreDriven)
         choose(to);
         team->interpolate(from.get(), to.get(), 0.5, middle.get());
         Pose pose;
-        robot->computePoses(middle->as<ob::CompoundState>()->components[0], &pose);
+        car->computePoses(middle->as<ob::CompoundState>()->components[0], &pose);
         const auto there = std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::disc(0.2), pose}}, 2);
         const TeamSetup setup(team, there, Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
         setup.getSpaceInformation()->setup();
@@ -107,10 +115,7 @@ TEST_P(Curves, AreProvedInTheDirectionInWhichTheyAreDriven)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Curves,
-                         ::testing::Values(std::make_shared<ob::ReedsSheppStateSpace>(RADIUS),
-                                           std::make_shared<ob::DubinsStateSpace>(RADIUS, true),
-                                           std::make_shared<ob::DubinsStateSpace>(RADIUS)));
+INSTANTIATE_TEST_SUITE_P(Of, Curves, ::testing::Values("ReedsShepp", "SymmetricDubins", "Dubins"));
 
 TEST(CurvesOfAnotherRadius, AreSampled)
 {
