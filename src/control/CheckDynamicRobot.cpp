@@ -19,6 +19,21 @@ namespace ompl_certificates
         /** The rounding error of points, relative to their coordinates */
         constexpr double POINT_ROUNDING = 1e-13;
 
+        /** Whether all angles and quaternions of a state are as OMPL keeps them: it calls states with others invalid. */
+        bool hasTurnsWithinBounds(const ob::StateSpace &space, const ob::State *state)
+        {
+            if (space.isCompound())
+            {
+                const auto &parts = *space.as<ob::CompoundStateSpace>();
+                for (unsigned int i = 0; i < parts.getSubspaceCount(); ++i)
+                    if (!hasTurnsWithinBounds(*parts.getSubspace(i), state->as<ob::CompoundState>()->components[i]))
+                        return false;
+                return true;
+            }
+            const bool turns = space.getType() == ob::STATE_SPACE_SO2 || space.getType() == ob::STATE_SPACE_SO3;
+            return !turns || space.satisfiesBounds(state);
+        }
+
         class StepTrial
         {
         public:
@@ -79,6 +94,9 @@ namespace ompl_certificates
                 for (const double number : state.reals())
                     if (!std::isfinite(number))
                         fail("propagate() writes a number that is not finite: " + textOf(*space_, state.get()));
+                if (!hasTurnsWithinBounds(*space_, state.get()))
+                    fail("propagate() writes an angle beyond -pi to pi, or a quaternion that is not normalized: " +
+                         textOf(*space_, state.get()));
                 return state;
             }
 

@@ -48,9 +48,9 @@ namespace ompl_certificates
                                                 " dimensions, not " + std::to_string(bounds.low.size()));
             for (std::size_t i = 0; i < dimension; ++i)
                 if (!std::isfinite(bounds.low[i]) || !std::isfinite(bounds.high[i]) || bounds.low[i] >= bounds.high[i])
-                    throw ompl::Exception(name, "the bounds of its " + what + " must be finite and not empty, not " +
-                                                    std::to_string(bounds.low[i]) + " to " +
-                                                    std::to_string(bounds.high[i]));
+                    throw ompl::Exception(
+                        name, "the bounds of its " + what + " must be finite, each low below its high, not " +
+                                  std::to_string(bounds.low[i]) + " to " + std::to_string(bounds.high[i]));
         }
     }
 

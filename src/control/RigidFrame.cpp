@@ -30,6 +30,22 @@ namespace ompl_certificates
             return std::fmod(number * steps[axis], 1.0);
         }
 
+        const ob::RealVectorBounds &positionBounds(const ob::StateSpace &space)
+        {
+            if (space.getType() == ob::STATE_SPACE_SE2)
+                return space.as<ob::SE2StateSpace>()->getBounds();
+            return space.as<ob::RealVectorStateSpace>()->getBounds();
+        }
+
+        void requireFinite(const std::string &name, const ob::RealVectorBounds &bounds)
+        {
+            for (std::size_t i = 0; i < bounds.low.size(); ++i)
+                if (!std::isfinite(bounds.low[i]) || !std::isfinite(bounds.high[i]))
+                    throw ompl::Exception(name, "the bounds of its position must be finite, not " +
+                                                    std::to_string(bounds.low[i]) + " to " +
+                                                    std::to_string(bounds.high[i]));
+        }
+
         /** Write a state, and return its frame. The first is the one within bounds that is nearest to the origin, where
             rounding hides least. The others are ever farther from it, at last anywhere. */
         Pose placeFrame(const ob::StateSpace &space, int number, ob::State *state)
@@ -41,9 +57,9 @@ namespace ompl_certificates
                              nearest = std::max(low, std::min(0.0, high));
                 return (1.0 - part) * nearest + part * ((1.0 - share) * low + share * high);
             };
+            const ob::RealVectorBounds &bounds = positionBounds(space);
             if (space.getType() == ob::STATE_SPACE_SE2)
             {
-                const ob::RealVectorBounds &bounds = space.as<ob::SE2StateSpace>()->getBounds();
                 const Planar planar{within(bounds, 0), within(bounds, 1), 3.0 * (2.0 * spread(number, 2) - 1.0)};
                 planar.writeTo(state);
                 return planarPose(planar.x, planar.y, planar.yaw);
@@ -51,7 +67,7 @@ namespace ompl_certificates
             Eigen::Vector3d position = Eigen::Vector3d::Zero();
             for (unsigned int axis = 0; axis < space.getDimension(); ++axis)
             {
-                position[axis] = within(space.as<ob::RealVectorStateSpace>()->getBounds(), axis);
+                position[axis] = within(bounds, axis);
                 state->as<ob::RealVectorStateSpace::StateType>()->values[axis] = position[axis];
             }
             return poseAt(position);
@@ -60,6 +76,7 @@ namespace ompl_certificates
 
     std::vector<double> distancesFromFrame(const Robot &robot)
     {
+        requireFinite(robot.getName(), positionBounds(*robot.getStateSpace()));
         ob::ScopedState<> state(robot.getStateSpace());
         std::vector<Pose> poses(robot.getBodies().size()), fixed;
         std::vector<double> distances;

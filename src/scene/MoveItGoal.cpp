@@ -38,18 +38,49 @@ namespace ompl_certificates
             return angle < M_PI ? angle : -M_PI;
         }
 
-        std::map<std::string, double> readJoints(const YamlNode &goal, const std::vector<std::string> &group)
+        /** Up to how far a joint that follows another one may be from where that puts it */
+        constexpr double MOST_OF_A_FOLLOWER = 1e-3;
+
+        /** Complain if a constraint on a joint that follows one of the group is not where that puts it. MoveIt writes
+            one for each joint. */
+        void checkFollower(const YamlNode &item, const KinematicTree::Mimic &mimic,
+                           const std::map<std::string, double> &values)
+        {
+            const auto followed = values.find(mimic.joint);
+            if (followed == values.end())
+                item.at("joint_name").fail("follows joint '" + mimic.joint + "', which has no constraint");
+            const double value = mimic.multiplier * followed->second + mimic.offset;
+            if (!(std::abs(item.at("position").number() - value) <= MOST_OF_A_FOLLOWER))
+                item.at("position")
+                    .fail("must be " + std::to_string(value) + ", where the joint follows joint '" + mimic.joint +
+                          "', not " + item.at("position").describe());
+        }
+
+        std::map<std::string, double> readJoints(const YamlNode &goal, const KinematicTree &tree,
+                                                 const std::vector<std::string> &group)
         {
             std::map<std::string, double> values;
+            std::vector<std::pair<YamlNode, KinematicTree::Mimic>> followers;
+            const auto isMoved = [&](const std::string &name)
+            { return std::find(group.begin(), group.end(), name) != group.end(); };
             for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_CONSTRAINTS))
             {
                 item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
                 const std::string name = item.at("joint_name").text();
-                if (std::find(group.begin(), group.end(), name) == group.end())
+                const auto &mimic = tree.hasJoint(name) ? tree.getLinks()[tree.getChildOf(name)].joint.mimic
+                                                        : std::optional<KinematicTree::Mimic>();
+                if (mimic && isMoved(mimic->joint))
+                {
+                    followers.emplace_back(item, *mimic);
+                    continue;
+                }
+                if (!isMoved(name))
                     item.at("joint_name").fail("'" + name + "' is not a joint of the group");
                 if (!values.emplace(name, item.at("position").number()).second)
                     item.at("joint_name").fail("'" + name + "' is given twice");
             }
+            for (const auto &[item, mimic] : followers)
+                checkFollower(item, mimic, values);
             return values;
         }
 
@@ -142,7 +173,7 @@ namespace ompl_certificates
         const auto position = onlyItem(goal, "position_constraints"), turn = onlyItem(goal, "orientation_constraints");
         if (!position && !turn)
         {
-            member.goal = moveItCoordinates(node, *arm, readJoints(goal, arm->getGroup()));
+            member.goal = moveItCoordinates(node, *arm, readJoints(goal, arm->getTree(), arm->getGroup()));
             return;
         }
         if (!moveItItems(goal, "joint_constraints").empty())

@@ -208,11 +208,12 @@ namespace ompl_certificates
             if (object.frame != attached.link)
                 node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
                                        object.frame + "', are not supported");
+            attached.name = object.name;
+            attached.pose = object.pose;
             std::vector<Body::Part> parts;
             for (const MoveItObject::Placed &placed : object.shapes)
                 for (const Body::Part &part : placed.shape.body.getParts())
-                    parts.push_back({part.shape, placed.shape.pose * part.pose});
-            attached.name = object.name;
+                    parts.push_back({part.shape, object.pose.inverse() * placed.shape.pose * part.pose});
             attached.body = Body(parts);
             for (const YamlNode &link : moveItItems(node, "touch_links"))
             {
@@ -330,9 +331,9 @@ namespace ompl_certificates
                     "plane_poses", "subframe_names", "subframe_poses", "operation"});
         if (node.has("operation") && !isAdd(node.at("operation")))
             node.at("operation").fail("must be add or 0, not " + node.at("operation").describe());
-        MoveItObject object{node.at("id").text(), moveItFrame(node), {}, {}};
         const Pose pose =
             node.has("pose") ? readPose(node.at("pose"), "position", "orientation") : Pose(Pose::Identity());
+        MoveItObject object{node.at("id").text(), moveItFrame(node), pose, {}, {}};
         addShapes(node, "primitives", "primitive_poses", pose,
                   [&](const YamlNode &item, const Pose &at) {
                       object.shapes.push_back({item, {readPrimitive(item), at}});
@@ -347,6 +348,8 @@ namespace ompl_certificates
                   });
         if (object.shapes.empty() && object.planes.empty())
             node.fail("object '" + object.name + "' has no shape");
+        if (object.shapes.size() == 1 && object.planes.empty() && pose.isApprox(Pose::Identity()))
+            object.pose = object.shapes.front().shape.pose;
         return object;
     }
 

@@ -28,7 +28,8 @@ namespace ompl_certificates
         bool isWhole{false};
     };
 
-    /** \brief An object of MoveIt: its shapes and planes, each at its pose in the object's header frame */
+    /** \brief An object of MoveIt: its frame, shapes and planes, each at its pose in the object's header frame. Where
+        there is one shape and the object has no pose, its frame is that of the shape, as in MoveIt. */
     struct MoveItObject
     {
         /** \brief The node of a shape, and where it is */
@@ -46,6 +47,7 @@ namespace ompl_certificates
         };
 
         std::string name, frame;
+        Pose pose;
         std::vector<Placed> shapes;
         std::vector<Plane> planes;
     };

@@ -195,6 +195,11 @@ namespace
                 to->as<ob::SE2StateSpace::StateType>()->setX(from->as<ob::SE2StateSpace::StateType>()->getX());
             if (fails)
                 to->as<ob::SE2StateSpace::StateType>()->setX(std::nan(""));
+            if (unwinds)
+            {
+                auto *end = to->as<ob::SE2StateSpace::StateType>();
+                end->setYaw(end->getYaw() + (end->getYaw() < 0.0 ? -2.0 : 2.0) * M_PI);
+            }
         }
 
         void computeStepBounds(const ob::State *from, const double *control, double duration,
@@ -209,7 +214,7 @@ namespace
         }
 
         double share{1.0};
-        bool writesMore{false}, fails{false}, forgets{false}, knowsNone{false};
+        bool writesMore{false}, fails{false}, forgets{false}, knowsNone{false}, unwinds{false};
 
     private:
         const std::shared_ptr<const DynamicRobot> robot_;
@@ -283,6 +288,8 @@ TEST(DynamicRobotTest, TrialFindsWrongSteps)
     EXPECT_NE(complaint([](Optimist &robot) { robot.fails = true; }).find("not finite"), std::string::npos);
     EXPECT_NE(complaint([](Optimist &robot) { robot.forgets = true; }).find("if both states are one"),
               std::string::npos);
+    EXPECT_NE(complaint([](Optimist &robot) { robot.unwinds = true; }).find("an angle beyond -pi to pi"),
+              std::string::npos);
     Optimist wide(allKinds()[2], 1e11);
     EXPECT_EQ(messageOf([&] { checkDynamicRobot(wide, 0.5); }), "");
     wide.share = 0.0;
@@ -303,7 +310,18 @@ TEST(DynamicRobotTest, RefusesBadParts)
                   [&] {
                       Unicycle::firstOrder(box, within({1.0, 0.0}));
                   }),
-              "box: the bounds of its controls must be finite and not empty, not -0.000000 to 0.000000");
+              "box: the bounds of its controls must be finite, each low below its high, not -0.000000 to 0.000000");
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(messageOf(
+                  [&] {
+                      Integrator::firstOrder(RigidRobot::disc("far", 0.1, within({infinite, 1.0})), space);
+                  }),
+              "far: the bounds of its position must be finite, not -inf to inf");
+    EXPECT_EQ(messageOf(
+                  [&] {
+                      Unicycle::firstOrder(RigidRobot::inSE2("far", Body::box(1, 1), within({1.0, infinite})), space);
+                  }),
+              "far: the bounds of its position must be finite, not -inf to inf");
     EXPECT_EQ(messageOf([&] { Car::alone(box, space, 0.0); }), "box: its wheelbase must be positive, not 0.000000");
     EXPECT_EQ(messageOf(
                   [&] {

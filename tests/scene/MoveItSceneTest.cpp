@@ -358,6 +358,56 @@ namespace ompl_certificates
             }
         }
 
+        TEST_F(MoveItScene, HeldObjectsHaveTheFrameOfTheirPose)
+        {
+            const auto frameOf = [&](const std::string &object, const Eigen::Vector3d &bodyAt)
+            {
+                const SceneFile file =
+                    read(BALL + "robot_state: {attached_collision_objects: [{link_name: tip, touch_links: [lower], " +
+                         "object: {id: bar, header: {frame_id: tip}, " + object + "}}]}\n");
+                const Arm &arm = armOf(file);
+                ompl::base::ScopedState<> state(arm.getStateSpace());
+                state = std::vector<double>{0.3, 0.4};
+                const Pose tip = arm.getLinkPose(state.get(), "tip");
+                std::vector<Pose> poses(arm.getBodies().size());
+                arm.computePoses(state.get(), poses.data());
+                const Body::Part &part = arm.getBodies().back().getParts().front();
+                EXPECT_TRUE((poses.back() * part.pose).translation().isApprox(tip * bodyAt)) << object;
+                return Pose(tip.inverse() * arm.getLinkPose(state.get(), "bar"));
+            };
+            const std::string box = "primitives: [{type: box, dimensions: [0.1, 0.02, 0.02]}], ";
+            const std::string turned = "orientation: [0, 0, 1, 0]";
+            EXPECT_TRUE(frameOf(box + "pose: {position: [0.2, 0, 0], " + turned + "}", {0.2, 0, 0})
+                            .isApprox(poseAt({0.2, 0, 0}) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ())));
+            EXPECT_TRUE(frameOf(box + "pose: {position: [0.2, 0, 0], " + turned +
+                                    "}, primitive_poses: [{position: [0.05, 0, 0]}]",
+                                {0.15, 0, 0})
+                            .isApprox(poseAt({0.2, 0, 0}) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ())));
+            // One shape of an object without a pose is its frame, as for MoveIt.
+            EXPECT_TRUE(
+                frameOf(box + "primitive_poses: [{position: [0.3, 0, 0]}]", {0.3, 0, 0}).isApprox(poseAt({0.3, 0, 0})));
+            const std::string two =
+                "primitives: [{type: sphere, dimensions: [0.02]}, {type: sphere, dimensions: "
+                "[0.03]}], primitive_poses: [{position: [0.3, 0, 0]}, {position: [0.4, 0, 0]}]";
+            EXPECT_TRUE(frameOf(two, {0.3, 0, 0}).isApprox(Pose::Identity()));
+        }
+
+        TEST_F(MoveItScene, GoalsMayTellOfJointsThatFollow)
+        {
+            std::string urdf = TWO_LINKS_URDF;
+            urdf.replace(urdf.find("<limit lower=\"0\""), 0,
+                         "<mimic joint=\"turn\" multiplier=\"0.02\" offset=\"0.1\"/>");
+            robot_ = std::make_unique<const ArmFile>(folder_.write("follows.urdf", urdf),
+                                                     folder_.write("arm.srdf", TWO_LINKS_SRDF));
+            const auto slideAt = [](const std::string &position)
+            { return REQUEST + "      - {joint_name: slide, position: " + position + "}\n"; };
+            EXPECT_EQ(read(BALL, slideAt("0.08")).scene.getMembers().front().goal,
+                      read(BALL).scene.getMembers().front().goal);
+            EXPECT_NE(messageOf(BALL, slideAt("0.1")).find("must be 0.080000, where the joint follows joint 'turn'"),
+                      std::string::npos)
+                << messageOf(BALL, slideAt("0.1"));
+        }
+
         TEST_F(MoveItScene, TheStartMayHoldObjectsAndNotesAreKept)
         {
             // The bar is in the lower link at all times.

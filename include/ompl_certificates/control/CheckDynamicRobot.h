@@ -12,7 +12,8 @@ namespace ompl_certificates
 {
     /** \brief Tries whether \e robot fulfils the contract of DynamicRobot, in random steps from states within bounds:
 
-        - propagate() writes numbers that are finite, the same whether both states are one or not;
+        - propagate() writes numbers that are finite, the same whether both states are one or not, angles from -pi to pi
+          and normalized quaternions;
         - computeStepBounds() writes one bound for each body, which is not negative;
         - in no interval of a step does a point within a body's bounding radius move farther than that allows. An
           infinite bound allows all.

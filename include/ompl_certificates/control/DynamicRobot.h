@@ -42,7 +42,8 @@ namespace ompl_certificates
         }
 
         /** \brief Write to \e to where \e control, held for \e duration seconds, brings the robot. Both states may be
-            one. Called from many threads at once. */
+            one. Angles must be from -pi to pi, and quaternions normalized (enforceBounds() of these parts); else the
+            state is invalid. Positions and velocities may leave their bounds. Called from many threads at once. */
         virtual void propagate(const ompl::base::State *from, const double *control, double duration,
                                ompl::base::State *to) const = 0;
 

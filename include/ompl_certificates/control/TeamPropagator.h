@@ -20,8 +20,9 @@ namespace ompl_certificates
         that are not numbers, which every TeamValidityChecker calls invalid; so no planner of OMPL goes on from there.
         The step's way is proved in pieces: each is free if at its middle there is more room than the bodies can move in
         half of its time, by clearances or a contact test. A piece that is not proved is halved, at most four times. So
-        a step is refused if a body passes an obstacle or another robot closer than the motion of 1/32 of the step, near
-        meshes and edges a few times that; the tolerance adds to it. Obstacles of your own without gap() and staysFree()
+        a step is refused if a body passes an obstacle closer than its motion of 1/32 of the step, or another robot
+        closer than the motions of both, whatever their directions; near meshes and edges closer than a few times that.
+        The tolerance adds to it. Obstacles of your own without gap() and staysFree()
         need room for the leaves of the sphere trees, too. The verdict depends only on the obstacles, the state and the
         control.
 
