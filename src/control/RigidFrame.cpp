@@ -30,7 +30,7 @@ namespace ompl_certificates
             return std::fmod(number * steps[axis], 1.0);
         }
 
-        const ob::RealVectorBounds &positionBounds(const ob::StateSpace &space)
+        const ob::RealVectorBounds &frameBounds(const ob::StateSpace &space)
         {
             if (space.getType() == ob::STATE_SPACE_SE2)
                 return space.as<ob::SE2StateSpace>()->getBounds();
@@ -57,7 +57,7 @@ namespace ompl_certificates
                              nearest = std::max(low, std::min(0.0, high));
                 return (1.0 - part) * nearest + part * ((1.0 - share) * low + share * high);
             };
-            const ob::RealVectorBounds &bounds = positionBounds(space);
+            const ob::RealVectorBounds &bounds = frameBounds(space);
             if (space.getType() == ob::STATE_SPACE_SE2)
             {
                 const Planar planar{within(bounds, 0), within(bounds, 1), 3.0 * (2.0 * spread(number, 2) - 1.0)};
@@ -76,7 +76,7 @@ namespace ompl_certificates
 
     std::vector<double> distancesFromFrame(const Robot &robot)
     {
-        requireFinite(robot.getName(), positionBounds(*robot.getStateSpace()));
+        requireFinite(robot.getName(), frameBounds(*robot.getStateSpace()));
         ob::ScopedState<> state(robot.getStateSpace());
         std::vector<Pose> poses(robot.getBodies().size()), fixed;
         std::vector<double> distances;

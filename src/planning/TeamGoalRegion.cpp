@@ -30,7 +30,7 @@ namespace ompl_certificates
     {
         const std::string owner = "TeamGoalRegion";
         if (!checker_)
-            throw ompl::Exception(owner, "needs a TeamValidityChecker");
+            throw ompl::Exception(owner, "needs a TeamValidityChecker, and is not for plans by controls");
         const auto *team = dynamic_cast<const TeamStateSpace *>(si->getStateSpace().get());
         if (!team)
             throw ompl::Exception(owner, "needs a TeamStateSpace");

@@ -21,7 +21,7 @@ namespace ompl_certificates
     {
     public:
         /** \brief The goal of the team of \e si
-            \param si has a TeamStateSpace and a TeamValidityChecker
+            \param si has a TeamStateSpace and a TeamValidityChecker, so it is not that of a TeamControlSetup
             \param state a state of the goal: the first one that is sampled, and where robots without a RobotGoal go
             \param goals of the robots, in the team's order; null for those that go to \e state
             \throws ompl::Exception if \e si has another space or checker, there are not as many goals as robots, or
