@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
+#include <cmath>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <set>
@@ -43,6 +44,27 @@ namespace ompl_certificates
             pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                                        [&](const LinkPair &pair) { return removed.count(pair) > 0; }),
                         pairs.end());
+        }
+
+        /** Tell of values that do not count, since their joints follow others that stand elsewhere. Messages of MoveIt
+            give those of all joints, also of followers. */
+        void noteFollowers(const KinematicTree &tree, const std::vector<std::string> &group,
+                           const std::map<std::string, double> &values, std::vector<std::string> &notes)
+        {
+            constexpr double most = 1e-3;
+            for (const auto &[name, value] : values)
+            {
+                if (!tree.hasJoint(name))
+                    continue;
+                const auto &mimic = tree.getLinks()[tree.getChildOf(name)].joint.mimic;
+                if (!mimic || std::find(group.begin(), group.end(), mimic->joint) != group.end())
+                    continue;
+                const auto followed = values.find(mimic->joint);
+                if (followed == values.end() ||
+                    std::abs(mimic->multiplier * followed->second + mimic->offset - value) > most)
+                    notes.push_back("joint '" + name + "' follows joint '" + mimic->joint +
+                                    "', whose value counts in place of " + std::to_string(value));
+            }
         }
 
         /** The pairs that \e attached must not be checked in. Bodies that one link carries may touch each other, as
@@ -234,6 +256,7 @@ namespace ompl_certificates
         try
         {
             const KinematicTree tree = treeFor(joints, settings.attached);
+            noteFollowers(tree, joints, settings.jointValues, told);
             const ArmOptions options =
                 optionsFor((names.size() > 1 ? "robots " : "robot ") + listOf(names), tree, joints, settings, told);
             if (parts.size() == 1)

@@ -87,6 +87,37 @@ namespace ompl_certificates
         EXPECT_TRUE(pose.linear().isApprox(turn, 1e-9)) << pose.linear();
     }
 
+    TEST(ArmFile, TellsOfValuesThatDoNotCount)
+    {
+        const test::Folder folder;
+        const ArmFile file(
+            folder.write("a.urdf", robot(link("base") + link("a") + link("b") + link("c") +
+                                         joint("arm", "revolute", "base", "a", LIMIT) +
+                                         joint("left", "revolute", "a", "b", LIMIT) +
+                                         joint("right", "revolute", "a", "c",
+                                               LIMIT + "<mimic joint='left' multiplier='2' offset='0.1'/>"))),
+            folder.write("a.srdf",
+                         "<robot name='r'><group name='arm'><joint name='arm'/></group><group name='both'>"
+                         "<joint name='arm'/><joint name='left'/></group></robot>"));
+        const auto notesOf = [&](const std::string &group, const std::map<std::string, double> &values)
+        {
+            ArmFile::ArmSettings settings;
+            settings.jointValues = values;
+            std::vector<std::string> notes;
+            file.makeArm("arm", group, settings, &notes);
+            // Others are of the file.
+            const auto isOther = [](const std::string &note) { return note.rfind("joint '", 0) != 0; };
+            notes.erase(std::remove_if(notes.begin(), notes.end(), isOther), notes.end());
+            return notes;
+        };
+        const std::vector<std::string> told{
+            "joint 'right' follows joint 'left', whose value counts in place of 0.600000"};
+        EXPECT_EQ(notesOf("arm", {{"right", 0.6}}), told);
+        EXPECT_EQ(notesOf("arm", {{"left", 0.2}, {"right", 0.6}}), told);
+        EXPECT_EQ(notesOf("arm", {{"left", 0.25}, {"right", 0.6}}), std::vector<std::string>());
+        EXPECT_EQ(notesOf("both", {{"right", 0.6}}), std::vector<std::string>());
+    }
+
     TEST(ArmFile, KeepsPairsThatSeldomStayApart)
     {
         const test::Folder folder;

@@ -72,7 +72,8 @@ namespace ompl_certificates
                 frame */
             Pose base{Pose::Identity()};
 
-            /** \brief The values of joints that the group does not move, by their names */
+            /** \brief The values of joints that the group does not move, by their names. Those of joints that follow
+                others do not count; a note tells of it if they are elsewhere. */
             std::map<std::string, double> jointValues{};
 
             /** \brief The bounds of the position of PLANAR and FLOATING joints in the group; see ArmOptions */
