@@ -48,6 +48,22 @@ namespace
     {
         return nanoseconds(2000);
     }
+
+    /** How many checks come before the first trial, where a check takes 500 ns with certificates, and by estimate
+        \e exact ns without */
+    unsigned int firstTrial(double exact)
+    {
+        CertificatePolicy policy;
+        policy.setFirstUse(0);
+        for (unsigned int checks = 0;; ++checks)
+        {
+            if (policy.isTrial())
+                return checks;
+            if (policy.usesCertificates())
+                policy.noteEstimate(nanoseconds(500), exact);
+            policy.count(SAMPLES);
+        }
+    }
 }
 
 TEST(CertificatePolicy, AsksForNoCertificatesBeforeTheirFirstUse)
@@ -142,37 +158,12 @@ TEST(CertificatePolicy, LeavesCertificatesThatPayNoLonger)
 
 TEST(CertificatePolicy, WaitsWithTrialsWhereCertificatesClearlyPay)
 {
-    const auto firstTrial = [](double exact)
-    {
-        CertificatePolicy policy;
-        policy.setFirstUse(0);
-        for (unsigned int checks = 0;; ++checks)
-        {
-            if (policy.isTrial())
-                return checks;
-            policy.noteEstimate(nanoseconds(500), exact);
-            policy.count(SAMPLES);
-        }
-    };
     EXPECT_EQ(firstTrial(600.0), 1U);
     EXPECT_EQ(firstTrial(2000.0), 32U);
 }
 
 TEST(CertificatePolicy, StepsAsideForAWhileWhereTheFirstEstimateIsALoss)
 {
-    const auto firstTrial = [](double exact)
-    {
-        CertificatePolicy policy;
-        policy.setFirstUse(0);
-        for (unsigned int checks = 0;; ++checks)
-        {
-            if (policy.isTrial())
-                return checks;
-            if (policy.usesCertificates())
-                policy.noteEstimate(nanoseconds(500), exact);
-            policy.count(SAMPLES);
-        }
-    };
     EXPECT_EQ(firstTrial(510.0), 1U);
     // From 2048 samples on, certificates get their trials whatever estimates say.
     EXPECT_EQ(firstTrial(490.0), 2048U / SAMPLES + 1U);
