@@ -1,6 +1,7 @@
 #include "RigidFrame.h"
 
 #include "Planar.h"
+#include "robots/SpaceBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +38,6 @@ namespace ompl_certificates
             return space.as<ob::RealVectorStateSpace>()->getBounds();
         }
 
-        void requireFinite(const std::string &name, const ob::RealVectorBounds &bounds)
-        {
-            for (std::size_t i = 0; i < bounds.low.size(); ++i)
-                if (!std::isfinite(bounds.low[i]) || !std::isfinite(bounds.high[i]))
-                    throw ompl::Exception(name, "the bounds of its position must be finite, not " +
-                                                    std::to_string(bounds.low[i]) + " to " +
-                                                    std::to_string(bounds.high[i]));
-        }
-
         /** Write a state, and return its frame. The first is the one within bounds that is nearest to the origin, where
             rounding hides least. The others are ever farther from it, at last anywhere. */
         Pose placeFrame(const ob::StateSpace &space, int number, ob::State *state)
@@ -76,7 +68,8 @@ namespace ompl_certificates
 
     std::vector<double> distancesFromFrame(const Robot &robot)
     {
-        requireFinite(robot.getName(), frameBounds(*robot.getStateSpace()));
+        const ob::RealVectorBounds &bounds = frameBounds(*robot.getStateSpace());
+        requirePositionBounds(robot.getName(), bounds, bounds.low.size());
         ob::ScopedState<> state(robot.getStateSpace());
         std::vector<Pose> poses(robot.getBodies().size()), fixed;
         std::vector<double> distances;

@@ -2,6 +2,7 @@
 
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 
+#include <cmath>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Exception.h>
 
@@ -38,6 +39,9 @@ namespace ompl_certificates
             throw ompl::Exception(
                 "Set a goal or a planner before setup(). To check states, getSpaceInformation()->setup() "
                 "is enough");
+        // OMPL lets it pass, and finds nothing.
+        if (const double step = getSpaceInformation()->getPropagationStepSize(); !std::isfinite(step))
+            throw ompl::Exception("The propagation step size must be finite, not " + std::to_string(step));
         if (!pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(
                 std::make_shared<ob::PathLengthOptimizationObjective>(getSpaceInformation()));

@@ -14,8 +14,7 @@ namespace ompl_certificates
     {
         ob::StateSpacePtr makeSpace(const std::string &name, const ob::RealVectorBounds &bounds)
         {
-            if (bounds.low.size() != 2 || bounds.high.size() != 2)
-                throw ompl::Exception(name, "the bounds must have 2 dimensions");
+            requirePositionBounds(name, bounds, 2);
             auto car = std::make_shared<ob::SE2StateSpace>();
             car->setName(name + ".car");
             car->setBounds(bounds);

@@ -53,9 +53,7 @@ namespace ompl_certificates
     ob::StateSpacePtr RigidRobot::makeSpace(const std::string &name, Space kind, const ob::RealVectorBounds &bounds)
     {
         const std::size_t dimension = kind == Space::R2 || kind == Space::SE2 ? 2 : 3;
-        if (bounds.low.size() != dimension || bounds.high.size() != dimension)
-            throw ompl::Exception(name, "the bounds must have " + std::to_string(dimension) + " dimensions, not " +
-                                            std::to_string(bounds.low.size()));
+        requirePositionBounds(name, bounds, dimension);
         if (kind == Space::SE2)
         {
             auto space = std::make_shared<ob::SE2StateSpace>();

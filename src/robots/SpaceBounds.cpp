@@ -1,6 +1,8 @@
 #include "SpaceBounds.h"
 
+#include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -22,5 +24,21 @@ namespace ompl_certificates
                 !haveEqualBounds(*first->getSubspace(i), *second->getSubspace(i)))
                 return false;
         return true;
+    }
+
+    void requirePositionBounds(const std::string &robot, const ob::RealVectorBounds &bounds, std::size_t dimension)
+    {
+        if (bounds.low.size() != dimension || bounds.high.size() != dimension)
+            throw ompl::Exception(robot, "the bounds must have " + std::to_string(dimension) + " dimensions, not " +
+                                             std::to_string(bounds.low.size()));
+        for (std::size_t i = 0; i < dimension; ++i)
+        {
+            const double low = bounds.low[i], high = bounds.high[i];
+            if (!std::isfinite(low) || !std::isfinite(high) || low > high)
+                throw ompl::Exception(robot,
+                                      "the bounds of its position must be finite, and none above its upper one, "
+                                      "not " +
+                                          std::to_string(low) + " to " + std::to_string(high));
+        }
     }
 }

@@ -2,11 +2,19 @@
 #define OMPL_CERTIFICATES_ROBOTS_SPACE_BOUNDS_
 
 #include <ompl/base/StateSpace.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
+#include <string>
 
 namespace ompl_certificates
 {
     /** \brief Whether two spaces made of the same kinds of spaces have equal bounds and weights */
     bool haveEqualBounds(const ompl::base::StateSpace &a, const ompl::base::StateSpace &b);
+
+    /** \brief Complain about bounds of a robot's position that a planner cannot sample.
+        \throws ompl::Exception that names the robot if they have not \e dimension dimensions, are not finite, or one
+        is above its upper bound */
+    void requirePositionBounds(const std::string &robot, const ompl::base::RealVectorBounds &bounds,
+                               std::size_t dimension);
 }
 
 #endif

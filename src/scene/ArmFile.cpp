@@ -217,9 +217,9 @@ namespace ompl_certificates
         return options;
     }
 
-    std::string ArmFile::getParentFrame() const
+    std::optional<VirtualJoint> ArmFile::getVirtualJoint() const
     {
-        return semantics_->virtualJoint ? semantics_->virtualJoint->parentFrame : "";
+        return semantics_->virtualJoint;
     }
 
     std::shared_ptr<const Arm> ArmFile::makeArm(const std::string &name, const std::string &group,

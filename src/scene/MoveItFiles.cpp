@@ -31,8 +31,9 @@ namespace ompl_certificates
         {
             const KinematicTree &tree = robot.getTree();
             MoveItFrames frames{{"", Pose::Identity()},
-                                {tree.getLinks().front().name, state.base.value_or(Pose::Identity())},
-                                {robot.getParentFrame(), Pose::Identity()}};
+                                {tree.getLinks().front().name, state.base.value_or(Pose::Identity())}};
+            if (const auto joint = robot.getVirtualJoint())
+                frames.emplace(joint->parentFrame, Pose::Identity());
             std::string planningFrame;
             for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
             {
@@ -232,6 +233,7 @@ namespace ompl_certificates
                 else
                     *same = body;
             }
+            state.notes.insert(state.notes.end(), start.notes.begin(), start.notes.end());
         }
 
         std::string folderOf(const std::string &file)
@@ -278,13 +280,13 @@ namespace ompl_certificates
         const std::string folder = folderOf(scene);
         MoveItRobotState state;
         if (root.has("robot_state"))
-            state = readMoveItRobotState(root.at("robot_state"), tree, folder);
+            state = readMoveItRobotState(root.at("robot_state"), robot, folder);
         const MoveItFrames frames = readFrames(root, robot, state);
         const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
         const World world = isEmpty ? World() : readWorld(root.at("world"), frames, folder);
 
         if (wish.has("start_state"))
-            merge(readMoveItRobotState(wish.at("start_state"), tree, folderOf(request)), state);
+            merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
         const YamlNode groupNode = wish.at("group_name");
         const std::string group = groupNode.text();
         ArmFile::ArmSettings settings;
@@ -300,7 +302,7 @@ namespace ompl_certificates
                 return allowed.count({first, second}) > 0;
             };
         }
-        std::vector<std::string> notes;
+        std::vector<std::string> notes = state.notes;
         Scene::Member member;
         try
         {

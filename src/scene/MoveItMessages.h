@@ -24,6 +24,9 @@ namespace ompl_certificates
         /** \brief The objects that it holds */
         std::vector<AttachedBody> attached;
 
+        /** \brief What a user should know, one line each */
+        std::vector<std::string> notes;
+
         /** \brief Whether it says that it is no difference to another state */
         bool isWhole{false};
     };
@@ -79,8 +82,8 @@ namespace ompl_certificates
     /** \brief A CollisionObject; meshes of files are looked for in \e folder */
     MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder);
 
-    /** \brief A RobotState of the robot with the links and joints of \e tree */
-    MoveItRobotState readMoveItRobotState(const YamlNode &node, const KinematicTree &tree, const std::string &folder);
+    /** \brief A RobotState of \e robot; meshes of files are looked for in \e folder */
+    MoveItRobotState readMoveItRobotState(const YamlNode &node, const ArmFile &robot, const std::string &folder);
 }
 
 #endif

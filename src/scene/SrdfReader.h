@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_SRDF_READER_
 #define OMPL_CERTIFICATES_SCENE_SRDF_READER_
 
-#include "ompl_certificates/robots/KinematicTree.h"
+#include "ompl_certificates/scene/ArmFile.h"
 
 #include <map>
 #include <optional>
@@ -19,13 +19,6 @@ namespace ompl_certificates
     /** \brief What an SRDF file says about the robot of a URDF file */
     struct SrdfModel
     {
-        /** \brief A joint between the root link and a frame outside of the robot */
-        struct VirtualJoint
-        {
-            std::string name, parentFrame;
-            KinematicTree::JointType type;
-        };
-
         /** \brief Read \e file about the links and joints of \e tree, the robot of that name. Names that the tree does not
             have are ignored and noted.
             \throws ompl::Exception see ArmFile */

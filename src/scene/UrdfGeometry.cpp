@@ -20,11 +20,17 @@ namespace ompl_certificates
             return text.str();
         }
 
-        void requireSize(const char *key, double value)
+        /** What a size of 0 counts as: some files have it for links that are only frames. */
+        constexpr double SIZE_OF_A_POINT = 1e-6;
+
+        double sizeOf(const char *key, double value)
         {
+            if (value == 0.0)
+                return SIZE_OF_A_POINT;
             if (!(value >= YamlNode::MIN_SIZE && value <= YamlNode::MAX_NUMBER))
-                throw ompl::Exception(std::string(key) + " must be from " + textOf(YamlNode::MIN_SIZE) + " to " +
+                throw ompl::Exception(std::string(key) + " must be 0, or from " + textOf(YamlNode::MIN_SIZE) + " to " +
                                       textOf(YamlNode::MAX_NUMBER) + ", not " + textOf(value));
+            return value;
         }
 
         /** What follows \e prefix in \e text, if it begins so */
@@ -103,23 +109,13 @@ namespace ompl_certificates
     Shape UrdfGeometry::shapeOf(const urdf::Geometry &geometry)
     {
         if (const auto *box = dynamic_cast<const urdf::Box *>(&geometry))
-        {
-            requireSize("box size x", box->dim.x);
-            requireSize("box size y", box->dim.y);
-            requireSize("box size z", box->dim.z);
-            return Shape::box(Eigen::Vector3d(box->dim.x, box->dim.y, box->dim.z));
-        }
+            return Shape::box(Eigen::Vector3d(sizeOf("box size x", box->dim.x), sizeOf("box size y", box->dim.y),
+                                              sizeOf("box size z", box->dim.z)));
         if (const auto *sphere = dynamic_cast<const urdf::Sphere *>(&geometry))
-        {
-            requireSize("sphere radius", sphere->radius);
-            return Shape::ball(3, sphere->radius);
-        }
+            return Shape::ball(3, sizeOf("sphere radius", sphere->radius));
         if (const auto *cylinder = dynamic_cast<const urdf::Cylinder *>(&geometry))
-        {
-            requireSize("cylinder radius", cylinder->radius);
-            requireSize("cylinder length", cylinder->length);
-            return Shape::cylinder(cylinder->radius, cylinder->length);
-        }
+            return Shape::cylinder(sizeOf("cylinder radius", cylinder->radius),
+                                   sizeOf("cylinder length", cylinder->length));
         if (const auto *mesh = dynamic_cast<const urdf::Mesh *>(&geometry))
             return meshOf(*mesh);
         throw ompl::Exception("its geometry is of a kind that is not known");

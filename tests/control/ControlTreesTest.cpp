@@ -438,3 +438,12 @@ TEST(TeamControlSetup, SaysThatItNeedsAGoalOrAPlanner)
     setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
     EXPECT_NO_THROW(setup.setup());
 }
+
+TEST(TeamControlSetup, RefusesAStepThatIsNoNumber)
+{
+    const TeamControlSetupPtr setup = makeSetup(Method::STANDARD);
+    setup->getSpaceInformation()->setPropagationStepSize(std::nan(""));
+    EXPECT_THROW(setup->setup(), ompl::Exception);
+    setup->getSpaceInformation()->setPropagationStepSize(0.1);
+    EXPECT_NO_THROW(setup->setup());
+}

@@ -4,6 +4,7 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -86,6 +87,22 @@ TEST(RigidRobot, RefusesBodiesAndBoundsOfAnotherDimension)
     EXPECT_THROW(RigidRobot::inSE3("a", Body::sphere(1.0), plane), ompl::Exception);
     EXPECT_THROW(RigidRobot::disc("", 1.0, plane), ompl::Exception);
     EXPECT_THROW(RigidRobot::disc("a", -1.0, plane), ompl::Exception);
+}
+
+TEST(RigidRobot, RefusesBoundsThatCannotBeSampled)
+{
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const auto &[low, high] :
+         {std::pair{2.0, 1.0}, {0.0, infinite}, {-infinite, 0.0}, {std::nan(""), 1.0}, {0.0, std::nan("")}})
+    {
+        ompl::base::RealVectorBounds bounds = cubeBounds(2, 3.0);
+        bounds.low[1] = low;
+        bounds.high[1] = high;
+        EXPECT_THROW(RigidRobot::inSE2("a", Body::box(1.0, 1.0), bounds), ompl::Exception) << low << " " << high;
+        EXPECT_THROW(CarWithTrailer("a", Body::box(1.0, 1.0), Body::box(1.0, 1.0), 2.0, bounds), ompl::Exception);
+        bounds.low[1] = bounds.high[1] = 1.0;
+        EXPECT_NO_THROW(RigidRobot::inSE2("a", Body::box(1.0, 1.0), bounds)) << "one line";
+    }
 }
 
 TEST(CarWithTrailer, PullsItsTrailerBehindTheHinge)

@@ -197,6 +197,21 @@ namespace ompl_certificates
         EXPECT_FALSE(shown.getTree().getLinks()[1].body);
     }
 
+    TEST(ArmFile, SizesMayBeZero)
+    {
+        const test::Folder folder;
+        const auto collision = [](const std::string &shape)
+        { return "<collision><geometry><" + shape + "/></geometry></collision>"; };
+        const ArmFile file(
+            folder.write("a.urdf", robot(link("a", collision("box size='0 2 0'") + collision("sphere radius='0'") +
+                                                       collision("cylinder radius='0.0' length='3'")))));
+        const auto &parts = file.getTree().getLinks()[0].body->getParts();
+        ASSERT_EQ(parts.size(), 3u);
+        EXPECT_EQ(parts[0].shape.getSize(), Eigen::Vector3d(1e-6, 2.0, 1e-6));
+        EXPECT_EQ(parts[1].shape.getRadius(), 1e-6);
+        EXPECT_EQ(parts[2].shape.getRadius(), 1e-6);
+    }
+
     TEST(ArmFile, MeshesKeepTheirAxes)
     {
         const test::Folder folder;
@@ -277,7 +292,7 @@ namespace ompl_certificates
             {one("continuous", "<mimic joint='j'/>"), {"'j'"}},
             {shape("<sphere radius='-1'/>"), {"'a'", "collision 1", "radius", "-1"}},
             {shape("<sphere radius='x'/>"), {"x"}},
-            {shape("<box size='1 0 1'/>"), {"'a'", "box size y", "0"}},
+            {shape("<box size='1 -1 1'/>"), {"'a'", "box size y", "-1"}},
             {shape("<cylinder radius='1' length='-2'/>"), {"'a'", "cylinder length", "-2"}},
             {shape("<capsule radius='1' length='2'/>"), {"[a]", "capsule"}},
             {shape("<mesh filename='none.stl'/>"), {"'a'", "'none.stl'"}},

@@ -127,16 +127,17 @@ namespace ompl_certificates
         TEST_F(MoveItScene, TheStartMayHoldObjectsAndNotesAreKept)
         {
             // The bar is in the lower link at all times.
-            const SceneFile file =
-                read(BALL,
-                     "group_name: arm\nstart_state:\n  joint_state: {name: [turn, bend], position: [0, 0]}\n"
-                     "  attached_collision_objects:\n    - {link_name: tip, object: {id: bar, header: {frame_id: "
-                     "tip}, primitives: [{type: box, dimensions: [0.4, 0.02, 0.02]}]}}\n" +
-                         GOAL);
+            const SceneFile file = read(
+                BALL,
+                "group_name: arm\nstart_state:\n  joint_state: {name: [turn, bend], position: [0, 0]}\n"
+                "  attached_collision_objects:\n    - {link_name: tip, touch_links: [finger], object: {id: bar, header: "
+                "{frame_id: tip}, primitives: [{type: box, dimensions: [0.4, 0.02, 0.02]}]}}\n" +
+                    GOAL);
             EXPECT_TRUE(armOf(file).getTree().hasLink("bar"));
-            ASSERT_EQ(file.scene.getNotes().size(), 1u);
-            EXPECT_NE(file.scene.getNotes().front().find("allow it: lower and bar"), std::string::npos)
-                << file.scene.getNotes().front();
+            ASSERT_EQ(file.scene.getNotes().size(), 2u);
+            EXPECT_EQ(file.scene.getNotes().front(), "attached object 'bar': touch_links: there is no link 'finger'");
+            EXPECT_NE(file.scene.getNotes().back().find("allow it: lower and bar"), std::string::npos)
+                << file.scene.getNotes().back();
         }
     }
 }

@@ -136,6 +136,49 @@ namespace ompl_certificates
             EXPECT_EQ(armOf(moved).getLinkPose(state.get(), "base").translation(), Eigen::Vector3d(0, 0, 5));
         }
 
+        TEST_F(MoveItScene, TheVirtualJointSaysWhereTheRootCanBe)
+        {
+            const auto at = [](const std::string &joint, const std::string &position, const std::string &rotation)
+            {
+                return BALL + "robot_state: {multi_dof_joint_state: {joint_names: [" + joint +
+                       "], transforms: [{translation: " + position + ", rotation: " + rotation + "}]}}\n";
+            };
+            const auto setJoint = [&](const std::string &type)
+            {
+                std::string srdf = TWO_LINKS_SRDF;
+                srdf.replace(srdf.find("floating"), 8, type);
+                robot_ = std::make_unique<const ArmFile>(folder_.path() + "/arm.urdf", folder_.write("arm.srdf", srdf));
+            };
+            const auto rootOf = [&](const std::string &scene)
+            {
+                const SceneFile file = read(scene);
+                ompl::base::ScopedState<> state(armOf(file).getStateSpace());
+                state = std::vector<double>{0.0, 0.0};
+                return armOf(file).getLinkPose(state.get(), "base");
+            };
+            const std::string none = "[0, 0, 0, 1]", name = "scene.yaml:4: robot_state.multi_dof_joint_state.";
+            EXPECT_EQ(
+                messageOf(at("odometry", "[1, 0, 0]", none)),
+                name + "joint_names[0]: there is no joint 'odometry'; the SRDF file's virtual joint is 'world_joint'");
+            EXPECT_EQ(messageOf(at("odometry", "[0, 0, 0]", none)), "") << "which changes nothing";
+
+            setJoint("fixed");
+            EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0]", none)), "");
+            EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0.01]", none)),
+                      name +
+                          "transforms[0]: must be no transform: the SRDF file's virtual joint 'world_joint' is fixed");
+
+            setJoint("planar");
+            const std::string complaint =
+                name +
+                "transforms[0]: must neither lift nor tilt the robot: the SRDF file's virtual joint "
+                "'world_joint' is planar";
+            EXPECT_EQ(messageOf(at("world_joint", "[1, 2, 0.01]", none)), complaint);
+            EXPECT_EQ(messageOf(at("world_joint", "[1, 2, 0]", "[0.1, 0, 0, 0.995]")), complaint);
+            const Pose rounded = rootOf(at("world_joint", "[1, 2, 1.0e-4]", "[0.0001, 0, 0.6, 0.8]"));
+            EXPECT_TRUE(rounded.isApprox(planarPose(1.0, 2.0, 2.0 * std::asin(0.6)), 1e-6)) << rounded.matrix();
+        }
+
         TEST_F(MoveItScene, StartAndGoalAreThoseOfTheRequest)
         {
             const SceneFile file = read(BALL + "robot_model_name: other\n", REQUEST + "allowed_planning_time: 7\n");

@@ -31,7 +31,7 @@ namespace ompl_certificates
 
         /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup. A problem
             without an objective gets OMPL's PathLengthOptimizationObjective, which SST would take with a warning.
-            \throws ompl::Exception if there is neither a goal nor a planner */
+            \throws ompl::Exception if there is neither a goal nor a planner, or the step of propagation is not finite */
         void setup() override;
 
         /** \brief Plan for at most \e time seconds; see SimpleSetup. Where only an approximate solution was found, it

@@ -11,7 +11,7 @@ namespace ompl_certificates
 
         A state gives the position of the origin of the body's frame and, in SE(2) and SE(3), its orientation. \e bounds
         limit that position, in the scene's length unit. The factories throw ompl::Exception if the dimension of the
-        body or of the bounds is not the one that the space needs. */
+        body or of the bounds is not the one that the space needs, or if the bounds are not finite or upside down. */
     class RigidRobot : public Robot
     {
     public:

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,24 @@ namespace ompl_certificates
         std::vector<std::string> touchLinks{};
     };
 
+    /** \brief The joint between a robot's root link and the world, as an SRDF file names it */
+    struct VirtualJoint
+    {
+        std::string name;
+
+        /** \brief What the root link is fixed to or moves in, such as world */
+        std::string parentFrame;
+
+        /** \brief FIXED, PLANAR or FLOATING */
+        KinematicTree::JointType type;
+    };
+
     /** \brief A robot's description: a URDF file, and an SRDF file that names groups of joints, their states, and pairs
         of links that need no check.
 
         Read from URDF: links with their collision geometry (boxes, cylinders, spheres and meshes with their scale), and
-        joints with origin, axis, limits and mimic. Inertias, materials, transmissions and the like are left out,
-        whatever they say. A mesh is looked for
+        joints with origin, axis, limits and mimic. A size of 0 counts as a thousandth of a millimeter. Inertias,
+        materials, transmissions and the like are left out, whatever they say. A mesh is looked for
         - package://name/path: in the folder of the package, if the options tell it. Else it is looked for as name/path
           in the folder of the URDF file and in each folder above it; then as path, but not in a folder whose
           package.xml has another name.
@@ -99,7 +112,7 @@ namespace ompl_certificates
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
             \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. It is
             thrown for a file or a mesh that cannot be read, for links and joints that make no tree or are more than
-            1000, and for a size that is not positive. It is also thrown for a joint that lacks what it needs, for
+            1000, and for a size below 0. It is also thrown for a joint that lacks what it needs, for
             limits, an axis or a mimic that make no sense. */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
 
@@ -120,8 +133,8 @@ namespace ompl_certificates
             return tree_;
         }
 
-        /** \brief The frame that the SRDF file fixes the root link to, such as world; empty if it names none */
-        std::string getParentFrame() const;
+        /** \brief The virtual joint of the root link, if the SRDF file has one */
+        std::optional<VirtualJoint> getVirtualJoint() const;
 
         /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can
             move. */
