@@ -69,7 +69,7 @@ int main()
     // The arm reaches around a post, while a disc passes beneath it.
     auto team = std::make_shared<TeamStateSpace>();
     const auto arm = std::make_shared<Arm>("arm", Eigen::Vector2d(0.0, 0.0), 1.2);
-    // Throws, and says where, if a link moves farther than its travel bound allows: certificates rely on it.
+    // Throws, and says where, if a link moves farther than its motion bound allows: certificates rely on it.
     checkRobot(*arm);
     team->addRobot(arm);
     team->addRobot(RigidRobot::disc("scout", 0.3, bounds));

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
     bounds.setHigh(0, 20.0);
     bounds.setHigh(1, 16.0);
 
-    // Both robots share the body, and with it its covering balls. Its origin is the mean of the mesh's vertices.
+    // Both robots share the body, and with it its sphere tree. Its origin is the mean of the mesh's vertices.
     const Body body = cart.makeRobot(2);
     auto team = std::make_shared<TeamStateSpace>();
     team->addRobot(RigidRobot::inSE2("first", body, bounds));

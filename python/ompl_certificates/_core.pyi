@@ -420,7 +420,7 @@ class Plan:
     def prove(self) -> Proof:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
-        looked at until one collides. Raises Error if there is no path, or for a method without certificates."""
+        looked at until one collides. Raises Error if there is no path."""
     def save(self, file: Path) -> None:
         """Write the path as a table of comma-separated values (docs/plan-team.md)."""
     def save_report(self, file: Path) -> None:

@@ -131,8 +131,7 @@ namespace ompl_certificates_python
             .def("prove", &prove,
                  "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
                  "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
-                 "times as dense are looked at until one collides. Raises Error if there is no path, or for a method "
-                 "without certificates.")
+                 "times as dense are looked at until one collides. Raises Error if there is no path.")
             .def("save", &savePath<Plan>, py::arg("file"),
                  "Write the path as a table of comma-separated values (docs/plan-team.md).")
             .def(

@@ -196,13 +196,19 @@ namespace ompl_certificates
 
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before)
     {
+        const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
         if (change.members.empty())
         {
+            // Its obstacles would be all that there are, and the other members lost.
+            if (mixed && change.before && !isSame(*change.before, *before) &&
+                !dynamic_cast<const MixedObstacles *>(change.after.get()))
+                throw ompl::Exception(
+                    "The obstacles are mixed ones, and this change does not start from all of them; "
+                    "give a mixedChange() of those of all members");
             const bool namesNothing = !change.added && !change.removed;
             const ObstaclesPtr &starting = namesNothing ? change.after : change.before;
             return !starting || isSame(*starting, *before) ? change : ObstacleChange::replacing(before, change.after);
         }
-        const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
         if (!mixed || mixed->getMembers().size() != change.members.size())
             return ObstacleChange::replacing(before, change.after);
         std::vector<ObstacleChange> members;

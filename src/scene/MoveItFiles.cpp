@@ -3,7 +3,7 @@
 #include "MoveItGoal.h"
 #include "MoveItMessages.h"
 #include "MoveItPlanes.h"
-#include "SrdfReader.h"
+#include "MoveItRobotState.h"
 #include "YamlText.h"
 #include "certificates/WholeFile.h"
 

@@ -15,6 +15,22 @@ namespace ompl_certificates
     namespace ob = ompl::base;
     namespace oc = ompl::control;
 
+    namespace
+    {
+        /** The mode in which motions of the checker's states are checked */
+        CertificateMotionValidator::Mode modeOf(const TeamValidityChecker &checker)
+        {
+            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(
+                checker.getSpaceInformation()->getMotionValidator().get());
+            return validator ? validator->getMode() : CertificateMotionValidator::DISCRETE;
+        }
+    }
+
+    Revalidation::Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change)
+      : Revalidation(checker, change, modeOf(checker))
+    {
+    }
+
     Revalidation::Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
                                CertificateMotionValidator::Mode mode, StepProof isStepFree)
       : isStepFree_(std::move(isStepFree))

@@ -147,6 +147,17 @@ namespace ompl_certificates
         return whole;
     }
 
+    void RobotPairs::placeSpheres(CheckContext &context)
+    {
+        std::size_t index = 0;
+        for (const RobotPtr &robot : context.team.getRobots())
+            for (const Body &body : robot->getBodies())
+            {
+                context.sphereCenters[index] = context.poses[index] * body.getSphereTree().getRoot().center;
+                ++index;
+            }
+    }
+
     void RobotPairs::placeSpheres(unsigned int pair, CheckContext &context) const
     {
         for (const unsigned int robot : {pairs_[pair].first, pairs_[pair].second})
@@ -158,13 +169,6 @@ namespace ompl_certificates
                 ++index;
             }
         }
-    }
-
-    bool RobotPairs::areSpheresApart(const TwoBodies &bodies, const CheckContext &context)
-    {
-        const Eigen::Vector3d &a = context.sphereCenters[bodies.firstIndex],
-                              &b = context.sphereCenters[bodies.secondIndex];
-        return (a - b).squaredNorm() > bodies.farthest * bodies.farthest;
     }
 
     SubjectVerdict RobotPairs::settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,

@@ -66,6 +66,21 @@ namespace ompl_certificates
             \throws ompl::Exception if both are the same robot, or there is no such robot */
         unsigned int find(unsigned int first, unsigned int second) const;
 
+        /** \brief Puts the centers of all bodies' bounding spheres into \e context, whose poses are those of one state:
+            where most robots are far apart, that settles their pairs soonest */
+        static void placeSpheres(CheckContext &context);
+
+        /** \brief Whether two robots of one body each are apart, or not both to be checked, by these spheres; counts
+            it if so. For others settle() looks at the spheres. */
+        bool areFarApart(unsigned int pair, CheckContext &context) const
+        {
+            const std::vector<TwoBodies> &all = pairs_[pair].bodies;
+            if (all.size() != 1 || !areSpheresApart(all.front(), context))
+                return false;
+            ++context.counts.pairPoses;
+            return true;
+        }
+
         /** \brief Settles whether the robots of a pair stay apart. Reads their poses from \e context and counts
             there. */
         SubjectVerdict settle(unsigned int pair, CheckContext &context, const MotionSample &sample) const;
@@ -116,7 +131,12 @@ namespace ompl_certificates
         void placeSpheres(unsigned int pair, CheckContext &context) const;
 
         /** \brief Whether these bounding spheres prove two bodies apart */
-        static bool areSpheresApart(const TwoBodies &bodies, const CheckContext &context);
+        static bool areSpheresApart(const TwoBodies &bodies, const CheckContext &context)
+        {
+            const Eigen::Vector3d &a = context.sphereCenters[bodies.firstIndex],
+                                  &b = context.sphereCenters[bodies.secondIndex];
+            return (a - b).squaredNorm() > bodies.farthest * bodies.farthest;
+        }
 
         /** \brief Settles two bodies; \e number is that of their pair in the whole team */
         SubjectVerdict settleTwo(const TwoBodies &bodies, std::size_t number, CheckContext &context,

@@ -234,11 +234,21 @@ namespace ompl_certificates
     template <typename IsFree>
     bool TeamCheck::areAllFree(const ob::State *state, CheckContext &context, const IsFree &isFree) const
     {
+        bool areSpheresPlaced = false;
         for (const Subject &subject : subjects_)
         {
             // Pairs come after all robots.
-            for (unsigned int robot = subject.first; subject.kind != Subject::PAIR && robot <= subject.last; ++robot)
-                place(robot, team_.getRobotState(state, robot), context);
+            if (subject.kind == Subject::PAIR)
+            {
+                if (!areSpheresPlaced)
+                    pairs_.placeSpheres(context);
+                areSpheresPlaced = true;
+                if (pairs_.areFarApart(subject.pair, context))
+                    continue;
+            }
+            else
+                for (unsigned int robot = subject.first; robot <= subject.last; ++robot)
+                    place(robot, team_.getRobotState(state, robot), context);
             if (!isFree(subject))
                 return false;
         }

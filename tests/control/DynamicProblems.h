@@ -62,6 +62,26 @@ namespace ompl_certificates
                 placed.push_back({Body::box(width, height), planarPose(x, y)});
             return std::make_shared<FclObstacles>(placed, 2);
         }
+
+        /** \brief Two second-order unicycles and a car with trailer that pass a wall with gaps */
+        inline TeamControlSetupPtr
+        makeSetup(Method method, CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE)
+        {
+            const auto robots = allKinds();
+            std::vector<std::array<double, 4>> list{{0.0, 1.6, 0.2, 2.0}, {0.0, -1.6, 0.2, 2.0}, {-1.5, 1.5, 0.4, 0.4}};
+            // So many that certificates are kept
+            for (int i = 0; i < 60; ++i)
+                list.push_back({-2.9 + 0.1 * i, 2.8, 0.05, 0.05});
+            const ObstaclesPtr obstacles = boxes(list);
+            auto setup =
+                std::make_shared<TeamControlSetup>(teamOf({robots[1], robots[3], robots[5]}), obstacles, method, mode);
+            setup->getTeamChecker()->setCertificatesAfter(0);
+            ompl::base::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+            start = std::vector<double>{-1.5, 0.0, 0.0, 0.0, -1.0, -2.0, 0.0, 0.0, 0.0, 1.5, 0.0, 3.0, 3.0};
+            goal = std::vector<double>{1.5, 1.0, 0.0, 0.0, -1.0, 0.7, 0.0, 0.0, 0.0, 1.5, -1.5, 3.0, 3.0};
+            setup->setStartAndGoalStates(start, goal, 0.5);
+            return setup;
+        }
     }
 }
 

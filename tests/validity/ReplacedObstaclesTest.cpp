@@ -125,6 +125,36 @@ TEST(ReplacedObstacles, AreFoundWhereAChangeWasMissed)
     }
 }
 
+TEST(ReplacedObstacles, AreNotOneMemberOfMixedOnes)
+{
+    const TeamStateSpacePtr team = teamOfDiscs();
+    ObstacleSet set(2), other(2);
+    for (const PlacedBody &body : worldOf(1))
+        set.add(body);
+    for (const PlacedBody &body : worldOf(2))
+        other.add(body);
+    const ObstacleChange all = mixedChange({set.takeChange(), other.takeChange()});
+    TeamSetup setup(team, all.after);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getTeamChecker();
+    std::vector<ob::ScopedState<>> states;
+    learn(*checker, states);
+    const std::size_t known = checker->getCertificateCount();
+    EXPECT_THROW(checker->changeObstacles(set.takeChange()), ompl::Exception) << "nothing has changed";
+    set.add({Body::box(0.4, 0.4), planarPose(0.0, 0.0)});
+    const ObstacleChange change = set.takeChange();
+    EXPECT_THROW(checker->changeObstacles(change), ompl::Exception);
+    EXPECT_EQ(checker->getCertificateCount(), known);
+    expectTruth(team, *checker, all.after, states);
+    // Others in place of all of them, and a change of all
+    checker->changeObstacles(ObstacleChange::replacing(all.after, change.after));
+    expectTruth(team, *checker, change.after, states);
+    checker->changeObstacles(ObstacleChange::replacing(change.after, all.after));
+    const ObstacleChange next = mixedChange({change, other.takeChange()});
+    checker->changeObstacles(next);
+    expectTruth(team, *checker, next.after, states);
+}
+
 TEST(ReplacedObstacles, AmongMixedOnesAreFoundByTheirFingerprints)
 {
     const TeamStateSpacePtr team = teamOfDiscs();

@@ -86,7 +86,9 @@ namespace ompl_certificates
         all of it counts as replaced.
 
         TeamValidityChecker::changeObstacles() does this. Cost: two fingerprints of those that are not the same
-        objects. */
+        objects.
+        \throws ompl::Exception if \e before are mixed obstacles, and the change starts from other ones and leads to
+        none that are mixed: it is one of a member alone, and the others would be lost */
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before);
 }
 

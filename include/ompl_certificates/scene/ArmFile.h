@@ -37,6 +37,7 @@ namespace ompl_certificates
     /** \brief The joint between a robot's root link and the world, as an SRDF file names it */
     struct VirtualJoint
     {
+        /** \brief What the file calls it */
         std::string name;
 
         /** \brief What the root link is fixed to or moves in, such as world */

@@ -46,13 +46,15 @@ namespace ompl_certificates
         using StepProof = std::function<bool(const TeamValidityChecker &, const ompl::base::State *,
                                              const ompl::control::Control *, double)>;
 
-        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker.
-            \param mode the mode of the motion validator
-            \param isStepFree for controls in continuous mode; in discrete mode the ends of steps are checked
+        /** \brief Among the obstacles that \e change adds, for the team of \e checker, in the mode of the
+            CertificateMotionValidator of its space information; discrete if it has another one. Cost: that of a checker.
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
+        Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
+
+        /** \brief The same in another mode
+            \param isStepFree for controls in continuous mode; in discrete mode the ends of steps are checked */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change,
-                     CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE,
-                     StepProof isStepFree = nullptr);
+                     CertificateMotionValidator::Mode mode, StepProof isStepFree = nullptr);
 
         /** \brief Whether a state is still valid that was valid before. Cost: mostly a search for a certificate for
             each body. */

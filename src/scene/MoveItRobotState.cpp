@@ -1,0 +1,128 @@
+#include "MoveItRobotState.h"
+
+#include "MoveItMessages.h"
+
+#include <cmath>
+#include <set>
+
+namespace ompl_certificates
+{
+    namespace
+    {
+        /** What files round numbers of transforms by, at most */
+        constexpr double ROUNDING = 1e-3;
+
+        AttachedBody readAttached(const YamlNode &node, const KinematicTree &tree, const std::string &folder,
+                                  std::vector<std::string> &notes)
+        {
+            node.allow({"link_name", "object", "touch_links", "detach_posture", "weight"});
+            AttachedBody attached{"", node.at("link_name").text(), Body::sphere(0.0)};
+            if (!tree.hasLink(attached.link))
+                node.at("link_name").fail("there is no link '" + attached.link + "'");
+            refuse(node.at("object"), {"planes", "plane_poses"});
+            const MoveItObject object = readMoveItObject(node.at("object"), folder);
+            if (object.frame != attached.link)
+                node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
+                                       object.frame + "', are not supported");
+            attached.name = object.name;
+            attached.pose = object.pose;
+            std::vector<Body::Part> parts;
+            for (const MoveItObject::Placed &placed : object.shapes)
+                for (const Body::Part &part : placed.shape.body.getParts())
+                    parts.push_back({part.shape, object.pose.inverse() * placed.shape.pose * part.pose});
+            attached.body = Body(parts);
+            for (const YamlNode &link : moveItItems(node, "touch_links"))
+            {
+                // MoveIt ignores others, too.
+                if (const std::string name = link.text(); tree.hasLink(name))
+                    attached.touchLinks.push_back(name);
+                else
+                    notes.push_back("attached object '" + attached.name + "': touch_links: there is no link '" + name +
+                                    "'");
+            }
+            return attached;
+        }
+
+        void readJointState(const YamlNode &node, const KinematicTree &tree, MoveItRobotState &state)
+        {
+            node.allow({"header", "name", "position", "velocity", "effort"});
+            const auto names = moveItItems(node, "name");
+            const auto positions =
+                node.has("position") ? node.at("position").numbers(names.size()) : std::vector<double>();
+            if (positions.size() != names.size())
+                node.at("position");
+            std::set<std::string> seen;
+            for (std::size_t i = 0; i < names.size(); ++i)
+            {
+                const std::string name = names[i].text();
+                if (!tree.hasJoint(name))
+                    names[i].fail("there is no joint '" + name + "'");
+                if (!seen.insert(name).second)
+                    names[i].fail("'" + name + "' is given twice");
+                // MoveIt's messages may list fixed joints, too.
+                const KinematicTree::JointType type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                if (type != KinematicTree::JointType::FIXED)
+                    state.joints[name] = positions[i];
+            }
+        }
+
+        /** Where \e joint brings the root, which is \e base but for what files round */
+        Pose reachedBy(const VirtualJoint &joint, const Pose &base, const YamlNode &node)
+        {
+            const std::string title = "the SRDF file's virtual joint '" + joint.name + "' is ";
+            if (joint.type == KinematicTree::JointType::FIXED)
+                node.fail("must be no transform: " + title + "fixed");
+            const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+            if (joint.type == KinematicTree::JointType::PLANAR &&
+                !(std::abs(base.translation().z()) <= ROUNDING && (base.linear() * up - up).norm() <= ROUNDING))
+                node.fail("must neither lift nor tilt the robot: " + title + "planar");
+            if (joint.type != KinematicTree::JointType::PLANAR)
+                return base;
+            return planarPose(base.translation().x(), base.translation().y(),
+                              std::atan2(base.linear()(1, 0), base.linear()(0, 0)));
+        }
+
+        /** Where the robot stands: the transform of the joint between its root and the world */
+        void readBase(const YamlNode &node, const ArmFile &robot, MoveItRobotState &state)
+        {
+            node.allow({"header", "joint_names", "transforms", "twist", "wrench"});
+            const auto names = moveItItems(node, "joint_names"), transforms = moveItItems(node, "transforms");
+            if (names.size() != transforms.size())
+                node.fail("must have as many transforms as joint_names, " + std::to_string(names.size()) + ", not " +
+                          std::to_string(transforms.size()));
+            if (names.size() > 1)
+                names[1].fail("more than one joint of several degrees of freedom is not supported");
+            if (names.empty())
+                return;
+            const std::string name = names.front().text();
+            if (robot.getTree().hasJoint(name))
+                names.front().fail("joints of several degrees of freedom are not supported but that of the root");
+            const Pose base = readMoveItTransform(transforms.front());
+            // Without a virtual joint, the file alone says how the root is joined to the world.
+            const auto joint = robot.getVirtualJoint();
+            state.base = base;
+            if (joint && !base.isApprox(Pose::Identity()))
+            {
+                if (name != joint->name)
+                    names.front().fail("there is no joint '" + name + "'; the SRDF file's virtual joint is '" +
+                                       joint->name + "'");
+                state.base = reachedBy(*joint, base, transforms.front());
+            }
+        }
+    }
+
+    MoveItRobotState readMoveItRobotState(const YamlNode &node, const ArmFile &robot, const std::string &folder)
+    {
+        const KinematicTree &tree = robot.getTree();
+        node.allow({"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
+        MoveItRobotState state;
+        state.isWhole = node.has("is_diff") && !node.at("is_diff").boolean();
+        if (node.has("joint_state"))
+            readJointState(node.at("joint_state"), tree, state);
+        if (node.has("multi_dof_joint_state"))
+            readBase(node.at("multi_dof_joint_state"), robot, state);
+        for (const YamlNode &item : moveItItems(node, "attached_collision_objects"))
+            state.attached.push_back(readAttached(item, tree, folder, state.notes));
+        return state;
+    }
+}

@@ -1,0 +1,37 @@
+#ifndef OMPL_CERTIFICATES_SCENE_MOVE_IT_ROBOT_STATE_
+#define OMPL_CERTIFICATES_SCENE_MOVE_IT_ROBOT_STATE_
+
+#include "YamlNode.h"
+#include "ompl_certificates/scene/ArmFile.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What a scene or a request of MoveIt says of its robot */
+    struct MoveItRobotState
+    {
+        /** \brief The values of joints, by their names */
+        std::map<std::string, double> joints;
+
+        /** \brief Where the robot stands, if the message says so */
+        std::optional<Pose> base;
+
+        /** \brief The objects that it holds */
+        std::vector<AttachedBody> attached;
+
+        /** \brief What a user should know, one line each */
+        std::vector<std::string> notes;
+
+        /** \brief Whether it says that it is no difference to another state */
+        bool isWhole{false};
+    };
+
+    /** \brief A RobotState of \e robot; meshes of files are looked for in \e folder */
+    MoveItRobotState readMoveItRobotState(const YamlNode &node, const ArmFile &robot, const std::string &folder);
+}
+
+#endif
