@@ -229,8 +229,8 @@ TEST_F(Revalidating, KeepsToTheContinuousMode)
     EXPECT_FALSE(continuous.staysValid(from.get(), to.get()));
     EXPECT_TRUE(continuous.staysValid(from.get()));
     // The mode of the setup, if none is given
-    setup.getSpaceInformation()->setMotionValidator(std::make_shared<CertificateMotionValidator>(
-        setup.getTeamChecker(), CertificateMotionValidator::CONTINUOUS));
+    setup.getSpaceInformation()->setMotionValidator(
+        std::make_shared<CertificateMotionValidator>(setup.getTeamChecker(), CertificateMotionValidator::CONTINUOUS));
     EXPECT_FALSE(Revalidation(*setup.getTeamChecker(), change).staysValid(from.get(), to.get()));
     to = std::vector<double>{-1.0, 1.0};
     EXPECT_TRUE(continuous.staysValid(from.get(), to.get()));
