@@ -7,6 +7,7 @@ import re
 import sys
 
 DEPTHS = [
+    ["files"],
     ["geometry"],
     ["neighbors", "robots", "obstacles"],
     ["certificates", "team"],

@@ -1,6 +1,6 @@
 #include "generators/SceneTexts.h"
 
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <Eigen/Core>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "CertificateFormat.h"
 
-#include "WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>

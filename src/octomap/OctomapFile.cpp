@@ -1,7 +1,7 @@
 #include "OctomapFile.h"
 
 #include "OctomapCells.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <limits>
 #include <locale>

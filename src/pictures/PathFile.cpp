@@ -1,6 +1,6 @@
 #include "ompl_certificates/pictures/PathFile.h"
 
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/team/PathTimes.h"

@@ -2,7 +2,7 @@
 
 #include "RobotMotion.h"
 #include "SceneDrawing.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <boost/math/constants/constants.hpp>

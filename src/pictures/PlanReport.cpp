@@ -1,6 +1,6 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "ompl_certificates/planning/DRRTstar.h"
 
 #include <algorithm>

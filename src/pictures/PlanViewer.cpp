@@ -5,7 +5,7 @@
 #include "SceneDrawing.h"
 #include "ViewerData.h"
 #include "ViewerPage.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "CertificateChoice.h"
 #include "SceneDrawing.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>

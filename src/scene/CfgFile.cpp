@@ -1,7 +1,7 @@
 #include "CfgFile.h"
 
 #include "LineReader.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>

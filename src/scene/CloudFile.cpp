@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/CloudFile.h"
 
 #include "CloudReaders.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>

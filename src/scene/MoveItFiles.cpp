@@ -5,7 +5,7 @@
 #include "MoveItPlanes.h"
 #include "MoveItRobotState.h"
 #include "YamlText.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <algorithm>
 #include <cmath>

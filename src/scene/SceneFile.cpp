@@ -1,7 +1,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include "OmplAppReader.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <filesystem>
 #include <ompl/util/Exception.h>

@@ -1,6 +1,6 @@
 #include "XmlFile.h"
 
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 
 #include <algorithm>
 #include <ompl/util/Exception.h>

@@ -1,4 +1,4 @@
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "generators/MeshScenes.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "support/Folder.h"

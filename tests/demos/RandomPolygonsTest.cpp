@@ -1,4 +1,4 @@
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "generators/RandomPolygons.h"
 
 #include <gtest/gtest.h>

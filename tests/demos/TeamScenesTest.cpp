@@ -1,4 +1,4 @@
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "generators/TeamPlaces.h"
 #include "generators/TeamScenes.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"

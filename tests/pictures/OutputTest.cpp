@@ -2,7 +2,7 @@
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "support/ArmTexts.h"
 #include "support/DecimalCommas.h"
 #include "support/Folder.h"

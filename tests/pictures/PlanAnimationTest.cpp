@@ -1,7 +1,7 @@
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/PathTimes.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "support/Folder.h"
 #include "support/Random.h"
 #include "support/Svg.h"

@@ -1,7 +1,7 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/ZoneGoal.h"
 #include "ompl_certificates/scene/SceneFile.h"
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "support/DecimalCommas.h"
 
 #include <algorithm>

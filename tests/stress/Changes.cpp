@@ -1,7 +1,7 @@
 #include "Changes.h"
 #include "Compare.h"
 
-#include "certificates/WholeFile.h"
+#include "files/WholeFile.h"
 #include "support/RandomStates.h"
 
 #include "ompl_certificates/validity/CertificateFile.h"
