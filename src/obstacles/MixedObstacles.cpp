@@ -199,12 +199,13 @@ namespace ompl_certificates
         const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
         if (change.members.empty())
         {
+            const auto areMixed = [](const ObstaclesPtr &obstacles)
+            { return dynamic_cast<const MixedObstacles *>(obstacles.get()) != nullptr; };
             // Its obstacles would be all that there are, and the other members lost.
-            if (mixed && change.before && !isSame(*change.before, *before) &&
-                !dynamic_cast<const MixedObstacles *>(change.after.get()))
+            if (mixed && change.before && !areMixed(change.before) && !areMixed(change.after))
                 throw ompl::Exception(
-                    "The obstacles are mixed ones, and this change does not start from all of them; "
-                    "give a mixedChange() of those of all members");
+                    "The obstacles are mixed ones, and this change starts from one member of them; "
+                    "give a mixedChange() of those of all members, or ObstacleChange::replacing() all");
             const bool namesNothing = !change.added && !change.removed;
             const ObstaclesPtr &starting = namesNothing ? change.after : change.before;
             return !starting || isSame(*starting, *before) ? change : ObstacleChange::replacing(before, change.after);

@@ -36,8 +36,7 @@ namespace ompl_certificates
             const double low = bounds.low[i], high = bounds.high[i];
             if (!std::isfinite(low) || !std::isfinite(high) || low > high)
                 throw ompl::Exception(robot,
-                                      "the bounds of its position must be finite, and none above its upper one, "
-                                      "not " +
+                                      "the bounds of its position must be finite, each low at most its high, not " +
                                           std::to_string(low) + " to " + std::to_string(high));
         }
     }

@@ -11,8 +11,8 @@ namespace ompl_certificates
     bool haveEqualBounds(const ompl::base::StateSpace &a, const ompl::base::StateSpace &b);
 
     /** \brief Complain about bounds of a robot's position that a planner cannot sample.
-        \throws ompl::Exception that names the robot if they have not \e dimension dimensions, are not finite, or one
-        is above its upper bound */
+        \throws ompl::Exception that names the robot if they have not \e dimension dimensions, are not finite, or a
+        low one is above its high one */
     void requirePositionBounds(const std::string &robot, const ompl::base::RealVectorBounds &bounds,
                                std::size_t dimension);
 }

@@ -219,13 +219,17 @@ namespace ompl_certificates
         void merge(const MoveItRobotState &start, MoveItRobotState &state)
         {
             if (start.isWhole)
+            {
                 state.attached.clear();
+                state.notes.clear();
+            }
             for (const auto &[joint, value] : start.joints)
                 state.joints[joint] = value;
             if (start.base)
                 state.base = start.base;
             for (const AttachedBody &body : start.attached)
             {
+                state.notes.erase(body.name);
                 const auto same = std::find_if(state.attached.begin(), state.attached.end(),
                                                [&](const AttachedBody &other) { return other.name == body.name; });
                 if (same == state.attached.end())
@@ -233,7 +237,7 @@ namespace ompl_certificates
                 else
                     *same = body;
             }
-            state.notes.insert(state.notes.end(), start.notes.begin(), start.notes.end());
+            state.notes.insert(start.notes.begin(), start.notes.end());
         }
 
         std::string folderOf(const std::string &file)
@@ -302,7 +306,9 @@ namespace ompl_certificates
                 return allowed.count({first, second}) > 0;
             };
         }
-        std::vector<std::string> notes = state.notes;
+        std::vector<std::string> notes;
+        for (const auto &[object, about] : state.notes)
+            notes.insert(notes.end(), about.begin(), about.end());
         Scene::Member member;
         try
         {

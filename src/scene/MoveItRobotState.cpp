@@ -13,7 +13,7 @@ namespace ompl_certificates
         constexpr double ROUNDING = 1e-3;
 
         AttachedBody readAttached(const YamlNode &node, const KinematicTree &tree, const std::string &folder,
-                                  std::vector<std::string> &notes)
+                                  std::map<std::string, std::vector<std::string>> &notes)
         {
             node.allow({"link_name", "object", "touch_links", "detach_posture", "weight"});
             AttachedBody attached{"", node.at("link_name").text(), Body::sphere(0.0)};
@@ -33,12 +33,12 @@ namespace ompl_certificates
             attached.body = Body(parts);
             for (const YamlNode &link : moveItItems(node, "touch_links"))
             {
-                // MoveIt ignores others, too.
+                // Others make no difference to MoveIt either.
                 if (const std::string name = link.text(); tree.hasLink(name))
                     attached.touchLinks.push_back(name);
                 else
-                    notes.push_back("attached object '" + attached.name + "': touch_links: there is no link '" + name +
-                                    "'");
+                    notes[attached.name].push_back("attached object '" + attached.name +
+                                                   "': touch_links: there is no link '" + name + "'");
             }
             return attached;
         }
@@ -66,18 +66,26 @@ namespace ompl_certificates
             }
         }
 
+        bool isNoTransform(const Pose &pose)
+        {
+            return (pose.matrix() - Pose::Identity().matrix()).cwiseAbs().maxCoeff() <= ROUNDING;
+        }
+
         /** Where \e joint brings the root, which is \e base but for what files round */
         Pose reachedBy(const VirtualJoint &joint, const Pose &base, const YamlNode &node)
         {
             const std::string title = "the SRDF file's virtual joint '" + joint.name + "' is ";
             if (joint.type == KinematicTree::JointType::FIXED)
-                node.fail("must be no transform: " + title + "fixed");
-            const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-            if (joint.type == KinematicTree::JointType::PLANAR &&
-                !(std::abs(base.translation().z()) <= ROUNDING && (base.linear() * up - up).norm() <= ROUNDING))
-                node.fail("must neither lift nor tilt the robot: " + title + "planar");
-            if (joint.type != KinematicTree::JointType::PLANAR)
+            {
+                if (!isNoTransform(base))
+                    node.fail("must be no transform: " + title + "fixed");
+                return Pose::Identity();
+            }
+            if (joint.type == KinematicTree::JointType::FLOATING)
                 return base;
+            const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+            if (!(std::abs(base.translation().z()) <= ROUNDING && (base.linear() * up - up).norm() <= ROUNDING))
+                node.fail("must neither lift nor tilt the robot: " + title + "planar");
             return planarPose(base.translation().x(), base.translation().y(),
                               std::atan2(base.linear()(1, 0), base.linear()(0, 0)));
         }
@@ -98,16 +106,15 @@ namespace ompl_certificates
             if (robot.getTree().hasJoint(name))
                 names.front().fail("joints of several degrees of freedom are not supported but that of the root");
             const Pose base = readMoveItTransform(transforms.front());
-            // Without a virtual joint, the file alone says how the root is joined to the world.
             const auto joint = robot.getVirtualJoint();
-            state.base = base;
-            if (joint && !base.isApprox(Pose::Identity()))
-            {
-                if (name != joint->name)
-                    names.front().fail("there is no joint '" + name + "'; the SRDF file's virtual joint is '" +
-                                       joint->name + "'");
+            if (joint && name == joint->name)
                 state.base = reachedBy(*joint, base, transforms.front());
-            }
+            else if (!joint)
+                // The file alone says how the root is joined to the world.
+                state.base = base;
+            else if (!isNoTransform(base))
+                names.front().fail("there is no joint '" + name + "'; the SRDF file's virtual joint is '" +
+                                   joint->name + "'");
         }
     }
 

@@ -23,8 +23,8 @@ namespace ompl_certificates
         /** \brief The objects that it holds */
         std::vector<AttachedBody> attached;
 
-        /** \brief What a user should know, one line each */
-        std::vector<std::string> notes;
+        /** \brief What a user should know of each of them, by their names */
+        std::map<std::string, std::vector<std::string>> notes;
 
         /** \brief Whether it says that it is no difference to another state */
         bool isWhole{false};

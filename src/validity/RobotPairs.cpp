@@ -69,7 +69,10 @@ namespace ompl_certificates
             }
         }
         for (const Pair &pair : pairs_)
+        {
             firstBodyPairs_.push_back(firstBodyPairs_.back() + pair.bodies.size());
+            hasSimplePairs_ = hasSimplePairs_ || pair.bodies.size() == 1;
+        }
     }
 
     RobotPairs::~RobotPairs() = default;
@@ -147,8 +150,10 @@ namespace ompl_certificates
         return whole;
     }
 
-    void RobotPairs::placeSpheres(CheckContext &context)
+    void RobotPairs::placeSpheres(CheckContext &context) const
     {
+        if (!hasSimplePairs_)
+            return;
         std::size_t index = 0;
         for (const RobotPtr &robot : context.team.getRobots())
             for (const Body &body : robot->getBodies())

@@ -66,12 +66,12 @@ namespace ompl_certificates
             \throws ompl::Exception if both are the same robot, or there is no such robot */
         unsigned int find(unsigned int first, unsigned int second) const;
 
-        /** \brief Puts the centers of all bodies' bounding spheres into \e context, whose poses are those of one state:
-            where most robots are far apart, that settles their pairs soonest */
-        static void placeSpheres(CheckContext &context);
+        /** \brief Puts the centers of all bodies' bounding spheres into \e context, whose poses are those of one state,
+            for areFarApart(): where most robots are far apart, that settles their pairs soonest */
+        void placeSpheres(CheckContext &context) const;
 
-        /** \brief Whether two robots of one body each are apart, or not both to be checked, by these spheres; counts
-            it if so. For others settle() looks at the spheres. */
+        /** \brief Whether a pair of robots that has one pair of bodies is apart by these spheres; counts it if so.
+            For other pairs settle() looks at the spheres. */
         bool areFarApart(unsigned int pair, CheckContext &context) const
         {
             const std::vector<TwoBodies> &all = pairs_[pair].bodies;
@@ -178,6 +178,8 @@ namespace ompl_certificates
         const unsigned int robotCount_;
         std::vector<Pair> pairs_;
         std::vector<std::size_t> firstBodyPairs_{0};
+        /** \brief Whether some pair of robots has one pair of bodies */
+        bool hasSimplePairs_{false};
         std::vector<std::unique_ptr<BodyFrame>> frames_;
     };
 }

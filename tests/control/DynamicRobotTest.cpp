@@ -316,12 +316,12 @@ TEST(DynamicRobotTest, RefusesBadParts)
                   [&] {
                       Integrator::firstOrder(RigidRobot::disc("far", 0.1, within({infinite, 1.0})), space);
                   }),
-              "far: the bounds of its position must be finite, and none above its upper one, not -inf to inf");
+              "far: the bounds of its position must be finite, each low at most its high, not -inf to inf");
     EXPECT_EQ(messageOf(
                   [&] {
                       Unicycle::firstOrder(RigidRobot::inSE2("far", Body::box(1, 1), within({1.0, infinite})), space);
                   }),
-              "far: the bounds of its position must be finite, and none above its upper one, not -inf to inf");
+              "far: the bounds of its position must be finite, each low at most its high, not -inf to inf");
     EXPECT_EQ(messageOf([&] { Car::alone(box, space, 0.0); }), "box: its wheelbase must be positive, not 0.000000");
     EXPECT_EQ(messageOf(
                   [&] {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/control/planners/rrt/RRT.h>
 #include <ompl/util/Exception.h>
@@ -220,11 +221,14 @@ TEST(TeamControlSetup, SaysThatItNeedsAGoalOrAPlanner)
     EXPECT_NO_THROW(setup.setup());
 }
 
-TEST(TeamControlSetup, RefusesAStepThatIsNoNumber)
+TEST(TeamControlSetup, RefusesAStepThatIsNotFinite)
 {
     const TeamControlSetupPtr setup = makeSetup(Method::STANDARD);
-    setup->getSpaceInformation()->setPropagationStepSize(std::nan(""));
-    EXPECT_THROW(setup->setup(), ompl::Exception);
+    for (const double step : {std::nan(""), std::numeric_limits<double>::infinity()})
+    {
+        setup->getSpaceInformation()->setPropagationStepSize(step);
+        EXPECT_THROW(setup->setup(), ompl::Exception);
+    }
     setup->getSpaceInformation()->setPropagationStepSize(0.1);
     EXPECT_NO_THROW(setup->setup());
 }

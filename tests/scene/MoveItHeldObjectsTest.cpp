@@ -127,17 +127,25 @@ namespace ompl_certificates
         TEST_F(MoveItScene, TheStartMayHoldObjectsAndNotesAreKept)
         {
             // The bar is in the lower link at all times.
-            const SceneFile file = read(
-                BALL,
-                "group_name: arm\nstart_state:\n  joint_state: {name: [turn, bend], position: [0, 0]}\n"
+            const std::string held =
                 "  attached_collision_objects:\n    - {link_name: tip, touch_links: [finger], object: {id: bar, header: "
-                "{frame_id: tip}, primitives: [{type: box, dimensions: [0.4, 0.02, 0.02]}]}}\n" +
-                    GOAL);
+                "{frame_id: tip}, primitives: [{type: box, dimensions: [0.4, 0.02, 0.02]}]}}\n";
+            const std::string request =
+                "group_name: arm\nstart_state:\n  joint_state: {name: [turn, bend], position: [0, 0]}\n" + held + GOAL;
+            const SceneFile file = read(BALL, request);
             EXPECT_TRUE(armOf(file).getTree().hasLink("bar"));
             ASSERT_EQ(file.scene.getNotes().size(), 2u);
             EXPECT_EQ(file.scene.getNotes().front(), "attached object 'bar': touch_links: there is no link 'finger'");
             EXPECT_NE(file.scene.getNotes().back().find("allow it: lower and bar"), std::string::npos)
                 << file.scene.getNotes().back();
+            EXPECT_EQ(read(BALL + "robot_state:\n" + held, request).scene.getNotes(), file.scene.getNotes()) << "once";
+            // What the start replaces is not told of.
+            std::string other = held;
+            other.replace(other.find("finger"), 6, "thumb");
+            EXPECT_EQ(read(BALL + "robot_state:\n" + other, request).scene.getNotes(), file.scene.getNotes());
+            const std::string nothing =
+                "group_name: arm\nstart_state: {joint_state: {name: [turn, bend], position: [0, 0]}, is_diff: false}\n";
+            EXPECT_TRUE(read(BALL + "robot_state:\n" + held, nothing + GOAL).scene.getNotes().empty());
         }
     }
 }

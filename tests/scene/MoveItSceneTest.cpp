@@ -149,21 +149,29 @@ namespace ompl_certificates
                 srdf.replace(srdf.find("floating"), 8, type);
                 robot_ = std::make_unique<const ArmFile>(folder_.path() + "/arm.urdf", folder_.write("arm.srdf", srdf));
             };
-            const auto rootOf = [&](const std::string &scene)
+            const auto rootIn = [&](const SceneFile &file)
             {
-                const SceneFile file = read(scene);
                 ompl::base::ScopedState<> state(armOf(file).getStateSpace());
                 state = std::vector<double>{0.0, 0.0};
                 return armOf(file).getLinkPose(state.get(), "base");
             };
+            const auto rootOf = [&](const std::string &scene) { return rootIn(read(scene)); };
             const std::string none = "[0, 0, 0, 1]", name = "scene.yaml:4: robot_state.multi_dof_joint_state.";
             EXPECT_EQ(
                 messageOf(at("odometry", "[1, 0, 0]", none)),
                 name + "joint_names[0]: there is no joint 'odometry'; the SRDF file's virtual joint is 'world_joint'");
             EXPECT_EQ(messageOf(at("odometry", "[0, 0, 0]", none)), "") << "which changes nothing";
 
+            const SceneFile kept =
+                read(at("world_joint", "[1, 0, 0]", none),
+                     "group_name: arm\nstart_state: {joint_state: {name: [turn, bend], position: "
+                     "[0, 0]}, multi_dof_joint_state: {joint_names: [odometry], transforms: [{}]}}\n" +
+                         GOAL);
+            EXPECT_EQ(rootIn(kept).translation().x(), 1.0) << "the start tells of another joint";
+
             setJoint("fixed");
             EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0]", none)), "");
+            EXPECT_TRUE(rootOf(at("world_joint", "[0, 0, 1.0e-7]", none)).isApprox(Pose::Identity(), 0.0));
             EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0.01]", none)),
                       name +
                           "transforms[0]: must be no transform: the SRDF file's virtual joint 'world_joint' is fixed");

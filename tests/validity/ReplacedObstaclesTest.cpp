@@ -146,7 +146,11 @@ TEST(ReplacedObstacles, AreNotOneMemberOfMixedOnes)
     EXPECT_THROW(checker->changeObstacles(change), ompl::Exception);
     EXPECT_EQ(checker->getCertificateCount(), known);
     expectTruth(team, *checker, all.after, states);
-    // Others in place of all of them, and a change of all
+    // Others in place of all of them, also if these are not what the checker has; and a change of all
+    const ObstaclesPtr missed = mixedChange({change, all.members[1]}).after;
+    checker->changeObstacles(ObstacleChange::replacing(missed, change.after));
+    expectTruth(team, *checker, change.after, states);
+    checker->changeObstacles(ObstacleChange::replacing(change.after, all.after));
     checker->changeObstacles(ObstacleChange::replacing(all.after, change.after));
     expectTruth(team, *checker, change.after, states);
     checker->changeObstacles(ObstacleChange::replacing(change.after, all.after));

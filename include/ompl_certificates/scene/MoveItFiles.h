@@ -19,9 +19,9 @@ namespace ompl_certificates
         Of the scene: the obstacles (boxes, cylinders, cones, spheres, meshes and planes), fixed frames, the robot's
         state, the objects that it holds, and the allowed collision matrix. A cone is the pyramid of 128 sides around
         it, a plane a square that reaches beyond the arm. The matrix replaces what the SRDF file says of pairs of links,
-        as in MoveIt. Of the request: the group, the start, and one goal: all joints of the group, or the pose of a link.
-        The start has the joints that it does not name as in the scene's state. Joints outside of the group keep their values of the
-        start. The request's time is SceneFile::timeLimit.
+        as in MoveIt. Of the request: the group, the start, and one goal: all joints of the group, or the pose of a
+        link. The start has the joints that it does not name as in the scene's state. Joints outside of the group keep
+        their values of the start. The request's time is SceneFile::timeLimit.
 
         Motions are checked as densely as MoveIt does by default: Scene::getResolution() is 0.005. The bounds of the
         scene are those of the request's workspace, enlarged to hold the obstacles and the arm's start and goal.

@@ -43,8 +43,8 @@ namespace ompl_certificates
     };
 
     /** \brief Read \e file: a .cfg file of OMPL.app if its name ends so, else YAML in the format of
-        docs/scene-format.md. Files of db-CBS and dynoplan are read as they are, if
-        their robots are of the types that are described there.
+        docs/scene-format.md. Files of db-CBS and dynoplan are read as they are, if their robots are of the types
+        that are described there.
 
         Reading is strict: a key that is not known, or a value that makes no sense, is an error. It is not checked
         whether the team can stand at its start and goal; see Scene::validate().

@@ -47,7 +47,8 @@ namespace ompl_certificates
                                              const ompl::control::Control *, double)>;
 
         /** \brief Among the obstacles that \e change adds, for the team of \e checker, in the mode of the
-            CertificateMotionValidator of its space information; discrete if it has another one. Cost: that of a checker.
+            CertificateMotionValidator of its space information; discrete if that has another one, as in a
+            TeamControlSetup: for steps that are proved, give mode and proof. Cost: that of a checker.
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
 

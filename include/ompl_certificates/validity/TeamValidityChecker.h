@@ -105,7 +105,7 @@ namespace ompl_certificates
             that starts from others, as this checker has missed a change, and a member's change within a mixedChange().
             Whether they are others, their fingerprints tell.
             \throws ompl::Exception if there are no obstacles, or if their workspace or z-interval does not fit. Also if
-            the obstacles are MixedObstacles and the change is one of a member alone, and if called within a check. */
+            the obstacles are MixedObstacles and the change is that of one member's set, and if called within a check. */
         void changeObstacles(const ObstacleChange &change);
 
         /** \brief Returns a lock that blocks changeObstacles(), so that several calls see the same obstacles, also a plan
