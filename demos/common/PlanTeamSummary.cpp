@@ -106,9 +106,14 @@ namespace demos
         for (const Scene::Member &member : scene.getMembers())
             std::printf("  robot         %s: dimensions %u, bodies %zu\n", member.robot->getName().c_str(),
                         member.robot->getStateSpace()->getDimension(), member.robot->getBodies().size());
-        std::printf("  resolution    %g of each robot's space, motions %s\n",
-                    planner.getSpaceInformation()->getStateSpace()->getLongestValidSegmentFraction(),
-                    options.motion.c_str());
+        // Controls are checked step by step.
+        if (options.dynamics)
+            std::printf("  steps         %s\n",
+                        options.motion == "continuous" ? "proved free" : "checked at their ends");
+        else
+            std::printf("  resolution    %g of each robot's space, motions %s\n",
+                        planner.getSpaceInformation()->getStateSpace()->getLongestValidSegmentFraction(),
+                        options.motion.c_str());
         std::printf("  planner       %s, method %s, objective %s, seed %u\n", planner.getName().c_str(),
                     options.method.c_str(), options.objective.c_str(), options.seed);
         for (const auto &[key, parameter] : planner.params().getParams())

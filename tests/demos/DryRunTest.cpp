@@ -22,10 +22,11 @@ TEST(DryRun, tellsOfControls)
                      "selection_radius=0.7", "--goal-tolerance", "3", "--path", folder / "path.csv"});
     EXPECT_EQ(program.wait(), 0) << program.errors();
     const std::string output = program.output();
-    for (const std::string part :
-         {"start and goal are free", "planner       SST", "objective duration", "selection_radius = 0.7", "10 s",
-          "robot         cart", "each for 1 to 10 steps of 0.1 s", "within 3", "path.csv"})
+    for (const std::string part : {"start and goal are free", "planner       SST", "objective duration",
+                                   "selection_radius = 0.7", "10 s", "steps         checked at their ends",
+                                   "robot         cart", "each for 1 to 10 steps of 0.1 s", "within 3", "path.csv"})
         EXPECT_NE(output.find(part), std::string::npos) << part << " in " << output;
+    EXPECT_EQ(output.find("resolution"), std::string::npos) << output;
     EXPECT_TRUE(folder.list().empty()) << "nothing is written";
 }
 
