@@ -31,13 +31,6 @@ namespace ompl_certificates
             return std::fmod(number * steps[axis], 1.0);
         }
 
-        const ob::RealVectorBounds &frameBounds(const ob::StateSpace &space)
-        {
-            if (space.getType() == ob::STATE_SPACE_SE2)
-                return space.as<ob::SE2StateSpace>()->getBounds();
-            return space.as<ob::RealVectorStateSpace>()->getBounds();
-        }
-
         /** Write a state, and return its frame. The first is the one within bounds that is nearest to the origin, where
             rounding hides least. The others are ever farther from it, at last anywhere. */
         Pose placeFrame(const ob::StateSpace &space, int number, ob::State *state)
@@ -49,7 +42,7 @@ namespace ompl_certificates
                              nearest = std::max(low, std::min(0.0, high));
                 return (1.0 - part) * nearest + part * ((1.0 - share) * low + share * high);
             };
-            const ob::RealVectorBounds &bounds = frameBounds(space);
+            const ob::RealVectorBounds &bounds = *findPositionBounds(space);
             if (space.getType() == ob::STATE_SPACE_SE2)
             {
                 const Planar planar{within(bounds, 0), within(bounds, 1), 3.0 * (2.0 * spread(number, 2) - 1.0)};
@@ -68,7 +61,7 @@ namespace ompl_certificates
 
     std::vector<double> distancesFromFrame(const Robot &robot)
     {
-        const ob::RealVectorBounds &bounds = frameBounds(*robot.getStateSpace());
+        const ob::RealVectorBounds &bounds = *findPositionBounds(*robot.getStateSpace());
         requirePositionBounds(robot.getName(), bounds, bounds.low.size());
         ob::ScopedState<> state(robot.getStateSpace());
         std::vector<Pose> poses(robot.getBodies().size()), fixed;

@@ -184,6 +184,12 @@ namespace ompl_certificates
 
     namespace
     {
+        /** Null if they are not mixed */
+        const MixedObstacles *asMixed(const ObstaclesPtr &obstacles)
+        {
+            return dynamic_cast<const MixedObstacles *>(obstacles.get());
+        }
+
         /** Whether these are the same obstacles, as objects or as their fingerprints tell */
         bool isSame(const Obstacles &first, const Obstacles &second)
         {
@@ -196,13 +202,11 @@ namespace ompl_certificates
 
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before)
     {
-        const auto *mixed = dynamic_cast<const MixedObstacles *>(before.get());
+        const MixedObstacles *const mixed = asMixed(before);
         if (change.members.empty())
         {
-            const auto areMixed = [](const ObstaclesPtr &obstacles)
-            { return dynamic_cast<const MixedObstacles *>(obstacles.get()) != nullptr; };
             // Its obstacles would be all that there are, and the other members lost.
-            if (mixed && change.before && !areMixed(change.before) && !areMixed(change.after))
+            if (mixed && change.before && !asMixed(change.before) && !asMixed(change.after))
                 throw ompl::Exception(
                     "The obstacles are mixed ones, and this change starts from one member of them; "
                     "give a mixedChange() of those of all members, or ObstacleChange::replacing() all");

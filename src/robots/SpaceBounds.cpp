@@ -26,6 +26,15 @@ namespace ompl_certificates
         return true;
     }
 
+    const ob::RealVectorBounds *findPositionBounds(const ob::StateSpace &space)
+    {
+        const ob::StateSpace *first = &space;
+        while (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(first))
+            first = compound->getSubspaceCount() == 0 ? nullptr : compound->getSubspace(0).get();
+        const auto *position = dynamic_cast<const ob::RealVectorStateSpace *>(first);
+        return position ? &position->getBounds() : nullptr;
+    }
+
     void requirePositionBounds(const std::string &robot, const ob::RealVectorBounds &bounds, std::size_t dimension)
     {
         if (bounds.low.size() != dimension || bounds.high.size() != dimension)

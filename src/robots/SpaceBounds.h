@@ -10,6 +10,9 @@ namespace ompl_certificates
     /** \brief Whether two spaces made of the same kinds of spaces have equal bounds and weights */
     bool haveEqualBounds(const ompl::base::StateSpace &a, const ompl::base::StateSpace &b);
 
+    /** \brief The bounds of the first coordinates, which are the position; null if they have none */
+    const ompl::base::RealVectorBounds *findPositionBounds(const ompl::base::StateSpace &space);
+
     /** \brief Complain about bounds of a robot's position that a planner cannot sample.
         \throws ompl::Exception that names the robot if they have not \e dimension dimensions, are not finite, or a
         low one is above its high one */

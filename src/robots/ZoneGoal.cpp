@@ -1,5 +1,6 @@
 #include "ompl_certificates/robots/ZoneGoal.h"
 
+#include "SpaceBounds.h"
 #include "UniformState.h"
 #include "ompl_certificates/robots/Arm.h"
 
@@ -15,15 +16,6 @@ namespace ompl_certificates
 
     namespace
     {
-        /** The bounds of the first coordinates, which are the position; null if they have none */
-        const ob::RealVectorBounds *positionBounds(const ob::StateSpace *space)
-        {
-            while (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(space))
-                space = compound->getSubspaceCount() == 0 ? nullptr : compound->getSubspace(0).get();
-            const auto *position = dynamic_cast<const ob::RealVectorStateSpace *>(space);
-            return position ? &position->getBounds() : nullptr;
-        }
-
         std::string cornerText(const std::vector<double> &corner)
         {
             std::ostringstream text;
@@ -41,7 +33,7 @@ namespace ompl_certificates
         if (dynamic_cast<const Arm *>(robot_.get()))
             throw ompl::Exception(owner, "the state of an arm is no position; see LinkPoseGoal");
         const std::size_t dimension = robot_->getWorkspaceDimension();
-        const ob::RealVectorBounds *bounds = positionBounds(robot_->getStateSpace().get());
+        const ob::RealVectorBounds *bounds = findPositionBounds(*robot_->getStateSpace());
         if (!bounds || bounds->low.size() < dimension)
             throw ompl::Exception(owner, "the robot has no position");
         if (box_.low.size() != dimension || box_.high.size() != dimension)

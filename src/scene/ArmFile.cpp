@@ -51,7 +51,6 @@ namespace ompl_certificates
         void noteFollowers(const KinematicTree &tree, const std::vector<std::string> &group,
                            const std::map<std::string, double> &values, std::vector<std::string> &notes)
         {
-            constexpr double most = 1e-3;
             for (const auto &[name, value] : values)
             {
                 if (!tree.hasJoint(name))
@@ -61,7 +60,7 @@ namespace ompl_certificates
                     continue;
                 const auto followed = values.find(mimic->joint);
                 if (followed == values.end() ||
-                    std::abs(mimic->multiplier * followed->second + mimic->offset - value) > most)
+                    std::abs(mimic->multiplier * followed->second + mimic->offset - value) > FILE_ROUNDING)
                     notes.push_back("joint '" + name + "' follows joint '" + mimic->joint +
                                     "', whose value counts in place of " + std::to_string(value));
             }

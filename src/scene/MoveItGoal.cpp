@@ -38,9 +38,6 @@ namespace ompl_certificates
             return angle < M_PI ? angle : -M_PI;
         }
 
-        /** Up to how far a joint that follows another one may be from where that puts it */
-        constexpr double MOST_OF_A_FOLLOWER = 1e-3;
-
         /** Complain if a constraint on a joint that follows one of the group is not where that puts it. MoveIt writes
             one for each joint. */
         void checkFollower(const YamlNode &item, const KinematicTree::Mimic &mimic,
@@ -50,7 +47,7 @@ namespace ompl_certificates
             if (followed == values.end())
                 item.at("joint_name").fail("follows joint '" + mimic.joint + "', which has no constraint");
             const double value = mimic.multiplier * followed->second + mimic.offset;
-            if (!(std::abs(item.at("position").number() - value) <= MOST_OF_A_FOLLOWER))
+            if (!(std::abs(item.at("position").number() - value) <= FILE_ROUNDING))
                 item.at("position")
                     .fail("must be " + std::to_string(value) + ", where the joint follows joint '" + mimic.joint +
                           "', not " + item.at("position").describe());

@@ -1,6 +1,7 @@
 #include "MoveItRobotState.h"
 
 #include "MoveItMessages.h"
+#include "SrdfReader.h"
 
 #include <cmath>
 #include <set>
@@ -9,9 +10,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** What files round numbers of transforms by, at most */
-        constexpr double ROUNDING = 1e-3;
-
         AttachedBody readAttached(const YamlNode &node, const KinematicTree &tree, const std::string &folder,
                                   std::map<std::string, std::vector<std::string>> &notes)
         {
@@ -68,7 +66,7 @@ namespace ompl_certificates
 
         bool isNoTransform(const Pose &pose)
         {
-            return (pose.matrix() - Pose::Identity().matrix()).cwiseAbs().maxCoeff() <= ROUNDING;
+            return (pose.matrix() - Pose::Identity().matrix()).cwiseAbs().maxCoeff() <= FILE_ROUNDING;
         }
 
         /** Where \e joint brings the root, which is \e base but for what files round */
@@ -84,7 +82,8 @@ namespace ompl_certificates
             if (joint.type == KinematicTree::JointType::FLOATING)
                 return base;
             const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-            if (!(std::abs(base.translation().z()) <= ROUNDING && (base.linear() * up - up).norm() <= ROUNDING))
+            if (!(std::abs(base.translation().z()) <= FILE_ROUNDING &&
+                  (base.linear() * up - up).norm() <= FILE_ROUNDING))
                 node.fail("must neither lift nor tilt the robot: " + title + "planar");
             return planarPose(base.translation().x(), base.translation().y(),
                               std::atan2(base.linear()(1, 0), base.linear()(0, 0)));

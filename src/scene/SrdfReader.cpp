@@ -142,11 +142,10 @@ namespace ompl_certificates
 
     double withinLimits(const KinematicTree::Joint &joint, double value)
     {
-        constexpr double ROUNDING = 1e-3;
         if (!isLimited(joint))
             return value;
         const double nearest = std::clamp(value, joint.lower, joint.upper);
-        return std::abs(value - nearest) <= ROUNDING ? nearest : value;
+        return std::abs(value - nearest) <= FILE_ROUNDING ? nearest : value;
     }
 
     SrdfModel::SrdfModel(const KinematicTree &tree)

@@ -12,8 +12,10 @@
 
 namespace ompl_certificates
 {
-    /** \brief The value of a joint as a file has it, which may be rounded to three or four digits: if it is beyond a
-        limit by no more than that, the limit */
+    /** \brief What files round numbers of joints and transforms by, at most: to three or four digits */
+    constexpr double FILE_ROUNDING = 1e-3;
+
+    /** \brief The value of a joint as a file has it: if it is beyond a limit by no more than FILE_ROUNDING, the limit */
     double withinLimits(const KinematicTree::Joint &joint, double value);
 
     /** \brief What an SRDF file says about the robot of a URDF file */

@@ -125,10 +125,11 @@ namespace ompl_certificates
         const bool usesOtherTimes = sample.usesOtherTimes() && all.size() > 1;
         ProvenTimes *times = context.bodyPairTimes.data() + firstBodyPairs_[pair];
         const std::size_t likely = method_ == Method::FCL ? 0 : context.lastCollidingPair[pair];
-        // In a motion, most pairs are known.
+        // Where most pairs of bodies are far apart, that settles them soonest. In a motion, most are known.
         const bool placesSpheres = !sample.moves && all.size() > context.team.getBodyCount();
         if (placesSpheres)
-            placeSpheres(pair, context);
+            for (const unsigned int robot : {pairs_[pair].first, pairs_[pair].second})
+                placeSpheres(robot, context);
         for (std::size_t k = 0; whole.free && k < all.size(); ++k)
         {
             const std::size_t i = CheckContext::inOrder(k, likely);
@@ -150,29 +151,13 @@ namespace ompl_certificates
         return whole;
     }
 
-    void RobotPairs::placeSpheres(CheckContext &context) const
+    void RobotPairs::placeSpheres(unsigned int robot, CheckContext &context)
     {
-        if (!hasSimplePairs_)
-            return;
-        std::size_t index = 0;
-        for (const RobotPtr &robot : context.team.getRobots())
-            for (const Body &body : robot->getBodies())
-            {
-                context.sphereCenters[index] = context.poses[index] * body.getSphereTree().getRoot().center;
-                ++index;
-            }
-    }
-
-    void RobotPairs::placeSpheres(unsigned int pair, CheckContext &context) const
-    {
-        for (const unsigned int robot : {pairs_[pair].first, pairs_[pair].second})
+        std::size_t index = context.team.getFirstBody(robot);
+        for (const Body &body : context.team.getRobot(robot).getBodies())
         {
-            std::size_t index = context.team.getFirstBody(robot);
-            for (const Body &body : context.team.getRobot(robot).getBodies())
-            {
-                context.sphereCenters[index] = context.poses[index] * body.getSphereTree().getRoot().center;
-                ++index;
-            }
+            context.sphereCenters[index] = context.poses[index] * body.getSphereTree().getRoot().center;
+            ++index;
         }
     }
 

@@ -66,12 +66,15 @@ namespace ompl_certificates
             \throws ompl::Exception if both are the same robot, or there is no such robot */
         unsigned int find(unsigned int first, unsigned int second) const;
 
-        /** \brief Puts the centers of all bodies' bounding spheres into \e context, whose poses are those of one state,
-            for areFarApart(): where most robots are far apart, that settles their pairs soonest */
-        void placeSpheres(CheckContext &context) const;
+        /** \brief Prepares areFarApart() for a robot whose poses are in \e context. */
+        void prepareFarApart(unsigned int robot, CheckContext &context) const
+        {
+            if (hasSimplePairs_)
+                placeSpheres(robot, context);
+        }
 
-        /** \brief Whether a pair of robots that has one pair of bodies is apart by these spheres; counts it if so.
-            For other pairs settle() looks at the spheres. */
+        /** \brief Whether a pair of robots that has one pair of bodies is apart by its bounding spheres; counts it if
+            so. Where most robots are far apart, that settles their pairs soonest. Other pairs are left to settle(). */
         bool areFarApart(unsigned int pair, CheckContext &context) const
         {
             const std::vector<TwoBodies> &all = pairs_[pair].bodies;
@@ -126,9 +129,8 @@ namespace ompl_certificates
             return makesCertificates(method_) && sample.samplesAhead > 0.0 && sample.requiredInterval == 0.0;
         }
 
-        /** \brief Puts the centers of the bounding spheres of a pair of robots into the context: where most pairs of
-            bodies are far apart, that settles them soonest */
-        void placeSpheres(unsigned int pair, CheckContext &context) const;
+        /** \brief Puts the centers of the bounding spheres of a robot's bodies into the context */
+        static void placeSpheres(unsigned int robot, CheckContext &context);
 
         /** \brief Whether these bounding spheres prove two bodies apart */
         static bool areSpheresApart(const TwoBodies &bodies, const CheckContext &context)

@@ -234,22 +234,16 @@ namespace ompl_certificates
     template <typename IsFree>
     bool TeamCheck::areAllFree(const ob::State *state, CheckContext &context, const IsFree &isFree) const
     {
-        bool areSpheresPlaced = false;
         for (const Subject &subject : subjects_)
         {
             // Pairs come after all robots.
-            if (subject.kind == Subject::PAIR)
+            for (unsigned int robot = subject.first; subject.kind != Subject::PAIR && robot <= subject.last; ++robot)
             {
-                if (!areSpheresPlaced)
-                    pairs_.placeSpheres(context);
-                areSpheresPlaced = true;
-                if (pairs_.areFarApart(subject.pair, context))
-                    continue;
+                place(robot, team_.getRobotState(state, robot), context);
+                pairs_.prepareFarApart(robot, context);
             }
-            else
-                for (unsigned int robot = subject.first; robot <= subject.last; ++robot)
-                    place(robot, team_.getRobotState(state, robot), context);
-            if (!isFree(subject))
+            const bool isFar = subject.kind == Subject::PAIR && pairs_.areFarApart(subject.pair, context);
+            if (!isFar && !isFree(subject))
                 return false;
         }
         return true;

@@ -87,8 +87,8 @@ namespace ompl_certificates
 
         TeamValidityChecker::changeObstacles() does this. Cost: two fingerprints of those that are not the same
         objects.
-        \throws ompl::Exception if \e before are mixed obstacles, and the change starts from and leads to others that
-        are not: it is one of a member alone, such as a set makes, and the other members would be lost */
+        \throws ompl::Exception if \e before are mixed obstacles, but what the change starts from and leads to is not:
+        a set made it for one member, and the other members would be lost */
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before);
 }
 

@@ -113,8 +113,8 @@ namespace ompl_certificates
         /** \brief Read \e urdf and, unless it is empty, \e srdf.
             \throws ompl::Exception with one line that names the file, the link or joint, the key and the value. It is
             thrown for a file or a mesh that cannot be read, for links and joints that make no tree or are more than
-            1000, and for a size that is neither 0 nor from 1e-9 to 1e9. It is also thrown for a joint that lacks what it needs, for
-            limits, an axis or a mimic that make no sense. */
+            1000, and for a size that is neither 0 nor from 1e-9 to 1e9. It is also thrown for a joint that lacks what
+            it needs, for limits, an axis or a mimic that make no sense. */
         explicit ArmFile(const std::string &urdf, const std::string &srdf = "");
 
         /** \brief The same, read as \e options say */

@@ -46,9 +46,10 @@ namespace ompl_certificates
         using StepProof = std::function<bool(const TeamValidityChecker &, const ompl::base::State *,
                                              const ompl::control::Control *, double)>;
 
-        /** \brief Among the obstacles that \e change adds, for the team of \e checker, in the mode of the
-            CertificateMotionValidator of its space information; discrete if that has another one, as in a
-            TeamControlSetup: for steps that are proved, give mode and proof. Cost: that of a checker.
+        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker.
+
+            The mode is that of the CertificateMotionValidator of the checker's space information. If there is none, it
+            is discrete; so it is in a TeamControlSetup. For steps that are proved, give the mode and the proof.
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
 
