@@ -28,6 +28,7 @@ namespace
         unsigned int seeds{3};
         double range{0.0};
         double resolution{0.002};
+        bool warm{false};
     };
 
     /** Obstacles as they are in programs that check octomaps with FCL */
@@ -199,6 +200,7 @@ namespace
     struct Row
     {
         Method method{Method::FCL};
+        bool warm{false};
         double checking{0.0}, total{0.0};
         std::uint64_t asked{0};
         std::vector<std::string> digests;
@@ -228,6 +230,13 @@ namespace
             std::vector<Row> rows;
             for (const std::string &method : options.methods)
                 rows.emplace_back().method = methodOf(method);
+            for (std::size_t i = 0; options.warm && i < options.methods.size(); ++i)
+                if (makesCertificates(rows[i].method))
+                {
+                    rows.push_back({});
+                    rows.back().method = rows[i].method;
+                    rows.back().warm = true;
+                }
             for (unsigned int seed = 1; seed <= options.seeds; ++seed)
             {
                 ompl::msg::noOutputHandler();
@@ -251,6 +260,7 @@ namespace
                     task.iterations = options.iterations;
                     task.range = options.range;
                     task.seed = seed;
+                    task.warm = row.warm;
                     const benchmarks::PlanResult result = benchmarks::run(task);
                     row.checking += result.checkingSeconds;
                     row.total += result.totalSeconds;
@@ -262,9 +272,9 @@ namespace
             {
                 const bool equal = row.digests == rows.front().digests;
                 allEqual = allEqual && equal;
-                std::printf("| %s | %s | %zu | %.3f | %.3f |", planner.c_str(), nameOf(row.method).c_str(),
-                            row.digests.size(), row.checking, row.total);
-                for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+                std::printf("| %s | %s%s | %zu | %.3f | %.3f |", planner.c_str(), nameOf(row.method).c_str(),
+                            row.warm ? ", warm" : "", row.digests.size(), row.checking, row.total);
+                for (std::size_t i = 0; i + 1 < options.methods.size(); ++i)
                     std::printf(" %.2f |", rows[i].checking / row.checking);
                 std::printf(" %llu | %s |\n", static_cast<unsigned long long>(row.asked), equal ? "yes" : "NO");
             }
@@ -289,6 +299,8 @@ int main(int argc, char **argv)
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     benchmarks::addAllMethods(app, options.methods);
+    app.add_flag("--warm", options.warm,
+                 "Also plan with the certificates of another plan of the same problem, in rows of their own");
     app.footer("Returns 1 if a tree differs from that of the first method, 2 for bad input.");
     return benchmarks::runProgram(app, argc, argv, [&options] { return run(options); });
 }

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 #include <unistd.h>
@@ -28,7 +29,7 @@ namespace
     struct Options
     {
         std::vector<std::string> scenes;
-        std::string planners;
+        std::optional<std::string> planners;
         std::string methods;
         std::string nearest{"kdtree"};
         std::string motion{"discrete"};
@@ -106,8 +107,8 @@ namespace
         const SceneFile content = readSceneFile(file);
         content.scene.validate();
         Task task{content.scene, {}, {}};
-        task.planners = demos::choosePlanners(
-            content, options.planners.empty() ? std::vector<std::string>() : listOf("--planners", options.planners));
+        task.planners = demos::choosePlanners(content, options.planners ? listOf("--planners", *options.planners)
+                                                                        : std::vector<std::string>());
         ompl::tools::Benchmark::Request &request = task.request;
         request = ompl::tools::Benchmark::Request(content.timeLimit.value_or(5.0), content.memoryLimit.value_or(4096.0),
                                                   content.runCount.value_or(10));

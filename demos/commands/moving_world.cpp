@@ -222,7 +222,8 @@ namespace
             ->check(demos::countUpTo(4294967295ull))
             ->capture_default_str();
         app.add_option("--csv", options.csv, "File for all numbers of all frames, - for standard output");
-        app.add_option("--animation", options.animation, "SVG file of the hall from above, in motion, for browsers");
+        app.add_option("--animation", options.animation, "SVG file of the hall from above, in motion, for browsers")
+            ->check(demos::fileEndingIn(".svg"));
         app.add_flag("--at-once", options.atOnce,
                      "Certificates from the first check on, always: counts then depend on the seed alone");
         app.add_flag("--quiet", options.quiet, "No progress");

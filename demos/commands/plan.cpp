@@ -55,6 +55,18 @@ namespace
                                                   " has no certificates");
     }
 
+    void loadCertificatesOf(const PlanTeamOptions &options, TeamValidityChecker &checker)
+    {
+        try
+        {
+            loadCertificates(checker, options.loadedCertificates);
+        }
+        catch (const std::exception &exception)
+        {
+            throw ompl::Exception("--load-certificates", exception.what());
+        }
+    }
+
     ob::OptimizationObjectivePtr objectiveOf(const TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options)
     {
         const auto team = std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace());
@@ -239,7 +251,7 @@ namespace
         setup->getStatistics().reset();
         requireCertificates(options, *setup);
         if (!options.loadedCertificates.empty())
-            loadCertificates(*setup->getTeamChecker(), options.loadedCertificates);
+            loadCertificatesOf(options, *setup->getTeamChecker());
         ompl::msg::setLogLevel(options.quiet ? ompl::msg::LOG_ERROR : ompl::msg::LOG_WARN);
         if (!options.quiet)
             demos::printNotes(scene);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -150,6 +151,17 @@ namespace demos
                 return "must be a number above 0, not '" + text + "'";
             },
             "NUMBER", "positive number");
+    }
+
+    CLI::Validator fileEndingIn(const std::string &ending)
+    {
+        return CLI::Validator(
+            [ending](const std::string &text)
+            {
+                const std::string own = std::filesystem::path(text).extension().string();
+                return own.empty() || own == ending ? std::string() : "must end in " + ending + ", not " + own;
+            },
+            "TEXT", "ending");
     }
 
     CLI::Validator countUpTo(unsigned long long limit)

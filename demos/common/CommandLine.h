@@ -34,6 +34,10 @@ namespace demos
     /** \brief Accepts whole numbers from 1 to \e limit */
     CLI::Validator countUpTo(unsigned long long limit);
 
+    /** \brief Accepts names of files that end in \e ending, such as ".svg", or have no ending. Another ending promises
+        a format that is not written. */
+    CLI::Validator fileEndingIn(const std::string &ending);
+
     /** \brief Accepts one of \e words; the complaint about another one suggests the most similar */
     CLI::Validator oneOf(const std::vector<std::string> &words);
 

@@ -62,15 +62,18 @@ namespace demos
             "--simplify", options.simplify,
             "Shorten the solution before it is written, for --time at most: with OMPL's simplifier, then robot by "
             "robot");
-        auto *picture = app.add_option("--picture", options.picture, "Write a picture (SVG)");
+        auto *picture =
+            app.add_option("--picture", options.picture, "Write a picture (SVG)")->check(fileEndingIn(".svg"));
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
         app.add_flag("--picture-certificates", options.pictureCertificates, "Draw the certificates, too")
             ->needs(picture);
         app.add_option("--animation", options.animation,
-                       "Write a picture in which the robots follow the solution (SVG, for browsers)");
+                       "Write a picture in which the robots follow the solution (SVG, for browsers)")
+            ->check(fileEndingIn(".svg"));
         app.add_option("--view", options.view,
                        "Write a page to look at all of it in a browser, in 3-D where the scene is (HTML, needs no "
-                       "network)");
+                       "network)")
+            ->check(fileEndingIn(".html"));
         app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
         app.add_option("--report", options.report, "Write a report (JSON)");
         app.add_option("--load-certificates", options.loadedCertificates,

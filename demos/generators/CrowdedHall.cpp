@@ -68,8 +68,8 @@ namespace generators
         for (int attempt = 0; people_.size() < settings.people; ++attempt)
         {
             if (attempt == mostAttempts)
-                throw ompl::Exception("the hall has no room for " + std::to_string(settings.people) +
-                                      " people, only for " + std::to_string(people_.size()));
+                throw ompl::Exception("people", "the hall has no room for " + std::to_string(settings.people) +
+                                                    " people, only for " + std::to_string(people_.size()));
             const double x = random_.uniform(0.0, SIZE.x()), y = random_.uniform(0.0, SIZE.y());
             if (isFree({x, y}, {x, y}, {}))
                 people_.push_back({{x, y}, randomVelocity(), 0.0, sample({x, y})});

@@ -70,9 +70,29 @@ Parameter = Union[str, int, float, bool, "np.integer[Any]", "np.floating[Any]", 
 
 
 def _require_range(name: str, number: Optional[int], most: int) -> None:
-    """Raise an Error that names an argument which is not from 1 to most; None is fine."""
-    if number is not None and not 1 <= number <= most:
+    """Raise an Error that names an argument which is no whole number from 1 to most; None is fine."""
+    if number is None:
+        return
+    if not isinstance(number, (int, np.integer)):
+        raise Error(f"{name}: must be a whole number, not {number!r}")
+    if not 1 <= number <= most:
         raise Error(f"{name}: must be from 1 to {most}, not {number}")
+
+
+def _require_kind(name: str, value: object, kind: Union[type, tuple[type, ...]], what: str) -> None:
+    """Raise an Error that names an argument which is not of some kind."""
+    if not isinstance(value, kind):
+        raise Error(f"{name}: must be {what}, not {value!r}")
+
+
+def _require_options(time: object, iterations: Optional[int], seed: int, parameters: object) -> None:
+    """Raise an Error for what no plan can be made of."""
+    _require_kind("time", time, (int, float, np.integer, np.floating), "a number")
+    _require_range("iterations", iterations, 2**64 - 1)
+    _require_kind("seed", seed, (int, np.integer), "a whole number")
+    _require_range("seed", seed, 2**32 - 1)
+    if parameters is not None:
+        _require_kind("parameters", parameters, Mapping, "a dict from names to values")
 
 
 def plan(
@@ -114,14 +134,15 @@ def plan(
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.
     """
-    _require_range("iterations", iterations, 2**64 - 1)
-    _require_range("seed", seed, 2**32 - 1)
+    _require_options(time, iterations, seed, parameters)
     if isinstance(scene, Checker):
         for name, value in (("method", method), ("motion", motion)):
             if value is not None:
                 raise Error(f"{name}: a Checker has its own")
         checker = scene
     else:
+        if not isinstance(scene, Scene):
+            raise Error(f"scene: must be a Scene or a Checker, not a {type(scene).__name__}")
         checker = Checker(
             scene,
             "shared" if method is None else method,
@@ -177,8 +198,7 @@ def plan_controls(
     """
     if not isinstance(scene, Scene):
         raise Error(f"scene: must be a Scene, not a {type(scene).__name__}")
-    _require_range("iterations", iterations, 2**64 - 1)
-    _require_range("seed", seed, 2**32 - 1)
+    _require_options(time, iterations, seed, parameters)
     _require_range("max_steps", max_steps, 2**31 - 1)
     _require_range("min_steps", min_steps, max_steps)
     return _plan_controls(

@@ -40,7 +40,7 @@ class Body:
         """The convex polygon (points of shape (n, 2)) or polytope ((n, 3)) with these corners"""
     @staticmethod
     def convex_hull(points: ArrayLike) -> Body:
-        """The convex hull of any points, of shape (n, 2) or (n, 3)"""
+        """The convex hull of at most 256 points, of shape (n, 2) or (n, 3)"""
     @staticmethod
     def mesh(vertices: ArrayLike, faces: ArrayLike, dimension: int = 3) -> Body:
         """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:

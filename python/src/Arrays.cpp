@@ -17,9 +17,19 @@ namespace ompl_certificates_python
 
         void requireColumns(const py::array &array, py::ssize_t columns, const std::string &what)
         {
+            // An empty list has no columns.
+            if (array.ndim() == 1 && array.size() == 0)
+                return;
             if (array.ndim() != 2 || array.shape(1) != columns)
                 throw ompl::Exception(what, "must be an array of shape (n, " + std::to_string(columns) + "), not " +
                                                 shapeOf(array));
+        }
+
+        /** Values are behind the mask, too, and would count. */
+        void requireUnmasked(const py::object &object, const std::string &what)
+        {
+            if (py::hasattr(object, "mask") && py::hasattr(object, "filled"))
+                throw ompl::Exception(what, "must not be a masked array; take the rows that count");
         }
 
         /** The rotation of a quaternion or matrix that may be rounded, made exact */
@@ -90,9 +100,7 @@ namespace ompl_certificates_python
     {
         if (object.is_none())
             throw ompl::Exception(what, "must be numbers, not None");
-        // Numbers are behind the mask, too, and would count.
-        if (py::hasattr(object, "mask") && py::hasattr(object, "filled"))
-            throw ompl::Exception(what, "must not be a masked array; take the rows that count");
+        requireUnmasked(object, what);
         // It clears Python's error, here and below.
         const auto given = py::array::ensure(object);
         const char kind = given ? given.dtype().kind() : 'O';
@@ -128,7 +136,7 @@ namespace ompl_certificates_python
 
     std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar)
     {
-        const bool flat = planar && !(array.ndim() == 2 && array.shape(1) == 3);
+        const bool flat = planar && !haveHeights(array);
         requireColumns(array, flat ? 2 : 3, what);
         std::vector<Eigen::Vector3d> points(static_cast<std::size_t>(array.shape(0)));
         const double *row = array.data();
@@ -138,6 +146,11 @@ namespace ompl_certificates_python
             row += array.shape(1);
         }
         return points;
+    }
+
+    bool haveHeights(const Doubles &points)
+    {
+        return points.ndim() == 2 && points.shape(1) == 3;
     }
 
     TriangleMeshPtr toMesh(const Doubles &vertices, const py::object &object)
@@ -159,6 +172,7 @@ namespace ompl_certificates_python
     std::vector<CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,
                                  unsigned int dimension, bool occupied)
     {
+        requireUnmasked(object, "occupied");
         const auto grid = py::array::ensure(object);
         if (!grid)
             throw ompl::Exception("occupied", "must be bools");

@@ -25,13 +25,17 @@ namespace ompl_certificates_python
         \throws ompl::Exception that names \e what if it is none */
     std::vector<double> toNumbers(const py::object &object, const std::string &what);
 
-    /** \brief Points of the plane, from an array of shape (n, 2)
+    /** \brief Points of the plane, from an array of shape (n, 2); none from an empty list
         \throws ompl::Exception that names \e what for another shape */
     std::vector<Eigen::Vector2d> toPoints2(const Doubles &array, const std::string &what);
 
-    /** \brief Points of space, from an array of shape (n, 3); of shape (n, 2) they get z = 0 if \e planar
+    /** \brief Points of space, from an array of shape (n, 3); of shape (n, 2) they get z = 0 if \e planar. None from an
+        empty list.
         \throws ompl::Exception that names \e what for another shape */
     std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar = false);
+
+    /** \brief Whether points of an array that toPoints3() takes have three coordinates */
+    bool haveHeights(const Doubles &points);
 
     /** \brief A mesh, from vertices of shape (n, 3) and faces of shape (m, 3), which are whole numbers
         \throws ompl::Exception for another shape or an index that is no whole number or negative, and as TriangleMesh

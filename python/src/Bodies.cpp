@@ -1,9 +1,11 @@
 #include "Arrays.h"
 #include "Bindings.h"
+#include "Signals.h"
 
 #include <ompl_certificates/geometry/Body.h>
 #include <ompl_certificates/scene/MeshFile.h>
 
+#include <algorithm>
 #include <ompl/util/Exception.h>
 #include <optional>
 #include <pybind11/stl.h>
@@ -26,10 +28,10 @@ namespace ompl_certificates_python
             return z ? Body::box(x, y, *z) : Body::box(x, y);
         }
 
-        Body makeMesh(const Doubles &vertices, const py::object &faces, unsigned int dimension)
+        Body makeMesh(const py::object &vertices, const py::object &faces, unsigned int dimension)
         {
             requireDimension(dimension);
-            const TriangleMeshPtr mesh = toMesh(vertices, faces);
+            const TriangleMeshPtr mesh = toMesh(toDoubles(vertices, "vertices"), faces);
             return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 
@@ -39,18 +41,37 @@ namespace ompl_certificates_python
             return MeshFile(file).makeObstacle(dimension);
         }
 
-        Body makePolygon(const Doubles &points)
+        Body makePolygon(const py::object &object)
         {
+            const Doubles points = toDoubles(object, "points");
             if (points.ndim() == 2 && points.shape(1) == 2)
                 return Body::convexPolygon(toPoints2(points, "points"));
             return Body::convexPolytope(toPoints3(points, "points"));
         }
 
-        Body makeHull(const Doubles &points)
+        Body makeHull(const py::object &object)
         {
+            const Doubles points = toDoubles(object, "points");
             if (points.ndim() == 2 && points.shape(1) == 2)
                 return Body::convexHull(toPoints2(points, "points"));
             return Body::convexHull(toPoints3(points, "points"));
+        }
+
+        Doubles signedDistances(const Body &body, const py::object &object)
+        {
+            const auto points = toPoints3(toDoubles(object, "points"), "points", body.getDimension() == 2);
+            if (std::any_of(points.begin(), points.end(), [](const Eigen::Vector3d &point) { return point.hasNaN(); }))
+                throw ompl::Exception("points", "must be numbers, not nan");
+            Doubles distances(static_cast<py::ssize_t>(points.size()));
+            double *distance = distances.mutable_data();
+            const py::gil_scoped_release release;
+            Signals signals;
+            for (const Eigen::Vector3d &point : points)
+            {
+                signals.handle();
+                *distance++ = body.signedDistance(point);
+            }
+            return distances;
         }
 
         Body join(const std::vector<std::pair<Body, py::object>> &members)
@@ -83,7 +104,7 @@ namespace ompl_certificates_python
             .def_static("convex", &makePolygon, py::arg("points"),
                         "The convex polygon (points of shape (n, 2)) or polytope ((n, 3)) with these corners")
             .def_static("convex_hull", &makeHull, py::arg("points"),
-                        "The convex hull of any points, of shape (n, 2) or (n, 3)")
+                        "The convex hull of at most 256 points, of shape (n, 2) or (n, 3)")
             .def_static("mesh", &makeMesh, py::arg("vertices"), py::arg("faces"), py::arg("dimension") = 3,
                         "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
                         "a planar scene: it keeps its z, and moves in x and y.")
@@ -104,19 +125,9 @@ namespace ompl_certificates_python
             .def_property_readonly("dimension", &Body::getDimension, "The dimension of the workspace: 2 or 3")
             .def_property_readonly("bounding_radius", &Body::getBoundingRadius,
                                    "The largest distance of a point of the body from the origin of its frame")
-            .def(
-                "signed_distance",
-                [](const Body &body, const Doubles &points)
-                {
-                    const auto list = toPoints3(points, "points", body.getDimension() == 2);
-                    py::array_t<double> distances(static_cast<py::ssize_t>(list.size()));
-                    for (std::size_t i = 0; i < list.size(); ++i)
-                        distances.mutable_data()[i] = body.signedDistance(list[i]);
-                    return distances;
-                },
-                py::arg("points"),
-                "The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. "
-                "Shape (n,)")
+            .def("signed_distance", &signedDistances, py::arg("points"),
+                 "The distances of points, of shape (n, dimension) in the body's frame; negative inside primitives. "
+                 "Shape (n,)")
             .def(
                 "__eq__", [](const Body &body, const Body &other) { return body == other; }, py::is_operator());
     }

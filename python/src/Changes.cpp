@@ -21,7 +21,7 @@ namespace ompl_certificates_python
         CloudPoints pointsOf(const Checker &checker, const py::object &object, const char *what)
         {
             const Doubles points = toDoubles(object, what);
-            return {toPoints3(points, what, checker.getDimension() == 2), points.shape(1) == 3};
+            return {toPoints3(points, what, checker.getDimension() == 2), haveHeights(points)};
         }
 
         Eigen::AlignedBox3d boxOf(const Checker &checker, const Box &box)

@@ -54,15 +54,16 @@ namespace ompl_certificates_python
     {
         const auto path = std::make_shared<control::PathControl>(solution);
         path->interpolate();
-        plan.path = toRows(*plan.setup->getStateSpace(), static_cast<unsigned int>(path->getStateCount()),
-                           [&path](unsigned int i) { return path->getState(i); });
-        plan.times = Doubles(static_cast<py::ssize_t>(path->getStateCount()), stateTimes(*path).data());
+        plan.path = readOnly(toRows(*plan.setup->getStateSpace(), static_cast<unsigned int>(path->getStateCount()),
+                                    [&path](unsigned int i) { return path->getState(i); }));
+        plan.times = readOnly(Doubles(static_cast<py::ssize_t>(path->getStateCount()), stateTimes(*path).data()));
         const auto columns = static_cast<py::ssize_t>(plan.controlNames.size());
         plan.controls = Doubles({static_cast<py::ssize_t>(path->getControlCount()), columns});
         double *values = plan.controls.mutable_data();
         for (unsigned int i = 0; i < path->getControlCount(); ++i)
             values = std::copy_n(path->getControl(i)->as<control::RealVectorControlSpace::ControlType>()->values,
                                  columns, values);
+        plan.controls = readOnly(std::move(plan.controls));
         plan.solution = path;
     }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ompl/util/Exception.h>
 #include <pybind11/stl.h>
 
@@ -37,6 +38,10 @@ namespace ompl_certificates_python
             requirePositive(options.seconds, "time");
             requirePositive(options.goalTolerance, "goal_tolerance", true);
             requirePositive(options.step, "step", true);
+            // OMPL takes a shorter one for none, and chooses another.
+            if (options.step < std::numeric_limits<double>::epsilon())
+                throw ompl::Exception("step", "must be at least 2.3e-16, not " +
+                                                  py::str(py::float_(options.step)).cast<std::string>());
             if (modeOf(options.motion) == CertificateMotionValidator::CONTINUOUS &&
                 !makesCertificates(methodOf(options.method)))
                 throw ompl::Exception("motion", "continuous needs certificates, which method " + options.method +
@@ -62,6 +67,8 @@ namespace ompl_certificates_python
                     return std::vector<double>();
                 if (isGoal(object))
                     throw ompl::Exception(what, "must be one state: plans by controls take no Zone and no LinkPose");
+                if (py::isinstance<py::dict>(object))
+                    throw ompl::Exception(what, "must be one state of the team: plans by controls take no dict");
                 const Doubles values = toDoubles(object, what);
                 requireOneState(values, rotations.count, what);
                 std::vector<double> numbers(values.data(), values.data() + values.size());

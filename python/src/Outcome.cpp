@@ -31,6 +31,12 @@ namespace ompl_certificates_python
         return rows;
     }
 
+    Doubles readOnly(Doubles array)
+    {
+        array.attr("setflags")(py::arg("write") = false);
+        return array;
+    }
+
     void takeTree(Outcome &outcome)
     {
         if (outcome.tree)

@@ -51,6 +51,9 @@ namespace ompl_certificates_python
     Doubles toRows(const ompl::base::StateSpace &space, unsigned int count,
                    const std::function<const ompl::base::State *(unsigned int)> &stateAt);
 
+    /** \brief The array, but Python must not write to it: a plan hands out the same one again and again. */
+    Doubles readOnly(Doubles array);
+
     /** \brief Copy the planner's tree and report it, unless that was done before: it may take longer than the plan.
         With Python's lock. */
     void takeTree(Outcome &outcome);
@@ -83,6 +86,7 @@ namespace ompl_certificates_python
         }
         if (certificates)
             picture.setCertificates(plan.certificates);
+        const py::gil_scoped_release release;
         if (plan.solution)
             picture.setPath(*plan.solution);
         picture.write(file.string());

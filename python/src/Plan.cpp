@@ -99,10 +99,10 @@ namespace ompl_certificates_python
 
     void setSolution(Plan &plan, const ompl::geometric::PathGeometric &path)
     {
-        plan.path =
-            toRows(*path.getSpaceInformation()->getStateSpace(), static_cast<unsigned int>(path.getStateCount()),
-                   [&path](unsigned int i) { return path.getState(i); });
-        plan.times = Doubles(static_cast<py::ssize_t>(path.getStateCount()), stateTimes(path).data());
+        plan.path = readOnly(toRows(*path.getSpaceInformation()->getStateSpace(),
+                                    static_cast<unsigned int>(path.getStateCount()),
+                                    [&path](unsigned int i) { return path.getState(i); }));
+        plan.times = readOnly(Doubles(static_cast<py::ssize_t>(path.getStateCount()), stateTimes(path).data()));
         plan.solution = std::make_shared<const ompl::geometric::PathGeometric>(path);
     }
 

@@ -2,6 +2,7 @@
 #include "Bindings.h"
 #include "DynamicRobots.h"
 #include "Goals.h"
+#include "Signals.h"
 
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
@@ -147,8 +148,10 @@ namespace ompl_certificates_python
                 const py::gil_scoped_release release;
                 ompl::RNG random(seed);
                 ompl::base::ScopedState<> state(space);
+                Signals signals;
                 for (unsigned int i = 0; i < count && goal->sample(random, state.get()); ++i)
                 {
+                    signals.handle();
                     space->copyToReals(row, state.get());
                     rows.insert(rows.end(), row.begin(), row.end());
                 }

@@ -168,9 +168,9 @@ namespace ompl_certificates_python
                     "add_cloud",
                     [](Scene &self, const py::object &object, double radius, double cell)
                     {
-                        const Doubles points = toDoubles(object, "points");
-                        return addCloud(self, {toPoints3(points, "points", self.getDimension() == 2), radius}, cell,
-                                        points.shape(1) == 3);
+                        const Doubles array = toDoubles(object, "points");
+                        auto points = toPoints3(array, "points", self.getDimension() == 2);
+                        return addCloud(self, {std::move(points), radius}, cell, haveHeights(array));
                     },
                     py::arg("points"), py::arg("radius"), py::arg("cell") = 0.0,
                     "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the "
@@ -279,7 +279,9 @@ namespace ompl_certificates_python
                 [](const Scene &self, const std::filesystem::path &file)
                 {
                     requireSvg(file);
-                    ScenePicture(self).write(file.string());
+                    const Scene now(self);  // Another thread may add to the scene.
+                    const py::gil_scoped_release release;
+                    ScenePicture(now).write(file.string());
                 },
                 py::arg("file"), "Write a picture of the scene, as SVG. The name must end in .svg.");
 

@@ -2,7 +2,7 @@
 
 import pathlib
 import threading
-from typing import Any, List, Tuple
+from typing import Any, Callable, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
@@ -255,9 +255,27 @@ def test_robots_are_found_in_a_frame() -> None:
     ],
 )
 def test_points_are_numbers(points: Any, message: str) -> None:
-    checker = oc.Checker(world(3, np.zeros((0, 3)))[0])
-    with pytest.raises(oc.Error, match=message):
-        checker.add_cloud(points, RADIUS)
+    scene = world(3, np.zeros((0, 3)))[0]
+    checker = oc.Checker(scene)
+    calls: List[Callable[[], object]] = [
+        lambda: checker.add_cloud(points, RADIUS),
+        lambda: scene.add_cloud(points, RADIUS),
+        lambda: oc.Body.sphere(1).signed_distance(points),
+        lambda: oc.Body.convex_hull(points),
+    ]
+    for call in calls:
+        with pytest.raises(oc.Error, match=message):
+            call()
+
+
+def test_empty_lists_are_no_points() -> None:
+    scene = world(3, np.zeros((0, 3)))[0]
+    assert scene.add_cloud([], RADIUS) == 1
+    cloud = scene.add_cloud([[3.0, 3.0, 3.0]], RADIUS)
+    oc.Checker(scene).change_cloud(cloud, insert=[], remove=[])
+    assert len(oc.Body.sphere(1).signed_distance([])) == 0
+    with pytest.raises(oc.Error, match=r"^points: must be an array of shape \(n, 3\), not \(3,\)$"):
+        scene.add_cloud([1.0, 2.0, 3.0], RADIUS)
 
 
 def test_certificates_are_kept_up_to_a_limit() -> None:

@@ -243,6 +243,9 @@ def test_bad_problems_are_told_before_planning(yard: oc.Scene) -> None:
         ({"goal": [5, 5]}, r"^goal: must be an array of shape \(3,\), not \(2,\)$"),
         ({"start": [[1, 1, 9], [1, 1, 9]]}, r"^start: must be an array of shape \(3,\), not \(2, 3\)$"),
         ({"start": "abc"}, "^start: must be numbers$"),
+        ({"goal": {"cart": [5, 5, 0]}}, "^goal: .* plans by controls take no dict$"),
+        ({"step": 1e-17}, "^step: must be at least 2.3e-16, not 1e-17$"),
+        ({"max_steps": "a"}, "^max_steps: must be a whole number, not 'a'$"),
         ({"goal": [1, math.nan, 1]}, "^goal: all numbers must be finite$"),
         ({"start": [1, 1, math.inf]}, "^start: all numbers must be finite$"),
     ):

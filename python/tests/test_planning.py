@@ -50,8 +50,6 @@ def test_the_team_is_somewhere_at_any_time(room: oc.Scene) -> None:
     assert np.linalg.norm(np.diff(fine[:, :2], axis=0), axis=1).max() <= plan.times[-1] / 2000 * (1 + 1e-9)
     assert (plan.at(-5.0) == room.start).all() and (plan.at(np.inf) == room.goal).all()
     assert plan.at([]).shape == (0, 7) and plan.at(1.0).shape == (7,)
-    plan.times[:] = 0.0
-    assert (plan.at(middle) == there).all()
     with pytest.raises(oc.Error, match="^times: must be numbers, not nan$"):
         plan.at([0.0, math.nan])
 
@@ -272,7 +270,11 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"method": "best"}, "best"),
         ({"motion": "jumpy"}, "^motion: "),
         ({"time": -1.0}, "^time: "),
+        ({"time": "1"}, "^time: must be a number, not '1'$"),
         ({"seed": 0}, "^seed: must be from 1 to 4294967295, not 0$"),
+        ({"seed": None}, "^seed: must be a whole number, not None$"),
+        ({"parameters": "range"}, "^parameters: must be a dict from names to values, not 'range'$"),
+        ({"planner": "RRTstar", "parameters": {"goal_bias": 2}}, "'goal_bias': must be at most 1$"),
         ({"iterations": -5}, "^iterations: .*not -5$"),
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
@@ -291,6 +293,56 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         assert time.monotonic() - begin < 3
     with pytest.raises(oc.Error, match="needs at least one robot"):
         oc.plan(oc.Scene([0, 0], [1, 1]))
+    with pytest.raises(oc.Error, match="^scene: must be a Scene or a Checker, not a str$"):
+        oc.plan("room.yaml")  # type: ignore[arg-type]
+
+
+def test_a_path_is_read_only(room: oc.Scene) -> None:
+    plan = oc.plan(room, "RRTConnect")
+    for array in (plan.path, plan.times):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 7.0
+
+
+@pytest.mark.parametrize("question", ["is_valid", "check_motions", "describe_collision", "new_checker", "picture"])
+def test_threads_ask_while_others_plan(question: str, tmp_path: pathlib.Path) -> None:
+    """Each plan sets OMPL's spaces up, which the checks of other threads read."""
+    scene = oc.Scene([0] * 3, [10] * 3)
+    scene.add_obstacle(oc.Body.box(1, 1, 1), (5, 5, 5))
+    for i in range(2):
+        robot = oc.Robot.rigid(f"drone{i}", oc.Body.box(0.3, 0.2, 0.1), [0] * 3, [10] * 3)
+        scene.add_robot(robot, [0.5 + i, 0.5, 0.5, 0, 0, 0, 1], [9.5 - i, 9.5, 9.5, 0, 0, 0, 1])
+    checker = oc.Checker(scene)
+    bad = scene.start.copy()
+    bad[:3] = 5
+    wrong: List[str] = []
+
+    def ask() -> None:
+        while not done.is_set():
+            if question == "is_valid":
+                right = checker.is_valid(scene.start) and not checker.is_valid(bad)
+            elif question == "check_motions":
+                right = bool(checker.check_motions(scene.start, scene.start).all())
+            elif question == "describe_collision":
+                right = "touches" in checker.describe_collision(bad)
+            elif question == "new_checker":
+                right = oc.Checker(scene).is_valid(scene.start) is True
+            else:
+                scene.save_picture(tmp_path / "scene.svg")
+                right = True
+            if not right:
+                wrong.append(question)
+
+    done = threading.Event()
+    thread = threading.Thread(target=ask)
+    thread.start()
+    end = time.monotonic() + 1.5
+    while time.monotonic() < end:
+        oc.plan(checker, "RRTConnect", iterations=1)
+        oc.plan(checker, iterations=1)
+    done.set()
+    thread.join()
+    assert not wrong
 
 
 def test_no_solution_is_no_path() -> None:

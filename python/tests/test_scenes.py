@@ -283,6 +283,7 @@ def test_wrong_numbers_are_told_in_one_line(room: oc.Scene) -> None:
     disc = oc.Robot.rigid("disc", oc.Body.disc(0.1), [0, 0], [10, 10], turns=False)
     checker = oc.Checker(room)
     nothing: Any = None
+    masked: Any = np.ma.masked_array(np.ones((3, 3), bool), True)  # type: ignore[no-untyped-call]
     calls: List[Tuple[Callable[[], object], str]] = [
         (lambda: oc.Scene([0, 0], [0, 30]), "^bounds: high must be above low, not from 0.0+ to 0.0+$"),
         (lambda: oc.Scene([5, 0], [4, 4]), "^bounds: high must be above low, not from 5.0+ to 4.0+$"),
@@ -292,6 +293,9 @@ def test_wrong_numbers_are_told_in_one_line(room: oc.Scene) -> None:
         (lambda: checker.is_valid(np.zeros(4, complex)), "^states: must be real numbers, not complex ones$"),
         (lambda: checker.is_valid(nothing), "^states: must be numbers, not None$"),
         (lambda: checker.add_cloud(nothing, 0.1), "^points: must be numbers, not None$"),
+        (lambda: oc.Body.disc(1).signed_distance([[math.nan, 0]]), "^points: must be numbers, not nan$"),
+        (lambda: oc.Body.convex("abc"), "^points: must be numbers$"),
+        (lambda: room.add_grid(masked, 0.5), "^occupied: must not be a masked array"),
     ]
     for call, message in calls:
         with pytest.raises(oc.Error, match=message):

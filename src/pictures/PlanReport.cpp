@@ -133,6 +133,8 @@ namespace ompl_certificates
         }
         if (status == ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE)
             return planner.getName() + " plans for a goal of one state alone";
+        if (status == ob::PlannerStatus::UNKNOWN)
+            return planner.getName() + " ended without a solution, and does not tell why";
         return status == ob::PlannerStatus::TIMEOUT ? "no solution was found before planning ended" : status.asString();
     }
 

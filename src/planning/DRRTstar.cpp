@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -152,7 +153,9 @@ namespace ompl_certificates
                 goals_->add(goal);
         if (goals_->size() == 0)
         {
-            OMPL_ERROR("%s: there are no valid goal states", getName().c_str());
+            const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
+            OMPL_ERROR("%s: there are no valid goal states%s", getName().c_str(),
+                       goal ? (": " + describeInvalid(goal->getState())).c_str() : "");
             return ob::PlannerStatus::INVALID_GOAL;
         }
         return ob::PlannerStatus::UNKNOWN;
@@ -161,9 +164,17 @@ namespace ompl_certificates
     std::string DRRTstar::describeInvalid(const ob::State *state) const
     {
         const Team &team = checker_->getTeam();
+        std::vector<double> values;
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-            if (!team.getRobot(i).getStateSpace()->satisfiesBounds(team.getRobotState(state, i)))
-                return "robot '" + team.getRobot(i).getName() + "' is outside the bounds";
+        {
+            const ob::StateSpace &space = *team.getRobot(i).getStateSpace();
+            const std::string robot = "robot '" + team.getRobot(i).getName() + "'";
+            space.copyToReals(values, team.getRobotState(state, i));
+            if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+                return robot + " has a number that is not finite";
+            if (!space.satisfiesBounds(team.getRobotState(state, i)))
+                return robot + " is outside the bounds";
+        }
         return checker_->describeCollision(state);
     }
 

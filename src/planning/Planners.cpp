@@ -273,17 +273,19 @@ namespace ompl_certificates
             return out.str();
         }
 
-        /** Why a number is too small where OMPL suggests a range such as 1:64; empty if it is not. Only zero and
-            negative numbers are: some planners crash with them, but smaller numbers than those suggested may make
-            sense. */
-        std::string whyTooSmall(const std::string &value, const std::string &range)
+        /** Why a number makes no sense where OMPL suggests a range such as 1:64; empty if it may. Zero and negative
+            numbers make some planners crash, but other numbers beyond those suggested may make sense. */
+        std::string whySenseless(const std::string &key, const std::string &value, const std::string &range)
         {
             const std::size_t colon = range.find(':');
             const std::optional<double> number = toNumber(value), least = toNumber(range.substr(0, colon));
             if (!number || !least || colon == std::string::npos)
                 return "";
-            if (*least > 0.0 && *number <= 0.0)
+            // OMPL suggests none, too, with which AnytimePathShortening crashes.
+            if ((*least > 0.0 || key == "num_planners") && *number <= 0.0)
                 return "must be positive";
+            if (key == "goal_bias" && *number > 1.0)
+                return "must be at most 1";
             return *least >= 0.0 && *number < 0.0 ? "must not be negative" : "";
         }
 
@@ -353,9 +355,9 @@ namespace ompl_certificates
                                   didYouMean(key, names));
         }
         const std::string refusal = planner.getName() + " refuses '" + value + "' as its parameter '" + key + "'";
-        const std::string tooSmall = whyTooSmall(value, planner.params()[key].getRangeSuggestion());
-        if (!tooSmall.empty())
-            throw ompl::Exception(refusal + ": " + tooSmall);
+        const std::string senseless = whySenseless(key, value, planner.params()[key].getRangeSuggestion());
+        if (!senseless.empty())
+            throw ompl::Exception(refusal + ": " + senseless);
         bool accepted = false;
         try
         {

@@ -4,6 +4,7 @@
 
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
@@ -11,6 +12,31 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
+
+    namespace
+    {
+        /** A box that contains a robot in all these states of its team */
+        Eigen::AlignedBox3d boxAround(const Team &team, unsigned int robot, const std::vector<ob::State *> &states)
+        {
+            const std::vector<Body> &bodies = team.getRobot(robot).getBodies();
+            std::vector<Pose> poses(bodies.size());
+            Eigen::AlignedBox3d box;
+            for (const ob::State *state : states)
+            {
+                team.getRobot(robot).placeBodies(team.getRobotState(state, robot), poses.data());
+                for (std::size_t i = 0; i < bodies.size(); ++i)
+                {
+                    // Some more, for what rounding and the tolerance of a check add
+                    const Eigen::Vector3d center = poses[i].translation();
+                    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(bodies[i].getBoundingRadius() * 1.001 +
+                                                                            1e-6 * center.lpNorm<Eigen::Infinity>());
+                    box.extend(center - reach);
+                    box.extend(center + reach);
+                }
+            }
+            return box;
+        }
+    }
 
     RoadmapPathCheck::RoadmapPathCheck(ob::SpaceInformationPtr si, const TeamValidityChecker &checker,
                                        TeamRoadmaps &roadmaps, ProductTree &tree)
@@ -42,23 +68,38 @@ namespace ompl_certificates
         const Team &team = checker_.getTeam();
         og::PathGeometric step = toGeometric({from, to});
         step.interpolate(si_->getStateSpace()->validSegmentCount(step.getState(0), step.getState(1)) + 1);
+        const std::vector<ob::State *> &states = step.getStates();
+        const auto isFree = [&](unsigned int i)
+        {
+            return std::all_of(states.begin(), states.end(),
+                               [&](const ob::State *state)
+                               { return checker_.isRobotFree(i, team.getRobotState(state, i)); });
+        };
+        const auto areApart = [&](unsigned int i, unsigned int j)
+        {
+            const auto areApartAt = [&](const ob::State *state)
+            { return checker_.isPairFree(i, team.getRobotState(state, i), j, team.getRobotState(state, j)); };
+            return std::all_of(states.begin(), states.end(), areApartAt);
+        };
+        // Of two hundred robots most pairs are far from each other.
+        std::vector<Eigen::AlignedBox3d> boxes;
+        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
+            boxes.push_back(boxAround(team, i, states));
         bool isFound = false;
         for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-            for (const ob::State *state : step.getStates())
+        {
+            if (!isFree(i))
             {
-                const ob::State *own = team.getRobotState(state, i);
-                if (!checker_.isRobotFree(i, own))
+                roadmaps_.refute(i, from[i], to[i]);
+                isFound = true;
+            }
+            for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
+                if (boxes[i].intersects(boxes[j]) && !areApart(i, j))
                 {
-                    roadmaps_.refute(i, from[i], to[i]);
+                    roadmaps_.refute(i, from[i], to[i], j, from[j], to[j]);
                     isFound = true;
                 }
-                for (unsigned int j = i + 1; j < team.getRobotCount(); ++j)
-                    if (!checker_.isPairFree(i, own, j, team.getRobotState(state, j)))
-                    {
-                        roadmaps_.refute(i, from[i], to[i], j, from[j], to[j]);
-                        isFound = true;
-                    }
-            }
+        }
         // A motion that is not proved, though all its samples are free: without one of its edges, the search goes
         // another way.
         for (unsigned int i = 0; i < team.getRobotCount() && !isFound; ++i)

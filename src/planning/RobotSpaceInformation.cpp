@@ -9,6 +9,18 @@ namespace ompl_certificates
 
     namespace
     {
+        /** The team has set the robot's space up, which others may be using. */
+        class RobotSpaceInformation : public ob::SpaceInformation
+        {
+        public:
+            using SpaceInformation::SpaceInformation;
+
+            void setup() override
+            {
+                setup_ = true;
+            }
+        };
+
         class RobotMotionValidator : public ob::MotionValidator
         {
         public:
@@ -38,7 +50,7 @@ namespace ompl_certificates
     ob::SpaceInformationPtr makeRobotSpaceInformation(const CertificateMotionValidator &validator, unsigned int robot)
     {
         const TeamValidityChecker &checker = validator.getChecker();
-        auto si = std::make_shared<ob::SpaceInformation>(checker.getTeam().getRobot(robot).getStateSpace());
+        const auto si = std::make_shared<RobotSpaceInformation>(checker.getTeam().getRobot(robot).getStateSpace());
         si->setStateValidityChecker([&checker, robot](const ob::State *state)
                                     { return checker.isRobotFree(robot, state); });
         si->setMotionValidator(std::make_shared<RobotMotionValidator>(si.get(), validator, robot));

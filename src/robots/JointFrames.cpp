@@ -97,7 +97,8 @@ namespace ompl_certificates
         {
             const Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
             if (coordinatesOf(joint.type) != 1)
-                throw ompl::Exception("joint '" + name + "'", "has not one value");
+                throw ompl::Exception("joint '" + name + "'",
+                                      "has not one value: it is fixed, or moves in several ways");
             if (!std::isfinite(value))
                 throw ompl::Exception("joint '" + name + "'", "its value must be finite, not " + std::to_string(value));
         }

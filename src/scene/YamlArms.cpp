@@ -50,7 +50,7 @@ namespace ompl_certificates
             {
                 const Joint &joint = jointOf(node, tree, name);
                 if (!hasOneValue(joint))
-                    node.at(name).fail("joint '" + name + "' has not one value");
+                    node.at(name).fail("joint '" + name + "' has not one value: it is fixed, or moves in several ways");
                 if (joint.mimic)
                     node.at(name).fail("joint '" + name + "' follows joint '" + joint.mimic->joint + "'");
                 values[name] = checkedJointValue(node.at(name), joint, node.at(name).number());

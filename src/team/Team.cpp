@@ -128,6 +128,9 @@ namespace ompl_certificates
         if (isWhole_)
             return addSpace(inner, *robots_.front());
         const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(inner.get());
+        if (robots_.size() == 1 && !(compound && compound->getSubspaceCount() == 1))
+            throw ompl::Exception(inner->getName(), "does not hold states of robot '" + robots_.front()->getName() +
+                                                        "', which moves in a space of another class or dimension");
         if (!compound || compound->getSubspaceCount() != robots_.size())
             throw ompl::Exception(inner->getName(),
                                   "has " + std::to_string(compound ? compound->getSubspaceCount() : 1) +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <new>
 #include <ompl/base/StateSampler.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -304,20 +305,64 @@ namespace ompl_certificates
         if (componentCount_ != robots_.size())
             throw ompl::Exception(getName(), "a team's components are added by addRobot(), not by addSubspace()");
         for (unsigned int i = 0; i < componentCount_; ++i)
+        {
             if (vectorDimension(*components_[i]) != vectors_[i])
                 throw ompl::Exception(getName(), "the space of robot '" + robots_[i]->getName() +
                                                      "' has changed its dimension since the robot was added");
-        segmentCounts_.clear();
-        if (hasResolution_)
-            for (const ob::StateSpacePtr &component : components_)
-                segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
-        // Others may be using the space of a robot that they share. A planner that comes next draws the same numbers, also
-        // where another team has set it up.
+            if (!(components_[i]->getMaximumExtent() > 0.0))
+                throw ompl::Exception(getName(), "robot '" + robots_[i]->getName() +
+                                                     "' cannot move: the bounds of its space leave it one state");
+        }
+        if (weightSum_ <= 0.0)
+            throw ompl::Exception(getName(), "the weights of all robots are 0");
+        // Teams of the same robots may be set up at once.
+        static std::recursive_mutex mutex;
+        const std::lock_guard<std::recursive_mutex> lock(mutex);
+        // Others may be using what is set up, and the space of a robot that they share. A planner that comes next draws
+        // the same numbers nevertheless.
+        const bool isUnchanged = isSetUp(*this) && segmentCounts_.empty() != hasResolution_ &&
+                                 std::all_of(components_.begin(), components_.end(),
+                                             [](const ob::StateSpacePtr &component) { return isSetUp(*component); });
+        if (!isUnchanged)
+        {
+            segmentCounts_.clear();
+            if (hasResolution_)
+                for (const ob::StateSpacePtr &component : components_)
+                    segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
+        }
         for (const ob::StateSpacePtr &component : components_)
             if (isSetUp(*component))
                 drawAsInSetup(*component);
             else
                 component->setup();
-        StateSpace::setup();  // NOLINT(bugprone-parent-virtual-call)
+        if (isUnchanged)
+            setUpProjections();
+        else
+            StateSpace::setup();  // NOLINT(bugprone-parent-virtual-call)
+    }
+
+    void TeamStateSpace::setUpProjections()
+    {
+        const std::map<std::string, ob::ProjectionEvaluatorPtr> before = projections_;
+        std::vector<std::string> names;
+        params_.getParamNames(names);
+        for (const std::string &name : names)
+            if (name.rfind("projection.", 0) == 0)
+                params_.remove(name);
+        registerProjections();
+        for (const auto &[name, projection] : before)
+            if (projection->userConfigured())
+                projections_[name] = projection;
+        for (const auto &[name, projection] : projections_)
+        {
+            projection->setup();
+            params_.include(projection->params(),
+                            name == DEFAULT_PROJECTION_NAME ? "projection" : "projection." + name);
+        }
+    }
+
+    void TeamStateSpace::computeLocations()
+    {
+        StateSpace::computeLocations();  // NOLINT(bugprone-parent-virtual-call)
     }
 }

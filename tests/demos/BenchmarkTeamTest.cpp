@@ -189,6 +189,7 @@ TEST(BenchmarkTeam, refusesBadInput)
                                                        {scene, "--planners", "RRT,Walk", "--log", log},
                                                        {scene, "--planners", "RRT,RRT", "--log", log},
                                                        {scene, "--planners", ",", "--log", log},
+                                                       {scene, "--planners", "", "--log", log},
                                                        {scene, "--methods", "shared,best", "--log", log},
                                                        {scene, "--runs", "0", "--log", log},
                                                        {scene, "--time", "-1", "--log", log},

@@ -355,6 +355,11 @@ TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)
     plannerFor(invalid);
     EXPECT_EQ(invalid.solve(0.1), ob::PlannerStatus::INVALID_START);
     EXPECT_NE(messages.getText().find("no valid start states: robots '"), std::string::npos) << messages.getText();
+    invalid.clear();
+    const ob::ScopedState<> start(setup->getStateSpace(), setup->getProblemDefinition()->getStartState(0));
+    invalid.setStartAndGoalStates(start, state);
+    EXPECT_EQ(invalid.solve(0.1), ob::PlannerStatus::INVALID_GOAL);
+    EXPECT_NE(messages.getText().find("no valid goal states: robots '"), std::string::npos) << messages.getText();
     TeamSetup beyond(std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace()),
                      std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
     state[0] = 1000.0;
@@ -362,6 +367,11 @@ TEST_F(DRRTstarTest, SaysWhatIsWrongWithItsInput)
     plannerFor(beyond);
     EXPECT_EQ(beyond.solve(0.1), ob::PlannerStatus::INVALID_START);
     EXPECT_NE(messages.getText().find("' is outside the bounds"), std::string::npos) << messages.getText();
+    beyond.clear();
+    state[0] = std::numeric_limits<double>::quiet_NaN();
+    beyond.setStartAndGoalStates(state, state);
+    EXPECT_EQ(beyond.solve(0.1), ob::PlannerStatus::INVALID_START);
+    EXPECT_NE(messages.getText().find("' has a number that is not finite"), std::string::npos) << messages.getText();
 
     const auto si = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE2StateSpace>());
     EXPECT_THROW(DRRTstar(si).setup(), ompl::Exception);

@@ -171,11 +171,13 @@ TEST(Planners, TakeNumbersInAnyLocale)
 }
 
 // Some of OMPL's planners would crash, or never end.
-TEST(Planners, RefuseNumbersThatAreTooSmall)
+TEST(Planners, RefuseNumbersThatMakeNoSense)
 {
     const auto si = squareWithoutObstacles();
     const std::vector<std::array<std::string, 4>> cases{{"STRIDE", "degree", "0", "positive"},
                                                         {"pRRT", "thread_count", "0", "positive"},
+                                                        {"AnytimePathShortening", "num_planners", "0", "positive"},
+                                                        {"RRT", "goal_bias", "2", "at most 1"},
                                                         {"AITstar", "samples_per_batch", "0", "positive"},
                                                         {"SORRTstar", "ordering_batch_size", "0", "positive"},
                                                         {"SPARStwo", "stretch_factor", "-1", "positive"},

@@ -1,6 +1,8 @@
+#include "support/Complaint.h"
 #include "support/Quiet.h"
 #include "support/Teams.h"
 
+#include <functional>
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Console.h>
@@ -115,6 +117,50 @@ TEST_P(AnyTeam, DrawsNoMoreRandomNumbersForTheFirstTeamOfItsRobots)
     EXPECT_EQ(next[1], next[2]);
 }
 
+namespace
+{
+    /** Whether \e action leaves what \e space knows of its states as it is, for others may be reading it: a mark there
+        would be gone. */
+    bool leavesLocations(const ob::StateSpace &space, const std::function<void()> &action)
+    {
+        constexpr std::size_t mark = 100;
+        auto &first = const_cast<ob::StateSpace::ValueLocation &>(space.getValueLocations().front());
+        first.index += mark;
+        action();
+        const bool isLeft = space.getValueLocations().front().index >= mark;
+        if (isLeft)
+            first.index -= mark;
+        return isLeft;
+    }
+}
+
+TEST_P(AnyTeam, IsSetUpAgainOnlyWhereSomethingHasChanged)
+{
+    const auto setup = [this] { team_->setup(); };
+    EXPECT_TRUE(leavesLocations(*team_, setup));
+    EXPECT_TRUE(leavesLocations(*team_->getSubspace(0), setup));
+    team_->setLongestValidSegmentFraction(0.01);
+    EXPECT_FALSE(leavesLocations(*team_, setup));
+    EXPECT_TRUE(leavesLocations(*team_, setup));
+    team_->setSubspaceWeight(0, 3.0);
+    EXPECT_FALSE(leavesLocations(*team_, setup));
+    EXPECT_TRUE(leavesLocations(*team_->getSubspace(0), [this] { team_->computeLocations(); }));
+}
+
+TEST_P(AnyTeam, HasTheProjectionThatWasConfiguredAfterASecondSetup)
+{
+    const ob::ProjectionEvaluatorPtr inferred = team_->getDefaultProjection();
+    team_->setup();
+    EXPECT_NE(team_->getDefaultProjection(), inferred) << "the sizes of its cells are inferred anew";
+    team_->getDefaultProjection()->setCellSizes(
+        std::vector<double>(team_->getDefaultProjection()->getDimension(), 0.5));
+    team_->setup();
+    EXPECT_EQ(team_->getDefaultProjection()->getCellSizes().front(), 0.5);
+    std::string size;
+    EXPECT_TRUE(team_->params().getParam("projection.cellsize.0", size));
+    EXPECT_EQ(std::stod(size), 0.5);
+}
+
 TEST_P(AnyTeam, HasALockableListOfRobots)
 {
     EXPECT_EQ(team_->getRobotCount(), 3U);
@@ -205,6 +251,17 @@ TEST(TeamStateSpace, RefusesAWeightThatIsNotANumber)
     TeamStateSpace team;
     EXPECT_THROW(team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)), std::nan("")), ompl::Exception);
     EXPECT_EQ(team.getRobotCount(), 0U);
+}
+
+TEST(TeamStateSpace, NamesTheRobotThatCannotMove)
+{
+    TeamStateSpace team;
+    team.addRobot(RigidRobot::disc("free", 1.0, cubeBounds(2, 1.0)));
+    team.addRobot(RigidRobot::disc("parked", 1.0, cubeBounds(2, 0.0)));
+    expectWords(messageOf([&] { team.setup(); }), {"robot 'parked' cannot move"});
+    TeamStateSpace weightless;
+    weightless.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)), 0.0);
+    expectWords(messageOf([&] { weightless.setup(); }), {"weights of all robots are 0"});
 }
 
 TEST(TeamStateSpace, IsNotSetUpWithoutRobotsOrWithOtherComponents)

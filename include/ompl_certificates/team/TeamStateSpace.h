@@ -170,12 +170,23 @@ namespace ompl_certificates
             bodies to two coordinates (three for spatial teams), each of which every robot moves. */
         void registerProjections() override;
 
-        /** \throws ompl::Exception if the team has no robot, or a component that was not added by addRobot() */
+        /** \brief Sets up the robots' spaces that are not set up, and this one. Where nothing has changed since, the
+            next call changes nothing that checks read: other threads may check meanwhile, and other teams may have the
+            same robots. It draws the same random numbers each time.
+            \throws ompl::Exception if the team has no robot, a robot that cannot move, only weights of 0, or a component
+            that was not added by addRobot() */
         void setup() override;
+
+        /** \brief Finds where the values of a state are. Other than in a CompoundStateSpace it leaves the robots' spaces
+            alone: each robot has done that for its own, which others may be reading. */
+        void computeLocations() override;
 
     private:
         /** What a length of each robot makes together, in the team's metric and by its weights */
         double combine(const std::function<double(unsigned int)> &lengthOf) const;
+
+        /** \brief Does what StateSpace::setup() does with projections, which infers the sizes of their cells anew. */
+        void setUpProjections();
 
         void copyReferences(const StateType *destination, const StateType *source) const;
 
