@@ -141,7 +141,7 @@ demos::Work demos::declareGenerate(CLI::App &app)
     app.add_option("--kind", generator->name, "the kind of scene, see below")
         ->check(oneOf(names))
         ->capture_default_str();
-    app.add_option("--robots", given.robots, "number of robots")->check(demos::countUpTo(4294967295ull));
+    app.add_option("--robots", given.robots, "number of robots");
     generator->ofSomeKinds = {app.add_option("--obstacles", given.obstacles, "number of random obstacles"),
                               app.add_option("--size", given.size, "side of the square that the robots are in"),
                               app.add_option("--radius", given.radius, "radius of the discs among polygons"),

@@ -9,7 +9,7 @@ namespace ompl_certificates
 
     namespace
     {
-        /** The team has set the robot's space up, which others may be using. */
+        /** Mostly the team has set the robot's space up, which others may be using. */
         class RobotSpaceInformation : public ob::SpaceInformation
         {
         public:
@@ -17,7 +17,10 @@ namespace ompl_certificates
 
             void setup() override
             {
-                setup_ = true;
+                if (stateSpace_->getLongestValidSegmentLength() > 0.0)
+                    setup_ = true;
+                else
+                    SpaceInformation::setup();
             }
         };
 
