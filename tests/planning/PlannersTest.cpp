@@ -188,7 +188,8 @@ TEST(Planners, RefuseNumbersThatMakeNoSense)
     {
         const auto planner = makePlanner(name, si);
         const std::string complaint = complaintOf([&, k = key, v = value] { setParameter(*planner, k, v); });
-        EXPECT_EQ(complaint.find(planner->getName() + " refuses '" + value + "' as its parameter '" + key + "': must "), 0U)
+        EXPECT_EQ(complaint.find(planner->getName() + " refuses '" + value + "' as its parameter '" + key + "': must "),
+                  0U)
             << complaint;
         EXPECT_NE(complaint.find(why), std::string::npos) << complaint;
     }
