@@ -129,6 +129,9 @@ namespace benchmarks
         const bool sampleable = planner->getSpecs().recognizedGoal == ob::GOAL_SAMPLEABLE_REGION;
         if (task.keepGoing && !sampleable)
             setup->setGoal(std::make_shared<NoGoal>(setup->getSpaceInformation()));
+        // With the random numbers of this seed, as without a plan before.
+        if (task.warm)
+            setup->getSpaceInformation()->setup();
         setup->setup();
         setup->getStatistics().reset();
 
