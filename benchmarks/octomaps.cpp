@@ -233,9 +233,9 @@ namespace
             for (std::size_t i = 0; options.warm && i < options.methods.size(); ++i)
                 if (makesCertificates(rows[i].method))
                 {
-                    rows.push_back({});
-                    rows.back().method = rows[i].method;
-                    rows.back().warm = true;
+                    Row &row = rows.emplace_back();
+                    row.method = rows[i].method;
+                    row.warm = true;
                 }
             for (unsigned int seed = 1; seed <= options.seeds; ++seed)
             {

@@ -154,8 +154,9 @@ namespace ompl_certificates
         if (goals_->size() == 0)
         {
             const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
+            const std::string why = goal ? describeInvalid(goal->getState()) : "";
             OMPL_ERROR("%s: there are no valid goal states%s", getName().c_str(),
-                       goal ? (": " + describeInvalid(goal->getState())).c_str() : "");
+                       why.empty() ? "" : (": " + why).c_str());
             return ob::PlannerStatus::INVALID_GOAL;
         }
         return ob::PlannerStatus::UNKNOWN;
