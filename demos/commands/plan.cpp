@@ -210,12 +210,23 @@ namespace
                 if (!file.empty())
                     throw ompl::Exception(option,
                                           "is for planning scenes of MoveIt, which " + options.scene + " is not");
+            if (!options.packages.empty())
+                throw ompl::Exception("--package",
+                                      "is for planning scenes of MoveIt, which " + options.scene + " is not");
             return scene;
         }
         for (const auto &[option, file] : files)
             if (file.empty())
                 throw ompl::Exception(options.scene, "is a planning scene of MoveIt, which needs " + option);
-        return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf));
+        ArmFile::Options packages;
+        for (const std::string &text : options.packages)
+        {
+            const std::size_t equals = text.find('=');
+            if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+                throw ompl::Exception("--package", "must be NAME=FOLDER, not '" + text + "'");
+            packages.packages[text.substr(0, equals)] = text.substr(equals + 1);
+        }
+        return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf, packages));
     }
 
     int run(PlanTeamOptions options)

@@ -18,6 +18,7 @@ namespace demos
     {
         std::string scene;
         std::string request, urdf, srdf;
+        std::vector<std::string> packages;
         std::string planner;
         std::string method{"shared"};
         std::string motion{"discrete"};

@@ -46,8 +46,9 @@ class Body:
         """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:
         it keeps its z, and moves in x and y."""
     @staticmethod
-    def mesh_file(file: Path, dimension: int = 3) -> Body:
-        """The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame"""
+    def mesh_file(file: Path, dimension: int = 3, keep_axes: bool = False) -> Body:
+        """The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in OMPL.app, unless
+        keep_axes is true, as in ROS."""
     @staticmethod
     def join(members: Sequence[Tuple[Body, Optional[ArrayLike]]]) -> Body:
         """One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)"""
@@ -169,13 +170,16 @@ class Robot:
         attached: Sequence[AttachedBody] = ...,
         packages: Mapping[str, Path] = ...,
         visuals: bool = False,
+        may_touch_obstacles: Sequence[str] = ...,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
         the group needs bounds of its position, (low, high), of 2 or 3 numbers. attached are bodies that it carries.
         packages tells the folders of packages that meshes are in (package://name/...), where they are not around the
-        URDF file; visuals takes visual geometry in place of that for collisions. A state has the values of the group's
-        joints, in radians or meters. What was ignored in the files is told by warnings."""
+        URDF file; visuals takes visual geometry in place of that for collisions. may_touch_obstacles are links, and
+        attached bodies, that are not checked against obstacles, such as the foot of a robot that is bolted to a table.
+        A state has the values of the group's joints, in radians or meters. What was ignored in the files is told by
+        warnings."""
     @staticmethod
     def arm_states(urdf: Path, srdf: Path, group: str) -> Dict[str, NDArray[np.float64]]:
         """The states that the SRDF file names for a group, such as home: a dict of arrays, each a state of the group's
@@ -488,8 +492,8 @@ def load_scene(file: Path, *, dynamics: bool = False) -> Scene:
     by controls, and their velocities count; there may be no others."""
 def scene_from_yaml(text: str, source: str = "scene.yaml", *, dynamics: bool = False) -> Scene:
     """The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its folder."""
-def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path) -> Scene:
-    """The scene in MoveIt's planning scene and motion plan request (YAML)"""
+def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path, packages: Mapping[str, Path] = ...) -> Scene:
+    """The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm()."""
 def planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:
     """The parameters of a planner: a dict from their names to their values and the ranges that OMPL suggests, as texts
     such as 0.:1.:10000., which is from 0 in steps of 1 to 10000"""

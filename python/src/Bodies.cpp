@@ -35,10 +35,10 @@ namespace ompl_certificates_python
             return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 
-        Body readMesh(const std::filesystem::path &file, unsigned int dimension)
+        Body readMesh(const std::filesystem::path &file, unsigned int dimension, bool keepsAxes)
         {
             requireDimension(dimension);
-            return MeshFile(file).makeObstacle(dimension);
+            return MeshFile(file, keepsAxes).makeObstacle(dimension);
         }
 
         Body makePolygon(const py::object &object)
@@ -108,8 +108,9 @@ namespace ompl_certificates_python
             .def_static("mesh", &makeMesh, py::arg("vertices"), py::arg("faces"), py::arg("dimension") = 3,
                         "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
                         "a planar scene: it keeps its z, and moves in x and y.")
-            .def_static("mesh_file", &readMesh, py::arg("file"), py::arg("dimension") = 3,
-                        "The mesh of a COLLADA, STL, OBJ or PLY file, in the file's own frame")
+            .def_static("mesh_file", &readMesh, py::arg("file"), py::arg("dimension") = 3, py::arg("keep_axes") = false,
+                        "The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in "
+                        "OMPL.app, unless keep_axes is true, as in ROS.")
             .def_static("join", &join, py::arg("members"),
                         "One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)")
             .def("__repr__",

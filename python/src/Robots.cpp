@@ -42,7 +42,8 @@ namespace ompl_certificates_python
                             const std::map<std::string, double> &jointValues,
                             const std::optional<std::pair<std::vector<double>, std::vector<double>>> &bounds,
                             const std::vector<AttachedBody> &attached,
-                            const std::map<std::string, std::filesystem::path> &packages, bool visuals)
+                            const std::map<std::string, std::filesystem::path> &packages, bool visuals,
+                            const std::vector<std::string> &mayTouchObstacles)
         {
             ArmFile::Options options;
             options.useVisuals = visuals;
@@ -54,6 +55,7 @@ namespace ompl_certificates_python
             if (bounds)
                 settings.bounds = toBounds(bounds->first, bounds->second);
             settings.attached = attached;
+            settings.mayTouchObstacles = mayTouchObstacles;
             std::vector<std::string> notes;
             const auto arm = file.makeArm(name.value_or(file.getName()), group, settings, &notes);
             for (const std::string &note : notes)
@@ -200,12 +202,14 @@ namespace ompl_certificates_python
                 py::arg("joint_values") = std::map<std::string, double>(), py::arg("bounds") = py::none(),
                 py::arg("attached") = std::vector<AttachedBody>(),
                 py::arg("packages") = std::map<std::string, std::filesystem::path>(), py::arg("visuals") = false,
+                py::arg("may_touch_obstacles") = std::vector<std::string>(),
                 "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
                 "for. base is the pose of its root link; joint_values are those of joints that are not of the "
                 "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
                 "or 3 numbers. attached are bodies that it carries. packages tells the folders of packages that "
                 "meshes are in (package://name/...), where they are not around the URDF file; visuals takes visual "
-                "geometry in place of that for collisions. A state has the values of the group's joints, in radians "
+                "geometry in place of that for collisions. may_touch_obstacles are links, and attached bodies, that are "
+                "not checked against obstacles, such as the foot of a robot that is bolted to a table. A state has the values of the group's joints, in radians "
                 "or meters. What was ignored in the files is told by warnings.")
             .def_static("arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
                         "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "

@@ -300,9 +300,15 @@ namespace ompl_certificates_python
         module.def(
             "load_moveit",
             [](const std::filesystem::path &file, const std::filesystem::path &request,
-               const std::filesystem::path &urdf, const std::filesystem::path &srdf)
-            { return readMoveItFiles(file, request, ArmFile(urdf, srdf)).scene; },
+               const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+               const std::map<std::string, std::filesystem::path> &packages)
+            {
+                ArmFile::Options options;
+                options.packages.insert(packages.begin(), packages.end());
+                return readMoveItFiles(file, request, ArmFile(urdf, srdf, options)).scene;
+            },
             py::arg("scene"), py::arg("request"), py::arg("urdf"), py::arg("srdf"),
-            "The scene in MoveIt's planning scene and motion plan request (YAML)");
+            py::arg("packages") = std::map<std::string, std::filesystem::path>(),
+            "The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm().");
     }
 }

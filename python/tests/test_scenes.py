@@ -211,6 +211,22 @@ def test_arms_carry_bodies(scenes: pathlib.Path) -> None:
         disc.links
 
 
+def test_links_may_touch_obstacles(scenes: pathlib.Path) -> None:
+    urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
+    states = oc.Robot.arm_states(urdf, srdf, "arm")
+
+    def checker(**settings: Any) -> oc.Checker:
+        scene = oc.Scene([-1, -1, 0], [1, 1, 2])
+        scene.add_obstacle(oc.Body.box(2, 2, 0.1))
+        scene.add_robot(oc.Robot.arm(urdf, srdf, "arm", **settings), states["ready"], states["upright"])
+        return oc.Checker(scene)
+
+    assert not checker().is_valid(states["ready"])
+    assert checker(may_touch_obstacles=["base"]).is_valid(states["ready"])
+    with pytest.raises(oc.Error, match="'none'"):
+        checker(may_touch_obstacles=["none"])
+
+
 def test_arms_find_packages_and_warn(tmp_path: pathlib.Path) -> None:
     (tmp_path / "far").mkdir()
     (tmp_path / "far" / "mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")

@@ -107,6 +107,11 @@ namespace ompl_certificates
         return shape_->mayCollide(body, other, otherBody);
     }
 
+    bool DynamicRobot::mayTouchObstacles(std::size_t body) const
+    {
+        return shape_->mayTouchObstacles(body);
+    }
+
     std::size_t DynamicRobot::getTracedBody() const
     {
         return shape_->getTracedBody();

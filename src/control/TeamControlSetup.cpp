@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -12,9 +13,10 @@ namespace ompl_certificates
 
     TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                                        CertificateMotionValidator::Mode mode)
-      : SimpleSetup(TeamPropagator::makeControlSpace(team))
+      : SimpleSetup(TeamPropagator::makeControlSpace(team)), mode_(mode)
     {
         const auto propagator = std::make_shared<TeamPropagator>(getSpaceInformation());
+        propagator_ = propagator.get();
         checker_ = std::make_shared<TeamValidityChecker>(getSpaceInformation(), obstacles, method);
         if (mode == CertificateMotionValidator::CONTINUOUS)
             propagator->requireProof(checker_);
@@ -42,6 +44,11 @@ namespace ompl_certificates
         // OMPL lets it pass, and finds nothing.
         if (const double step = getSpaceInformation()->getPropagationStepSize(); !std::isfinite(step))
             throw ompl::Exception("The propagation step size must be finite, not " + std::to_string(step));
+        if (mode_ == CertificateMotionValidator::CONTINUOUS &&
+            getSpaceInformation()->getStatePropagator().get() != propagator_)
+            OMPL_WARN(
+                "TeamControlSetup: steps are proved by the propagator of this setup, which another one has "
+                "replaced. They are not proved unless that one does it, as by TeamPropagator::requireProof().");
         if (!pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(
                 std::make_shared<ob::PathLengthOptimizationObjective>(getSpaceInformation()));

@@ -47,6 +47,26 @@ namespace ompl_certificates
             }
         }
 
+        /** The section of a triangle with the line of that y: its least and largest x; none if the first is larger */
+        std::pair<double, double> sectionOf(const std::array<Eigen::Vector3d, 3> &corners, double y)
+        {
+            double low = std::numeric_limits<double>::infinity(), high = -low;
+            const auto extend = [&](double x)
+            {
+                low = std::min(low, x);
+                high = std::max(high, x);
+            };
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                const Eigen::Vector3d &a = corners[k], &b = corners[(k + 1) % 3];
+                if (a.y() == y)
+                    extend(a.x());
+                if ((a.y() < y) != (b.y() < y))
+                    extend(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+            }
+            return {low, high};
+        }
+
         /** The sides of cells between inside and outside, each with the inside to its left. At most two of the
             directions +x, +y, -x, -y leave each corner. */
         class Sides
@@ -124,13 +144,18 @@ namespace ompl_certificates
     {
     }
 
-    void MeshOutline::mark(double x, double y, float near)
+    void MeshOutline::markEdge(const Eigen::Vector3d &from, const Eigen::Vector3d &to)
     {
-        if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_))
-            return;
-        float &cell =
-            nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
-        cell = std::max(cell, near);
+        const Eigen::Vector3d along = to - from;
+        const double length = along.head<2>().norm();
+        const int steps = static_cast<int>(std::min(2.0 * length + 1.0, 4.0 * (columns_ + rows_)));
+        const double part = 1.0 / steps;
+        for (int i = 0; i <= steps; ++i)
+        {
+            const double t = i * part, x = from.x() + t * along.x(), y = from.y() + t * along.y();
+            if (x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_)
+                mark(static_cast<int>(x), static_cast<int>(y), static_cast<float>(from.z() + t * along.z()));
+        }
     }
 
     void MeshOutline::add(const std::array<Eigen::Vector3d, 3> &corners)
@@ -139,39 +164,36 @@ namespace ompl_certificates
         for (Eigen::Vector3d &corner : p)
             corner.head<2>() = (corner.head<2>() - low_) / side_;
         const Eigen::Vector3d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
-        if (high.x() < 0.0 || high.y() < 0.0 || low.x() >= columns_ || low.y() >= rows_)
+        if (!(high.x() >= 0.0 && high.y() >= 0.0 && low.x() < columns_ && low.y() < rows_))
             return;
+        const double bottom = std::floor(low.y()), top = std::floor(high.y()), left = std::floor(low.x());
+        if (bottom == top && left == std::floor(high.x()))
+        {
+            mark(static_cast<int>(left), static_cast<int>(bottom), static_cast<float>(high.z()));
+            return;
+        }
         // A shape thinner than a cell contains no cell's center: its edges are marked as well.
         for (std::size_t k = 0; k < 3; ++k)
-        {
-            const Eigen::Vector3d &a = p[k];
-            const Eigen::Vector3d along = p[(k + 1) % 3] - a;
-            const double length = along.head<2>().norm();
-            const int steps = static_cast<int>(std::min(2.0 * length + 1.0, 4.0 * (columns_ + rows_)));
-            for (int i = 0; i <= steps; ++i)
-            {
-                const Eigen::Vector3d point = a + along * (static_cast<double>(i) / steps);
-                mark(point.x(), point.y(), static_cast<float>(point.z()));
-            }
-        }
-        const auto cross = [](const Eigen::Vector3d &a, const Eigen::Vector3d &b)
-        { return a.x() * b.y() - a.y() * b.x(); };
-        const double area = cross(p[1] - p[0], p[2] - p[0]);
+            markEdge(p[k], p[(k + 1) % 3]);
+        const Eigen::Vector3d u = p[1] - p[0], v = p[2] - p[0];
+        const double area = u.x() * v.y() - u.y() * v.x();
         if (std::abs(area) < 1e-9)
             return;
-        const int bottom = std::max(0, static_cast<int>(std::floor(low.y()))),
-                  top = std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))),
-                  left = std::max(0, static_cast<int>(std::floor(low.x()))),
-                  right = std::min(columns_ - 1, static_cast<int>(std::floor(high.x())));
-        for (int row = bottom; row <= top; ++row)
-            for (int column = left; column <= right; ++column)
+        const double slope = (u.z() * v.y() - v.z() * u.y()) / area, rise = (v.z() * u.x() - u.z() * v.x()) / area;
+        const int last = static_cast<int>(std::min(top, rows_ - 1.0));
+        for (int row = static_cast<int>(std::max(bottom, 0.0)); row <= last; ++row)
+        {
+            const double y = row + 0.5;
+            const auto [begin, end] = sectionOf(p, y);
+            const double first = std::max(std::ceil(begin - 0.5), 0.0);
+            const double columns = std::min(std::floor(end - 0.5), columns_ - 1.0) - first;
+            for (int i = 0; i <= columns; ++i)
             {
-                const Eigen::Vector3d center = Eigen::Vector3d(column + 0.5, row + 0.5, 0.0) - p[0];
-                const double u = cross(center, p[2] - p[0]) / area, v = cross(p[1] - p[0], center) / area;
-                if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
-                    mark(column, row,
-                         static_cast<float>(p[0].z() + u * (p[1].z() - p[0].z()) + v * (p[2].z() - p[0].z())));
+                const int column = static_cast<int>(first) + i;
+                mark(column, row,
+                     static_cast<float>(p[0].z() + slope * (column + 0.5 - p[0].x()) + rise * (y - p[0].y())));
             }
+        }
     }
 
     bool MeshOutline::isInside(int column, int row, double level) const

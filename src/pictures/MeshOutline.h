@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PICTURES_MESH_OUTLINE_
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -30,8 +31,11 @@ namespace ompl_certificates
         std::vector<Loop> trace(double level) const;
 
     private:
-        /** \brief Note in the cell at \e point, in cells, that something is \e near; ignored outside of the grid */
-        void mark(double x, double y, float near);
+        /** \brief Note in a cell of the grid that something is \e near */
+        void mark(int column, int row, float near);
+
+        /** \brief The same along an edge, given in cells, where it is within the grid */
+        void markEdge(const Eigen::Vector3d &from, const Eigen::Vector3d &to);
 
         /** \brief Whether the nearest triangle of a cell is at \e level or nearer */
         bool isInside(int column, int row, double level) const;

@@ -3,6 +3,7 @@
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <algorithm>
+#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -55,11 +56,14 @@ namespace ompl_certificates
                         const std::shared_ptr<const TeamValidityChecker> &checker,
                         const ob::PlannerTerminationCondition &condition)
     {
+        const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
+        if (checker && space->getDimension() != checker->getTeam().getStateSpace()->getDimension())
+            throw ompl::Exception("The path is of space '" + space->getName() + "', not of the checker's, '" +
+                                  checker->getTeam().getStateSpace()->getName() + "'");
         std::shared_ptr<const TeamValidityChecker> prover = checker;
         if (checker && !makesCertificates(checker->getMethod()))
             prover = std::make_shared<TeamValidityChecker>(*checker, Method::SHARED_PROJECTION);
         const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);
-        const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
         PathProof proof;
         std::vector<double> proved;
         ob::ScopedState<> last(space);

@@ -120,6 +120,11 @@ namespace ompl_certificates
         return model_->linkPairs.count(std::minmax(model_->links[body], arm->model_->links[otherBody])) > 0;
     }
 
+    bool Arm::mayTouchObstacles(std::size_t body) const
+    {
+        return model_->mayTouchObstacles[body];
+    }
+
     bool Arm::moves(const std::string &link) const
     {
         return model_->frames.getLink(model_->tree.getLinkIndex(link)).frame != 0;
@@ -134,7 +139,7 @@ namespace ompl_certificates
             return false;
         // Names may differ: what moves whether, and where what does not move is, must be equal.
         const ArmModel &a = *model_, &b = *arm->model_;
-        if (a.links != b.links || a.group.size() != b.group.size() ||
+        if (a.links != b.links || a.mayTouchObstacles != b.mayTouchObstacles || a.group.size() != b.group.size() ||
             a.options.base.matrix() != b.options.base.matrix())
             return false;
         for (std::size_t i = 0; i < a.group.size(); ++i)

@@ -88,6 +88,31 @@ namespace ompl_certificates
                                           (pair.second == body.name && allows(body, pair.first));
                                });
         }
+
+        bool isAny(const std::vector<TouchableObstacle> &obstacles, const std::string &name)
+        {
+            return std::any_of(obstacles.begin(), obstacles.end(),
+                               [&](const TouchableObstacle &obstacle) { return obstacle.name == name; });
+        }
+
+        bool isOfAny(const std::vector<TouchableObstacle> &obstacles, const LinkPair &pair)
+        {
+            return isAny(obstacles, pair.first) || isAny(obstacles, pair.second);
+        }
+
+        /** Add the pairs of each obstacle and the links that must not touch it. */
+        void addPairs(const std::vector<TouchableObstacle> &obstacles, const KinematicTree &tree,
+                      std::vector<LinkPair> &pairs)
+        {
+            for (const TouchableObstacle &obstacle : obstacles)
+            {
+                const auto &allowed = obstacle.touchLinks;
+                for (const KinematicTree::Link &link : tree.getLinks())
+                    if (link.body && !isAny(obstacles, link.name) &&
+                        std::find(allowed.begin(), allowed.end(), link.name) == allowed.end())
+                        pairs.emplace_back(link.name, obstacle.name);
+            }
+        }
     }
 
     ArmFile::ArmFile(const std::string &urdf, const std::string &srdf) : ArmFile(urdf, srdf, Options())
@@ -104,6 +129,7 @@ namespace ompl_certificates
       , srdf_(srdf)
       , name_(model.name)
       , tree_(model.tree)
+      , notes_(model.notes)
       , semantics_(srdf.empty() ? std::make_shared<const SrdfModel>(tree_)
                                 : std::make_shared<const SrdfModel>(srdf, name_, tree_))
     {
@@ -143,8 +169,7 @@ namespace ompl_certificates
         return states->second.at(state);
     }
 
-    KinematicTree ArmFile::treeFor(const std::vector<std::string> &group,
-                                   const std::vector<AttachedBody> &attached) const
+    KinematicTree ArmFile::treeFor(const std::vector<std::string> &group, const ArmSettings &settings) const
     {
         KinematicTree tree = tree_;
         const auto &joint = semantics_->virtualJoint;
@@ -155,7 +180,7 @@ namespace ompl_certificates
             moving.type = joint->type;
             tree = tree_.hungOn(joint->parentFrame, moving);
         }
-        for (const AttachedBody &body : attached)
+        for (const AttachedBody &body : settings.attached)
         {
             for (const std::string &link : body.touchLinks)
                 tree.getLinkIndex(link);
@@ -163,6 +188,15 @@ namespace ompl_certificates
             fixed.name = "attached " + body.name;
             fixed.origin = body.pose;
             tree.addLink(body.link, fixed, body.name, body.body);
+        }
+        for (const TouchableObstacle &obstacle : settings.touchable)
+        {
+            for (const std::string &link : obstacle.touchLinks)
+                tree.getLinkIndex(link);
+            KinematicTree::Joint fixed;
+            fixed.name = "obstacle " + obstacle.name;
+            fixed.origin = settings.base.inverse() * obstacle.pose;
+            tree.addLink(tree.getLinks().front().name, fixed, obstacle.name, obstacle.body);
         }
         return tree;
     }
@@ -175,6 +209,9 @@ namespace ompl_certificates
         options.base = settings.base;
         options.jointValues = settings.jointValues;
         options.bounds = settings.bounds;
+        options.mayTouchObstacles = settings.mayTouchObstacles;
+        for (const TouchableObstacle &obstacle : settings.touchable)
+            options.mayTouchObstacles.push_back(obstacle.name);
         const bool sampled = srdf_.empty() && !settings.mayTouch;
         if (sampled)
             options.linkPairs = pairsNotAdjacent(tree);
@@ -185,8 +222,10 @@ namespace ompl_certificates
                     options.linkPairs.push_back(pair);
         auto &pairs = options.linkPairs;
         pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                                   [&](const LinkPair &pair) { return mayTouch(settings.attached, pair); }),
+                                   [&](const LinkPair &pair)
+                                   { return mayTouch(settings.attached, pair) || isOfAny(settings.touchable, pair); }),
                     pairs.end());
+        addPairs(settings.touchable, tree, pairs);
         const Arm all(names, tree, joints, options);
         std::set<LinkPair> apart;
         std::vector<std::string> together;
@@ -202,7 +241,10 @@ namespace ompl_certificates
                             boost::algorithm::join(together, ", "));
         if (sampled)
         {
-            const std::vector<LinkPair> always = pairsThatAlwaysCollide(all);
+            std::vector<LinkPair> always = pairsThatAlwaysCollide(all);
+            always.erase(std::remove_if(always.begin(), always.end(),
+                                        [&](const LinkPair &pair) { return isOfAny(settings.touchable, pair); }),
+                         always.end());
             remove(pairs, {always.begin(), always.end()});
             std::vector<std::string> colliding;
             colliding.reserve(always.size());
@@ -251,10 +293,11 @@ namespace ompl_certificates
             names.push_back(part.name);
         }
         std::vector<std::string> &told = notes ? *notes : ignored;
+        told.insert(told.end(), notes_.begin(), notes_.end());
         told.insert(told.end(), semantics_->notes.begin(), semantics_->notes.end());
         try
         {
-            const KinematicTree tree = treeFor(joints, settings.attached);
+            const KinematicTree tree = treeFor(joints, settings);
             noteFollowers(tree, joints, settings.jointValues, told);
             const ArmOptions options =
                 optionsFor((names.size() > 1 ? "robots " : "robot ") + listOf(names), tree, joints, settings, told);

@@ -98,7 +98,7 @@ namespace ompl_certificates
     {
         std::string shown(word.substr(0, 40));
         std::replace_if(
-            shown.begin(), shown.end(), [](unsigned char c) { return c < ' '; }, '?');
+            shown.begin(), shown.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
         return "'" + shown + "'";
     }
 }

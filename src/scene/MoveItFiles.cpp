@@ -2,8 +2,8 @@
 
 #include "MoveItGoal.h"
 #include "MoveItMessages.h"
-#include "MoveItPlanes.h"
 #include "MoveItRobotState.h"
+#include "MoveItWorld.h"
 #include "YamlText.h"
 #include "files/WholeFile.h"
 
@@ -23,15 +23,16 @@ namespace ompl_certificates
         /** MoveIt's own default */
         constexpr double RESOLUTION = 0.005;
 
-        using JointType = KinematicTree::JointType;
-        using Pair = std::pair<std::string, std::string>;
-
         /** The poses of frames that obstacles can be in */
         MoveItFrames readFrames(const YamlNode &root, const ArmFile &robot, const MoveItRobotState &state)
         {
             const KinematicTree &tree = robot.getTree();
             MoveItFrames frames{{"", Pose::Identity()},
                                 {tree.getLinks().front().name, state.base.value_or(Pose::Identity())}};
+            for (const KinematicTree::Link &link : tree.getLinks())
+                if (const auto parent = frames.find(tree.getLinks()[link.parent].name);
+                    parent != frames.end() && link.joint.type == KinematicTree::JointType::FIXED)
+                    frames.emplace(link.name, parent->second * link.joint.origin);
             if (const auto joint = robot.getVirtualJoint())
                 frames.emplace(joint->parentFrame, Pose::Identity());
             std::string planningFrame;
@@ -52,93 +53,6 @@ namespace ompl_certificates
                     frames[child] = pose;
             }
             return frames;
-        }
-
-        /** The obstacles, and what they are called in messages */
-        struct World
-        {
-            std::vector<PlacedBody> obstacles;
-            std::vector<std::string> titles;
-            std::vector<Pose> planes;
-            std::vector<std::string> planeTitles;
-            std::set<std::string> names;
-        };
-
-        World readWorld(const YamlNode &node, const MoveItFrames &frames, const std::string &folder)
-        {
-            node.allow({"collision_objects", "octomap"});
-            if (node.has("octomap"))
-            {
-                const YamlNode octomap = node.at("octomap");
-                octomap.allow({"header", "origin", "octomap"});
-                if (octomap.has("octomap"))
-                    refuse(octomap.at("octomap"), {"data"});
-            }
-            World world;
-            for (const YamlNode &item : moveItItems(node, "collision_objects"))
-            {
-                const MoveItObject object = readMoveItObject(item, folder);
-                if (!world.names.insert(object.name).second)
-                    item.at("id").fail("there is an object '" + object.name + "' already");
-                const Pose &frame = readMoveItFrame(item, frames);
-                for (const MoveItObject::Placed &placed : object.shapes)
-                {
-                    world.obstacles.push_back({placed.shape.body, frame * placed.shape.pose});
-                    world.titles.push_back(placed.node.getKey() + " of '" + object.name + "'");
-                }
-                for (const MoveItObject::Plane &plane : object.planes)
-                {
-                    world.planes.push_back(frame * plane.pose);
-                    world.planeTitles.push_back(plane.node.getKey() + " of '" + object.name + "'");
-                }
-            }
-            return world;
-        }
-
-        /** The pairs that may touch by an allowed collision matrix; a pair that it does not name must not. */
-        std::set<Pair> readMatrix(const YamlNode &matrix, const KinematicTree &tree,
-                                  const std::vector<AttachedBody> &attached, const std::set<std::string> &obstacles)
-        {
-            std::set<std::string> carried;
-            for (const AttachedBody &body : attached)
-                carried.insert(body.name);
-            const auto isRobot = [&](const std::string &name) { return tree.hasLink(name) || carried.count(name) > 0; };
-            matrix.allow({"entry_names", "entry_values", "default_entry_names", "default_entry_values"});
-            std::vector<std::string> names;
-            for (const YamlNode &name : moveItItems(matrix, "entry_names"))
-                names.push_back(name.text());
-            for (const YamlNode &value : moveItItems(matrix, "default_entry_values"))
-                if (value.boolean())
-                    value.fail("names that may touch everything are not supported");
-            const auto rows = matrix.at("entry_values").items(names.size(), names.size());
-            std::set<Pair> allowed, forbidden;
-            for (std::size_t i = 0; i < rows.size(); ++i)
-            {
-                if (rows[i].isMap())
-                    rows[i].allow({"enabled"});
-                const auto values =
-                    (rows[i].isMap() ? rows[i].at("enabled") : rows[i]).items(names.size(), names.size());
-                for (std::size_t k = 0; k < values.size(); ++k)
-                {
-                    const bool mayTouch = values[k].boolean();
-                    for (const auto &[obstacle, link] : {Pair{names[i], names[k]}, {names[k], names[i]}})
-                        if (mayTouch && obstacles.count(obstacle) > 0 && isRobot(link))
-                            values[k].fail("obstacle '" + obstacle + "' that '" + link +
-                                           "' may touch is not supported");
-                    const Pair pair = std::minmax(names[i], names[k]);
-                    if ((mayTouch ? forbidden : allowed).count(pair) > 0)
-                        values[k].fail("must be as for '" + names[k] + "' and '" + names[i] +
-                                       "': the matrix must be symmetric");
-                    if (!mayTouch)
-                    {
-                        forbidden.insert(pair);
-                        continue;
-                    }
-                    allowed.insert({names[i], names[k]});
-                    allowed.insert({names[k], names[i]});
-                }
-            }
-            return allowed;
         }
 
         /** A scene that is a difference has an empty matrix where nothing has changed. */
@@ -191,7 +105,7 @@ namespace ompl_certificates
         }
 
         /** The bounds of all that is seen in a picture */
-        ob::RealVectorBounds boundsAround(const std::vector<PlacedBody> &obstacles, const Scene::Member &member,
+        ob::RealVectorBounds boundsAround(const MoveItWorld &world, const Scene::Member &member,
                                           const std::optional<ob::RealVectorBounds> &workspace)
         {
             ob::RealVectorBounds bounds(3);
@@ -199,8 +113,9 @@ namespace ompl_certificates
             bounds.setHigh(-YamlNode::MAX_NUMBER);
             if (workspace)
                 bounds = *workspace;
-            for (const PlacedBody &obstacle : obstacles)
-                enlarge(bounds, obstacle.body, obstacle.pose);
+            for (const MoveItWorld::Object &object : world.getObjects())
+                for (std::size_t i = 0; i < object.solids; ++i)
+                    enlarge(bounds, object.shapes[i].body, object.shapes[i].pose);
             const auto &bodies = member.robot->getBodies();
             std::vector<Pose> poses(bodies.size());
             ob::ScopedState<> state(member.robot->getStateSpace());
@@ -238,6 +153,26 @@ namespace ompl_certificates
                     *same = body;
             }
             state.notes.insert(start.notes.begin(), start.notes.end());
+        }
+
+        /** The arm among the obstacles. Those of \e world that links may touch become a part of it. */
+        std::shared_ptr<const Arm> makeArm(const ArmFile &robot, const std::string &group,
+                                           ArmFile::ArmSettings &settings, const std::optional<MoveItMatrix> &matrix,
+                                           MoveItWorld &world, std::vector<std::string> &notes)
+        {
+            std::vector<std::string> ofArm, ofObstacles;
+            auto arm = robot.makeArm(robot.getName(), group, settings, &ofArm);
+            world.cutPlanes(*arm, settings);
+            if (matrix)
+                world.moveTouchable(*matrix, *arm, settings, ofObstacles);
+            if (!settings.touchable.empty() || !settings.mayTouchObstacles.empty())
+            {
+                ofArm.clear();
+                arm = robot.makeArm(robot.getName(), group, settings, &ofArm);
+            }
+            notes.insert(notes.end(), ofArm.begin(), ofArm.end());
+            notes.insert(notes.end(), ofObstacles.begin(), ofObstacles.end());
+            return arm;
         }
 
         std::string folderOf(const std::string &file)
@@ -280,14 +215,13 @@ namespace ompl_certificates
         refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
         refusePadding(root);
 
-        const KinematicTree &tree = robot.getTree();
         const std::string folder = folderOf(scene);
         MoveItRobotState state;
         if (root.has("robot_state"))
             state = readMoveItRobotState(root.at("robot_state"), robot, folder);
         const MoveItFrames frames = readFrames(root, robot, state);
         const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
-        const World world = isEmpty ? World() : readWorld(root.at("world"), frames, folder);
+        MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder);
 
         if (wish.has("start_state"))
             merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
@@ -298,13 +232,12 @@ namespace ompl_certificates
         settings.jointValues = state.joints;
         settings.attached = state.attached;
         settings.bounds = readWorkspace(wish);
-        std::set<Pair> allowed;
+        std::optional<MoveItMatrix> matrix;
         if (hasMatrix(root))
         {
-            allowed = readMatrix(root.at("allowed_collision_matrix"), tree, state.attached, world.names);
-            settings.mayTouch = [&allowed](const std::string &first, const std::string &second) {
-                return allowed.count({first, second}) > 0;
-            };
+            matrix.emplace(root.at("allowed_collision_matrix"));
+            settings.mayTouch = [&matrix](const std::string &first, const std::string &second)
+            { return matrix->mayTouch(first, second); };
         }
         std::vector<std::string> notes;
         for (const auto &[object, about] : state.notes)
@@ -314,7 +247,7 @@ namespace ompl_certificates
         {
             for (const std::string &joint : robot.getJoints(group))
                 settings.jointValues.erase(joint);
-            member.robot = robot.makeArm(robot.getName(), group, settings, &notes);
+            member.robot = makeArm(robot, group, settings, matrix, world, notes);
         }
         catch (const ompl::Exception &exception)
         {
@@ -326,17 +259,14 @@ namespace ompl_certificates
 
         const std::string name = moveItText(root, "name");
         SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
-                             boundsAround(world.obstacles, member, settings.bounds)),
+                             boundsAround(world, member, settings.bounds)),
                        {},
                        {},
                        {},
                        {}};
-        for (std::size_t i = 0; i < world.obstacles.size(); ++i)
-            file.scene.addObstacle(world.obstacles[i], world.titles[i]);
-        const double reach = reachOf(arm, settings.jointValues);
-        for (std::size_t i = 0; i < world.planes.size(); ++i)
-            file.scene.addObstacle(planeWithin(world.planes[i], settings.base.translation(), reach),
-                                   world.planeTitles[i]);
+        for (const MoveItWorld::Object &object : world.getObjects())
+            for (std::size_t i = 0; i < object.shapes.size(); ++i)
+                file.scene.addObstacle(object.shapes[i], object.titles[i]);
         file.scene.addMember(member);
         file.scene.setResolution(RESOLUTION);
         file.scene.chooseGoals();

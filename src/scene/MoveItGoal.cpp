@@ -2,6 +2,7 @@
 
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
+#include "YamlArms.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ namespace ompl_certificates
             if (found == values.end())
                 node.fail("has no position of joint '" + name + "'");
             if (joint.type != JointType::CONTINUOUS)
-                return withinLimits(joint, found->second);
+                return checkedJointValue(node, joint, withinLimits(joint, found->second));
             if (found->second >= -M_PI && found->second < M_PI)
                 return found->second;
             const double angle = std::remainder(found->second, 2.0 * M_PI);
@@ -53,6 +54,15 @@ namespace ompl_certificates
                           "', not " + item.at("position").describe());
         }
 
+        /** Whether a constraint asks of a joint whose limits are equal that it be there, as it always is */
+        bool isHeldThere(const KinematicTree &tree, const std::string &name, const YamlNode &item)
+        {
+            if (!tree.hasJoint(name))
+                return false;
+            const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
+            return hasEqualLimits(joint) && std::abs(item.at("position").number() - joint.lower) <= FILE_ROUNDING;
+        }
+
         std::map<std::string, double> readJoints(const YamlNode &goal, const KinematicTree &tree,
                                                  const std::vector<std::string> &group)
         {
@@ -71,6 +81,8 @@ namespace ompl_certificates
                     followers.emplace_back(item, *mimic);
                     continue;
                 }
+                if (isHeldThere(tree, name, item))
+                    continue;
                 if (!isMoved(name))
                     item.at("joint_name").fail("'" + name + "' is not a joint of the group");
                 if (!values.emplace(name, item.at("position").number()).second)
@@ -144,7 +156,13 @@ namespace ompl_certificates
         const std::string name = moveItFrame(node);
         const auto frame = frames.find(name);
         if (frame == frames.end())
-            node.at("header").fail("there is no fixed frame '" + name + "'");
+        {
+            std::string known;
+            for (const auto &[one, pose] : frames)
+                if (!one.empty())
+                    known += (known.empty() ? "'" : ", '") + one + "'";
+            node.at("header").fail("there is no fixed frame '" + name + "'; there are " + known);
+        }
         return frame->second;
     }
 

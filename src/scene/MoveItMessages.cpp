@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <filesystem>
 #include <ompl/util/Exception.h>
@@ -110,7 +111,8 @@ namespace ompl_certificates
             printed */
         bool isAdd(const YamlNode &node)
         {
-            const std::string value = node.scalar();
+            // A block of binary text ends with its line.
+            const std::string value = boost::algorithm::trim_copy(node.scalar());
             return value.empty() || value == "add" || value == "0" || value == "0x00" || value == "AA==" ||
                    value == std::string(1, '\0');
         }

@@ -22,6 +22,8 @@ namespace ompl_certificates
             if (object.frame != attached.link)
                 node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
                                        object.frame + "', are not supported");
+            if (tree.hasLink(object.name))
+                node.at("object").at("id").fail("there is a link '" + object.name + "' already");
             attached.name = object.name;
             attached.pose = object.pose;
             std::vector<Body::Part> parts;

@@ -76,6 +76,8 @@ namespace ompl_certificates
         {
             for (std::size_t i = 0; i < poses.size(); ++i)
             {
+                if (robot.mayTouchObstacles(i))
+                    continue;
                 const Body &body = robot.getBodies()[i];
                 const Touching contact = obstacles.touches(body, poses[i]);
                 if (contact == Touching::UNKNOWN ? !obstacles.collides(body, poses[i]) : contact != Touching::YES)

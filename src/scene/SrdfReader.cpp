@@ -138,6 +138,16 @@ namespace ompl_certificates
             return joint.type != KinematicTree::JointType::FIXED && !joint.mimic &&
                    (!isLimited(joint) || joint.lower < joint.upper);
         }
+
+        std::string noteOnEqualLimits(const KinematicTree::Joint &joint)
+        {
+            return "joint '" + joint.name + "' does not move: both limits are " + std::to_string(joint.lower);
+        }
+    }
+
+    bool hasEqualLimits(const KinematicTree::Joint &joint)
+    {
+        return isLimited(joint) && !joint.mimic && joint.lower == joint.upper;
     }
 
     double withinLimits(const KinematicTree::Joint &joint, double value)
@@ -154,6 +164,8 @@ namespace ompl_certificates
         for (const KinematicTree::Link &link : tree.getLinks())
             if (canMove(link.joint))
                 joints.push_back(link.joint.name);
+            else if (hasEqualLimits(link.joint))
+                notes.push_back(noteOnEqualLimits(link.joint));
     }
 
     SrdfModel::SrdfModel(const std::string &file, const std::string &robot, const KinematicTree &tree)
@@ -193,6 +205,7 @@ namespace ompl_certificates
         for (const Node node : root.children("passive_joint"))
             if (const auto joint = all.joint(node))
                 passive.insert(*joint);
+        Names held;
         for (const auto &[name, node] : all.getNodes())
         {
             const Names names = all.jointsOf(name);
@@ -200,8 +213,13 @@ namespace ompl_certificates
             if (virtualJoint && virtualJoint->type != KinematicTree::JointType::FIXED && names.count(virtualName) > 0)
                 joints.push_back(virtualName);
             for (const KinematicTree::Link &link : tree.getLinks())
-                if (names.count(link.joint.name) > 0 && canMove(link.joint) && passive.count(link.joint.name) == 0)
-                    joints.push_back(link.joint.name);
+                if (const std::string &joint = link.joint.name; names.count(joint) > 0 && passive.count(joint) == 0)
+                {
+                    if (canMove(link.joint))
+                        joints.push_back(joint);
+                    else if (hasEqualLimits(link.joint) && held.insert(joint).second)
+                        notes.push_back(noteOnEqualLimits(link.joint));
+                }
         }
         for (const Node node : root.children("group_state"))
         {
@@ -242,11 +260,16 @@ namespace ompl_certificates
         };
         readPairs("disable_collisions", disabled_);
         readPairs("enable_collisions", enabled_);
+        for (const Node node : root.children("disable_default_collisions"))
+        {
+            const std::string link = xml.attribute(node, "link");
+            if (!tree.hasLink(link))
+                missing.insert(link);
+            disabledLinks_.insert(link);
+        }
         if (!missing.empty())
             notes.push_back(file +
                             ": pairs of links name some that there are not: " + boost::algorithm::join(missing, ", "));
-        for (const Node node : root.children("disable_default_collisions"))
-            disabledLinks_.insert(xml.attribute(node, "link"));
     }
 
     bool SrdfModel::isDisabled(const std::string &first, const std::string &second) const

@@ -15,6 +15,9 @@ namespace ompl_certificates
     /** \brief What files round numbers of joints and transforms by, at most: to three or four digits */
     constexpr double FILE_ROUNDING = 1e-3;
 
+    /** \brief Whether a joint stays where it is, since both of its limits are equal */
+    bool hasEqualLimits(const KinematicTree::Joint &joint);
+
     /** \brief The value of a joint as a file has it: if it is beyond a limit by no more than FILE_ROUNDING, the limit */
     double withinLimits(const KinematicTree::Joint &joint, double value);
 

@@ -96,7 +96,14 @@ namespace ompl_certificates
             std::memcpy(&facets, &content[HEADER], sizeof(facets));
         if (content.size() == BEGIN + FACET * facets)
             readBinary(content, mesh);
-        else
+        else if (content.substr(0, BEGIN).find('\0') == std::string_view::npos)
             readText(content, mesh);
+        else if (content.size() < BEGIN)
+            throw std::runtime_error("has " + std::to_string(content.size()) +
+                                     " bytes, fewer than the header of a binary file");
+        else
+            throw std::runtime_error("its header tells of " + std::to_string(facets) + " facets, which take " +
+                                     std::to_string(BEGIN + FACET * facets) + " bytes, but it has " +
+                                     std::to_string(content.size()));
     }
 }

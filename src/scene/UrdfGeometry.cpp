@@ -3,6 +3,7 @@
 #include "YamlNode.h"
 
 #include <boost/algorithm/string/trim.hpp>
+#include <cstdlib>
 #include <ompl/util/Exception.h>
 #include <pugixml.hpp>
 #include <sstream>
@@ -55,6 +56,36 @@ namespace ompl_certificates
                 return false;
             const std::string name = manifest.document_element().child_value("name");
             return !name.empty() && boost::algorithm::trim_copy(name) != package;
+        }
+    }
+
+    namespace
+    {
+        /** The folders of a list in the environment, as ROS writes them */
+        std::vector<fs::path> foldersOf(const char *variable)
+        {
+            std::vector<fs::path> folders;
+            const char *const value = std::getenv(variable);
+            std::istringstream list(value ? value : "");
+            for (std::string folder; std::getline(list, folder, ':');)
+                if (!folder.empty())
+                    folders.emplace_back(folder);
+            return folders;
+        }
+
+        /** Where ROS 2 and ROS 1 may have a package */
+        std::vector<fs::path> packagesOfRos(const std::string &package)
+        {
+            std::vector<fs::path> packages;
+            for (const fs::path &prefix : foldersOf("AMENT_PREFIX_PATH"))
+                packages.push_back(prefix / "share" / package);
+            for (const fs::path &folder : foldersOf("ROS_PACKAGE_PATH"))
+            {
+                packages.push_back(folder / package);
+                if (folder.filename() == package)
+                    packages.push_back(folder);
+            }
+            return packages;
         }
     }
 
@@ -188,6 +219,8 @@ namespace ompl_certificates
                     break;
             }
             candidates.insert(candidates.end(), others.begin(), others.end());
+            for (const fs::path &known : packagesOfRos(package))
+                candidates.push_back(known / path);
             for (const fs::path &candidate : candidates)
                 if (isFile(candidate))
                     return candidate.lexically_normal();

@@ -3,6 +3,7 @@
 #include "UrdfGeometry.h"
 #include "XmlFile.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <console_bridge/console.h>
 #include <map>
 #include <mutex>
@@ -99,6 +100,16 @@ namespace ompl_certificates
         private:
             urdf::ModelInterfaceSharedPtr model_;
         };
+
+        /** The links that are to be seen, but take no part in collisions */
+        std::vector<std::string> linksSeenOnly(pugi::xml_node robot)
+        {
+            std::vector<std::string> names;
+            for (const pugi::xml_node link : robot.children("link"))
+                if (link.child("visual") && !link.child("collision"))
+                    names.emplace_back(link.attribute("name").value());
+            return names;
+        }
 
         /** Drop what planning does not need, so that it cannot be wrong. */
         void prune(pugi::xml_node robot, bool useVisuals)
@@ -213,6 +224,8 @@ namespace ompl_certificates
         const pugi::xml_node robot = xml.getRoot();
         if (xml.hasPrefix("xacro:"))
             xml.fail("is a xacro file; expand it first");
+        const std::vector<std::string> seenOnly =
+            options.useVisuals ? std::vector<std::string>() : linksSeenOnly(robot);
         prune(robot, options.useVisuals);
         check(xml, robot);
         std::ostringstream text;
@@ -258,6 +271,10 @@ namespace ompl_certificates
         {
             xml.fail(exception.what());
         }
+        if (!seenOnly.empty())
+            result.notes.push_back(file +
+                                   ": these links have a visual and no collision geometry, so they are not checked: " +
+                                   boost::algorithm::join(seenOnly, ", "));
         return result;
     }
 }

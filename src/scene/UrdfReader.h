@@ -13,6 +13,9 @@ namespace ompl_certificates
 
         /** \brief Its links, each parent before its children, in the order in which MoveIt walks through them */
         KinematicTree tree;
+
+        /** \brief What a user should know of it */
+        std::vector<std::string> notes{};
     };
 
     /** \brief Read a URDF file.

@@ -18,7 +18,7 @@ namespace ompl_certificates
         using JointType = KinematicTree::JointType;
         using Values = std::map<std::string, double>;
 
-        constexpr std::size_t MAX_ATTACHED = 100, MAX_COORDINATES = Arm::MAX_JOINTS;
+        constexpr std::size_t MAX_ATTACHED = 100, MAX_LINK_NAMES = 1000, MAX_COORDINATES = Arm::MAX_JOINTS;
 
         Pose readPose(const YamlNode &node)
         {
@@ -149,7 +149,7 @@ namespace ompl_certificates
             AttachedBody body{node.at("name").text(), node.at("link").text(), readBody(node, 3, meshes),
                               readPose(node)};
             if (node.has("touch_links"))
-                for (const YamlNode &link : node.at("touch_links").items(0, 1000))
+                for (const YamlNode &link : node.at("touch_links").items(0, MAX_LINK_NAMES))
                     body.touchLinks.push_back(link.text());
             return body;
         }
@@ -332,6 +332,9 @@ namespace ompl_certificates
             readJointValues(node, movers, settings.jointValues);
             if (node.has("attached"))
                 addAttached(node.at("attached"), meshes, settings.attached);
+            if (node.has("may_touch_obstacles"))
+                for (const YamlNode &link : node.at("may_touch_obstacles").items(0, MAX_LINK_NAMES))
+                    settings.mayTouchObstacles.push_back(link.text());
         }
         try
         {

@@ -10,23 +10,25 @@ namespace ompl_certificates
 
     const MeshFile &YamlMeshes::fileOf(const YamlNode &node)
     {
-        const std::string file = (folder_ / node.path()).lexically_normal().string();
-        const auto known = files_.find(file);
+        const YamlNode fileNode = node.at("file");
+        const std::string file = (folder_ / fileNode.path()).lexically_normal().string();
+        const bool keepsAxes = node.has("keep_axes") && node.at("keep_axes").boolean();
+        const auto known = files_.find({file, keepsAxes});
         if (known != files_.end())
             return known->second;
         try
         {
-            return files_.emplace(file, MeshFile(file)).first->second;
+            return files_.emplace(std::pair(file, keepsAxes), MeshFile(file, keepsAxes)).first->second;
         }
         catch (const ompl::Exception &exception)
         {
-            node.fail(exception.what());
+            fileNode.fail(exception.what());
         }
     }
 
     Body YamlMeshes::read(const YamlNode &node, unsigned int dimension, const Eigen::Matrix3d &rotation)
     {
-        const MeshFile &file = fileOf(node.at("file"));
+        const MeshFile &file = fileOf(node);
         const double scale = node.has("scale") ? node.at("scale").positive() : 1.0;
         bool aboutMean = false;
         if (node.has("reference"))

@@ -227,7 +227,7 @@ namespace ompl_certificates
             node.allow({"type", "name", "base", "links", "self_collision", "start", "goal", "weight"});
         else if (type == "urdf")
             node.allow({"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
-                        "attached", "start", "goal", "weight", "bounds"});
+                        "attached", "may_touch_obstacles", "start", "goal", "weight", "bounds"});
         else
             failOnType(typeNode);
         if (dynamics && !known)

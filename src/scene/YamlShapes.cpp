@@ -126,7 +126,7 @@ namespace ompl_certificates
             if (type == "mesh")
             {
                 // In the plane a turn other than about z is one of the mesh, before it is placed.
-                std::vector<std::string> own{"file", "scale", "reference"};
+                std::vector<std::string> own{"file", "scale", "reference", "keep_axes"};
                 if (planar)
                     own.insert(own.end(), {"rotation", "quaternion"});
                 allowKeys(node, dimension, own);

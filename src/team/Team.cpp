@@ -113,13 +113,22 @@ namespace ompl_certificates
                                                              std::to_string(robot->getWorkspaceDimension()) +
                                                              " dimensions, the team in " +
                                                              std::to_string(getWorkspaceDimension()));
-            firstBody_.push_back(firstBody_.back() + robot->getBodies().size());
+            for (std::size_t body = 0; body < robot->getBodies().size(); ++body)
+                mayTouchObstacles_.push_back(robot->mayTouchObstacles(body));
+            firstBody_.push_back(mayTouchObstacles_.size());
         }
         const ob::StateSpacePtr inner = innerSpace(space_, wrappers_, interpolatesRobots_);
         read(inner);
         isSymmetric_ = interpolatesRobots_ && hasOneWay(*inner);
         if (auto *compound = dynamic_cast<ob::CompoundStateSpace *>(inner.get()))
             compound->lock();
+    }
+
+    void Team::requireResolution() const
+    {
+        if (!(space_->getLongestValidSegmentLength() > 0.0))
+            throw ompl::Exception(space_->getName(),
+                                  "was not set up, so motions have no samples; call setup() of its SpaceInformation");
     }
 
     void Team::read(const ob::StateSpacePtr &inner)

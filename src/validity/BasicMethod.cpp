@@ -74,6 +74,12 @@ namespace ompl_certificates
             {
                 const PoseQuery query = queryOf(robot, body, context, sample);
                 const Certificate &certificate = certificates_[next++];
+                if (context.team.mayTouchObstacles(context.team.getFirstBody(robot) + body))
+                {
+                    if (!isFinite(query.pose))
+                        return false;
+                    continue;
+                }
                 const auto lookup = [&](const BallQuery &ball)
                 { return CertificateTree::cover(certificate, team, ball); };
                 PoseVerdict one;
@@ -94,7 +100,10 @@ namespace ompl_certificates
         {
             const PoseQuery query = queryOf(robot, body - first, context, sample);
             SwitchingPolicy untrained;  // A new policy tries everything.
-            const PoseVerdict one = environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
+            const PoseVerdict one =
+                context.team.mayTouchObstacles(body)
+                    ? verdictOfUnchecked(query.pose)
+                    : environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
             whole.free = one.free;
             whole.narrow(one.validInterval);
             by = std::max(by, one.by);
@@ -123,21 +132,22 @@ namespace ompl_certificates
         }
         if (!whole.free)
             return whole;
-        if (const CertificateIndex kept = keep(context.fresh); kept != NO_CERTIFICATE)
+        if (const CertificateIndex kept = keep(context.team, context.fresh); kept != NO_CERTIFICATE)
             std::fill(context.hints.begin(), context.hints.end(), kept);
         return whole;
     }
 
-    CertificateIndex BasicMethod::keep(const std::vector<Certificate> &fresh) const
+    CertificateIndex BasicMethod::keep(const Team &team, const std::vector<Certificate> &fresh) const
     {
-        // Where clearances do not pay, some bodies have none.
-        if (std::any_of(fresh.begin(), fresh.end(), [](const Certificate &one) { return std::isnan(one.clearance); }))
-            return NO_CERTIFICATE;
+        // Where clearances do not pay, some bodies have none. Those that may touch the obstacles need none.
+        for (std::size_t body = 0; body < fresh.size(); ++body)
+            if (std::isnan(fresh[body].clearance) && !team.mayTouchObstacles(body))
+                return NO_CERTIFICATE;
         if (!limit_->take(fresh.size()))
             return NO_CERTIFICATE;
         const std::lock_guard<std::mutex> lock(insertMutex_);
-        const CertificateIndex team = teamCertificates_.load(std::memory_order_relaxed);
-        const std::uint32_t first = team * static_cast<std::uint32_t>(fresh.size());
+        const CertificateIndex next = teamCertificates_.load(std::memory_order_relaxed);
+        const std::uint32_t first = next * static_cast<std::uint32_t>(fresh.size());
         try
         {
             // If memory ran out here before, some are there already.
@@ -151,8 +161,8 @@ namespace ompl_certificates
         }
         for (std::uint32_t body = 0; body < fresh.size(); ++body)
             certificates_[first + body] = fresh[body];
-        teamCertificates_.store(team + 1, std::memory_order_release);
-        return team;
+        teamCertificates_.store(next + 1, std::memory_order_release);
+        return next;
     }
 
     double BasicMethod::provenTeamInterval(const CheckContext &context) const

@@ -89,7 +89,7 @@ namespace ompl_certificates
 
         /** \brief Keeps the fresh clearances as a team certificate, if every body has one and the limit allows
             \return the index of the team certificate, or NO_CERTIFICATE */
-        CertificateIndex keep(const std::vector<Certificate> &fresh) const;
+        CertificateIndex keep(const Team &team, const std::vector<Certificate> &fresh) const;
 
         const std::shared_ptr<CertificateLimit> limit_;
         CertifiedEnvironment environment_;

@@ -50,10 +50,12 @@ namespace ompl_certificates
                         std::size_t index = batch.team.getFirstBody(robot);
                         for (const Body &body : batch.team.getRobot(robot).getBodies())
                         {
+                            const BatchMask near =
+                                batch.team.mayTouchObstacles(index)
+                                    ? BatchMask(0)
+                                    : check_.getObstacles().mayTouch(body, batch.poses[index], batch.errors[robot]);
                             // What is not finite is no valid state, whatever the user's own mayTouch() makes of it.
-                            batch.nearObstacles[index] = static_cast<BatchMask>(
-                                check_.getObstacles().mayTouch(body, batch.poses[index], batch.errors[robot]) |
-                                notFinite(batch.centers[index]));
+                            batch.nearObstacles[index] = static_cast<BatchMask>(near | notFinite(batch.centers[index]));
                             ++index;
                         }
                     });

@@ -162,6 +162,15 @@ namespace ompl_certificates
         }
 
     protected:
+        /** \brief The verdict about a body that may touch the obstacles, at a pose */
+        static PoseVerdict verdictOfUnchecked(const Pose &pose)
+        {
+            PoseVerdict verdict;
+            verdict.free = isFinite(pose);
+            verdict.validInterval = verdict.free ? std::numeric_limits<double>::infinity() : 0.0;
+            return verdict;
+        }
+
         /** \brief The query about a body of a robot; \e body is its index within the robot */
         static PoseQuery queryOf(unsigned int robot, std::size_t body, const CheckContext &context,
                                  const MotionSample &sample)

@@ -27,7 +27,8 @@ namespace ompl_certificates
             SettledBy one = SettledBy::CERTIFICATE;
             const Pose &pose = context.poses[first + k];
             ObstaclePart hit;
-            free = isFinite(pose) && !collides(*obstacles_, bodies[k], pose, contactTest_, one, hit, context.counts);
+            free = isFinite(pose) && (context.team.mayTouchObstacles(first + k) ||
+                                      !collides(*obstacles_, bodies[k], pose, contactTest_, one, hit, context.counts));
             by = std::max(by, one);
             if (!free)
                 context.lastColliding[robot] = k;

@@ -173,10 +173,12 @@ namespace ompl_certificates
     unsigned int MotionCheck::countSegments() const
     {
         const Team &team = check_.getTeam();
-        if (s1_)
-            return team.getStateSpace()->validSegmentCount(s1_, s2_);
         const auto ofRobot = [&](unsigned int robot)
         { return team.countSegments(robot, context_.from[robot], context_.to[robot]); };
-        return std::max(ofRobot(subjects_->first), ofRobot(subjects_->last));
+        const unsigned int segments = s1_ ? team.getStateSpace()->validSegmentCount(s1_, s2_)
+                                          : std::max(ofRobot(subjects_->first), ofRobot(subjects_->last));
+        if (segments == 0)
+            team.requireResolution();
+        return segments;
     }
 }

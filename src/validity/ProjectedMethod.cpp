@@ -37,7 +37,9 @@ namespace ompl_certificates
             SwitchingPolicy &policy = adaptive_ ? policies_[body] : untrained;
             CertificateIndex &hint = context.hints[body];
             const PoseVerdict one =
-                environment.settle(queryOf(robot, body - first, context, sample), hint, policy, context.counts);
+                context.team.mayTouchObstacles(body)
+                    ? verdictOfUnchecked(context.poses[body])
+                    : environment.settle(queryOf(robot, body - first, context, sample), hint, policy, context.counts);
             whole.free = one.free;
             whole.narrow(one.validInterval);
             if (!one.free)
@@ -65,9 +67,11 @@ namespace ompl_certificates
                 interval = std::min(interval, known->last);
                 continue;
             }
-            const PoseQuery query = queryOf(robot, body - first, context, {true});
             PoseVerdict verdict;
-            if (!environmentOf(robot).settleByHint(query, context.hints[body], verdict))
+            if (context.team.mayTouchObstacles(body))
+                verdict = verdictOfUnchecked(context.poses[body]);
+            else if (const PoseQuery query = queryOf(robot, body - first, context, {true});
+                     !environmentOf(robot).settleByHint(query, context.hints[body], verdict))
                 verdict.validInterval = 0.0;
             interval = std::min(interval, verdict.validInterval);
             if (usesOtherTimes)

@@ -35,6 +35,10 @@ namespace ompl_certificates
                                CertificateMotionValidator::Mode mode, StepProof isStepFree)
       : isStepFree_(std::move(isStepFree))
     {
+        if (!change.added && !change.removed && !change.before && change.members.empty())
+            throw ompl::Exception("Revalidation",
+                                  "the change must name what was added; obstacles that are new altogether "
+                                  "are added by ObstacleChange::replacing()");
         if (!change.added)
             return;
         // The constructor for a user's team is private.
@@ -85,6 +89,10 @@ namespace ompl_certificates
         Invalid invalid;
         if (!checker_)
             return invalid;
+        const bool hasControls = dynamic_cast<const oc::SpaceInformation *>(checker_->getSpaceInformation()) != nullptr;
+        if (hasControls && !data.hasControls())
+            throw ompl::Exception("Revalidation",
+                                  "planners with controls need an ompl::control::PlannerData, which has these");
         std::vector<bool> isValid(data.numVertices());
         for (unsigned int i = 0; i < data.numVertices(); ++i)
         {

@@ -35,7 +35,10 @@ namespace ompl_certificates
 
     int SampledMotionCheck::countSegments()
     {
-        segments_ = static_cast<int>(check_.getTeam().getStateSpace()->validSegmentCount(s1_, s2_));
+        const Team &team = check_.getTeam();
+        segments_ = static_cast<int>(team.getStateSpace()->validSegmentCount(s1_, s2_));
+        if (segments_ == 0)
+            team.requireResolution();
         return segments_;
     }
 

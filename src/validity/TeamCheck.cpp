@@ -276,13 +276,14 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
         {
             place(robot, team_.getRobotState(state, robot), context);
-            const Pose *poses = context.poses.data() + team_.getFirstBody(robot);
+            std::size_t index = team_.getFirstBody(robot);
             for (const Body &body : team_.getRobot(robot).getBodies())
             {
-                const Pose &pose = *poses++;
+                const Pose &pose = context.poses[index];
                 if (!isFinite(pose))
                     return -std::numeric_limits<double>::infinity();
-                nearest = std::min(nearest, bodyClearance(*obstacles_, body, pose));
+                if (!team_.mayTouchObstacles(index++))
+                    nearest = std::min(nearest, bodyClearance(*obstacles_, body, pose));
             }
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount() && !looksAtObstaclesAlone_; ++pair)
@@ -295,10 +296,15 @@ namespace ompl_certificates
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)
         {
             place(robot, team_.getRobotState(state, robot), context);
-            const Pose *poses = context.poses.data() + team_.getFirstBody(robot);
+            std::size_t index = team_.getFirstBody(robot);
             for (const Body &body : team_.getRobot(robot).getBodies())
-                if (const Pose &pose = *poses++; !isFinite(pose) || obstacles_->collides(body, pose))
+            {
+                const Pose &pose = context.poses[index];
+                if (!isFinite(pose))
+                    return "robot '" + team_.getRobot(robot).getName() + "' has a number that is not finite";
+                if (!team_.mayTouchObstacles(index++) && obstacles_->collides(body, pose))
                     return "robot '" + team_.getRobot(robot).getName() + "' touches an obstacle";
+            }
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount() && !looksAtObstaclesAlone_; ++pair)
             if (const auto bodies = pairs_.findCollision(pair, context))
@@ -332,11 +338,15 @@ namespace ompl_certificates
         before = std::exchange(obstacles_, change.after);
         checkMethod_->setObstacles(obstacles_);
         standardMethod_.setObstacles(obstacles_);
-        while (repeat([&] { return repair.repair(REPAIR_STEP); }))
-        {
-            world.open();
-            world.close();
-        }
+        // Obstacles that replace themselves are others now, and nobody knows what they were.
+        if (whole.removed && whole.removed == whole.after)
+            checkMethod_->clear();
+        else
+            while (repeat([&] { return repair.repair(REPAIR_STEP); }))
+            {
+                world.open();
+                world.close();
+            }
         world.open();  // The repair's memory takes time to give back: when the checks go on.
     }
 

@@ -4,8 +4,12 @@
 #include "TeamCheck.h"
 
 #include <algorithm>
+#include <functional>
+#include <ompl/base/GenericParam.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
+#include <stdexcept>
+#include <string>
 
 namespace ompl_certificates
 {
@@ -25,6 +29,19 @@ namespace ompl_certificates
             return check.decide(
                 policy, context, [&] { return DiscreteMotionCheck(check, context, subjects, from, to).isFree(); },
                 standard);
+        }
+
+        /** Declare a parameter that is a count. OMPL's own takes negative numbers for large ones. */
+        void declareCount(ob::ParamSet &parameters, const std::string &name,
+                          const std::function<void(std::size_t)> &set, const std::function<std::size_t()> &get)
+        {
+            const auto read = [set](const std::string &text)
+            {
+                if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
+                    throw std::invalid_argument("'" + text + "' is no count");
+                set(std::stoull(text));
+            };
+            parameters.declareParam<std::string>(name, read, [get] { return std::to_string(get()); });
         }
 
         const ob::StateSpacePtr &spaceOf(const ob::SpaceInformationPtr &si)
@@ -57,13 +74,13 @@ namespace ompl_certificates
       : StateValidityChecker(si), check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))
     {
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
-        params_.declareParam<std::size_t>(
-            "max_certificates", [this](std::size_t most) { setMaxCertificates(most); },
+        declareCount(
+            params_, "max_certificates", [this](std::size_t most) { setMaxCertificates(most); },
             [this] { return getMaxCertificates(); });
         params_.declareParam<bool>(
             "adaptive", [this](bool adaptive) { setAdaptive(adaptive); }, [this] { return isAdaptive(); });
-        params_.declareParam<std::size_t>(
-            "certificates_after", [this](std::size_t samples) { setCertificatesAfter(samples); },
+        declareCount(
+            params_, "certificates_after", [this](std::size_t samples) { setCertificatesAfter(samples); },
             [this] { return getCertificatesAfter(); });
     }
 

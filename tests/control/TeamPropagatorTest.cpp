@@ -11,6 +11,7 @@
 #include <limits>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -231,4 +232,42 @@ TEST(TeamControlSetup, RefusesAStepThatIsNotFinite)
     }
     setup->getSpaceInformation()->setPropagationStepSize(0.1);
     EXPECT_NO_THROW(setup->setup());
+}
+
+TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
+{
+    class Warnings : public ompl::msg::OutputHandler
+    {
+    public:
+        Warnings()
+        {
+            ompl::msg::useOutputHandler(this);
+            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+        }
+
+        ~Warnings() override
+        {
+            ompl::msg::restorePreviousOutputHandler();
+        }
+
+        void log(const std::string &text, ompl::msg::LogLevel /*level*/, const char * /*filename*/,
+                 int /*line*/) override
+        {
+            count += text.find("another one has replaced") == std::string::npos ? 0 : 1;
+        }
+
+        int count{0};
+    };
+    for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+        for (const bool isReplaced : {false, true})
+        {
+            const Warnings warnings;
+            TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({{0.0, 1.6, 0.2, 2.0}}), Method::SHARED_PROJECTION,
+                                   mode);
+            setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
+            if (isReplaced)
+                setup.setStatePropagator(std::make_shared<TeamPropagator>(setup.getSpaceInformation()));
+            setup.setup();
+            EXPECT_EQ(warnings.count, isReplaced && mode == CertificateMotionValidator::CONTINUOUS ? 1 : 0);
+        }
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Exception.h>
 #include <ompl/util/RandomNumbers.h>
@@ -79,6 +80,14 @@ TEST_F(PathProofTest, FindsWhatHappensBetweenTheSamples)
     EXPECT_NEAR((*proof.collision)[1], 0.21, 1e-9);
     // Where it begins: the centers are 0.3 apart.
     EXPECT_NEAR((*proof.collision)[0], -std::sqrt(0.09 - 0.21 * 0.21), 0.6 / 100);
+}
+
+TEST_F(PathProofTest, NeedsAPathOfTheTeam)
+{
+    const auto setup = floor();
+    const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
+    const og::PathGeometric path(std::make_shared<ob::SpaceInformation>(space));
+    EXPECT_THROW(provePath(path, setup->getTeamChecker()), ompl::Exception);
 }
 
 TEST_F(PathProofTest, FindsNothingWhereThereIsHardlyRoom)

@@ -262,6 +262,39 @@ namespace ompl_certificates
         std::filesystem::remove(folder / "hand/meshes/part.obj");
         const std::string message = messageOf([&] { sizeOf("hand"); });
         EXPECT_NE(message.find("in '" + std::string(folder / "hand") + "'"), std::string::npos) << message;
+        // Those that ROS knows come last.
+        cube("install/share/leg/meshes/part.obj", "3");
+        cube("source/arm/meshes/part.obj", "4");
+        cube("source/hand/meshes/part.obj", "5");
+        EXPECT_THROW(sizeOf("leg"), ompl::Exception);
+        setenv("AMENT_PREFIX_PATH", (std::string(folder / "nowhere") + ":" + (folder / "install")).c_str(), 1);
+        setenv("ROS_PACKAGE_PATH", (std::string(folder / "source") + ":" + (folder / "source/arm")).c_str(), 1);
+        EXPECT_NEAR(sizeOf("leg"), 3.0 * M_SQRT1_2, 1e-12);
+        EXPECT_NEAR(sizeOf("arm"), 4.0 * M_SQRT1_2, 1e-12);
+        EXPECT_NEAR(sizeOf("hand"), 5.0 * M_SQRT1_2, 1e-12);
+        EXPECT_NEAR(sizeOf("robot"), M_SQRT1_2, 1e-12);
+        unsetenv("AMENT_PREFIX_PATH");
+        unsetenv("ROS_PACKAGE_PATH");
+    }
+
+    TEST(ArmFile, TellsOfLinksThatAreNotChecked)
+    {
+        const test::Folder folder;
+        const std::string box = "<geometry><box size='1 1 1'/></geometry>";
+        const std::string urdf = folder.write(
+            "a.urdf", robot(link("base", "<collision>" + box + "</collision>") +
+                            link("seen", "<visual>" + box + "</visual>") + link("frame") +
+                            joint("j", "revolute", "base", "seen", LIMIT) + joint("k", "fixed", "seen", "frame")));
+        const std::string note =
+            urdf + ": these links have a visual and no collision geometry, so they are not checked: seen";
+        for (const bool visuals : {false, true})
+        {
+            ArmFile::Options options;
+            options.useVisuals = visuals;
+            std::vector<std::string> notes;
+            ArmFile(urdf, "", options).makeArm("arm", "", {}, &notes);
+            EXPECT_EQ(std::count(notes.begin(), notes.end(), note), visuals ? 0 : 1);
+        }
     }
 
     TEST(ArmFile, TrimsValuesMovesBasesAndTellsScalesApart)

@@ -94,6 +94,20 @@ namespace ompl_certificates
         EXPECT_TRUE(poseOf("bar").isApprox(poseOf("palm") * poseAt({0, 0, 0.2}), 1e-9));
     }
 
+    TEST(ArmScene, LinksMayTouchObstacles)
+    {
+        const auto isFree = [](const std::string &keys)
+        {
+            Scene scene = sceneWithArm(keys);
+            scene.addObstacle({Body::box(2.0, 2.0, 0.1), poseAt({0.0, 0.0, 0.0})}, "bench");
+            const auto team = scene.makeTeam();
+            return scene.describeCollision(team, scene.makeStart(team).get()).empty();
+        };
+        EXPECT_FALSE(isFree(""));
+        EXPECT_TRUE(isFree("may_touch_obstacles: [base]"));
+        EXPECT_FALSE(isFree("may_touch_obstacles: [palm]"));
+    }
+
     TEST(ArmScene, BodiesMayTouchTheLinksThatAreNamed)
     {
         const auto notesOf = [](const std::string &touching)
@@ -172,6 +186,7 @@ namespace ompl_certificates
             {"base: {center: [0, 0, 0]}", states + "ready", "robots[0].base.center", "unknown key"},
             {"shape: {}", states + "ready", "robots[0].shape", "unknown key"},
             {"attached: [{name: a, link: b, shape: {type: sphere, radius: 1}}]", states + "ready", "robots[0]", "'b'"},
+            {"may_touch_obstacles: [none]", states + "ready", "robots[0]", "'none'"},
             {"visuals: maybe", states + "ready", "robots[0].visuals", "maybe"},
             {"", states + "{link: leg, position: [0, 0, 1]}", "robots[0].goal", "'leg': there is no such link"},
             {"", states + "{position: [0, 0, 1]}", "robots[0].goal.link", "missing"},

@@ -93,21 +93,16 @@ namespace ompl_certificates
                 {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: a, "
                         "primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
                  "scene.yaml:4: robot_state.attached_collision_objects[0].object: must be in the frame of its link"},
+                {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: lower, header: "
+                        "{frame_id: tip}, primitives: [{type: sphere, dimensions: [1]}]}}]}\n",
+                 "scene.yaml:4: robot_state.attached_collision_objects[0].object.id: there is a link 'lower' already"},
                 {BALL + "allowed_collision_matrix: {entry_names: [base, tip], entry_values: [[true]]}\n",
                  "scene.yaml:4: allowed_collision_matrix.entry_values: must have 2 items, not 1"},
                 {BALL + "allowed_collision_matrix: {entry_names: [base], entry_values: [[1]]}\n",
                  "scene.yaml:4: allowed_collision_matrix.entry_values[0][0]: must be true or false, not 1"},
-                {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, true], [true, "
-                        "false]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that 'tip' may touch"},
-                {BALL + "allowed_collision_matrix: {entry_names: [ball, tip], entry_values: [[false, false], [true, "
-                        "false]]}\n",
-                 "scene.yaml:4: allowed_collision_matrix.entry_values[1][0]: obstacle 'ball' that 'tip' may touch"},
-                {BALL + "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: cup, header: "
-                        "{frame_id: tip}, primitives: [{type: sphere, dimensions: [0.01]}], primitive_poses: [{}]}}]}\n"
-                        "allowed_collision_matrix: {entry_names: [ball, cup], entry_values: [[false, true], [true, "
-                        "false]]}\n",
-                 "scene.yaml:5: allowed_collision_matrix.entry_values[0][1]: obstacle 'ball' that 'cup' may touch"},
+                {BALL + "allowed_collision_matrix: {entry_names: [], entry_values: [], default_entry_names: [tip]}\n",
+                 "scene.yaml:4: allowed_collision_matrix: must have as many default_entry_values as "
+                 "default_entry_names, 1, not 0"},
                 {BALL +
                      "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: camera_stand, transform: {}}, "
                      "{header: {frame_id: camera_stand}, child_frame_id: marker, transform: {}}]\n",

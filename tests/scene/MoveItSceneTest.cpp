@@ -88,8 +88,55 @@ namespace ompl_certificates
                 ASSERT_EQ(file.scene.getObstacles().size(), 1u) << operation;
                 EXPECT_EQ(file.scene.getObstacles()[0].body, Body::box(1, 2, 3));
             }
+            // A block of binary text, as YAML writers print it
+            EXPECT_NO_THROW(read(OBJECTS + "    - id: a\n      operation: !!binary |\n        AA==\n"
+                                           "      primitives: [{type: 2, dimensions: [1]}]\n"));
             // A scene need not have a world.
             EXPECT_TRUE(read("robot_model_name: arm\n").scene.getObstacles().empty());
+        }
+
+        TEST_F(MoveItScene, LinksThatAreFixedToTheRootAreFrames)
+        {
+            robot_ = std::make_unique<const ArmFile>(
+                folder_.write("arm.urdf", with(TWO_LINKS_URDF, "</robot>",
+                                               "<link name='foot'/><link name='toe'/>"
+                                               "<joint name='a' type='fixed'><parent link='base'/><child link='foot'/>"
+                                               "<origin xyz='0 0 1' rpy='0 0 1.5707963267948966'/></joint>"
+                                               "<joint name='b' type='fixed'><parent link='foot'/><child link='toe'/>"
+                                               "<origin xyz='2 0 0'/></joint></robot>")),
+                folder_.write("arm.srdf", TWO_LINKS_SRDF));
+            const auto ballIn = [](const std::string &frame)
+            {
+                return OBJECTS + "    - {id: ball, header: {frame_id: " + frame +
+                       "}, primitives: [{type: sphere, dimensions: [0.1]}], primitive_poses: [{position: [0, 3, 0]}]}\n";
+            };
+            EXPECT_TRUE(read(ballIn("toe"))
+                            .scene.getObstacles()
+                            .front()
+                            .pose.translation()
+                            .isApprox(Eigen::Vector3d(-3.0, 2.0, 1.0)));
+            EXPECT_EQ(
+                messageOf(ballIn("tip")),
+                "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'tip'; there are 'base', "
+                "'foot', 'toe', 'world'");
+        }
+
+        TEST_F(MoveItScene, JointsThatCannotMoveAreWhereTheyAre)
+        {
+            robot_ = std::make_unique<const ArmFile>(
+                folder_.write("arm.urdf", with(TWO_LINKS_URDF, "lower=\"-3\" upper=\"3\"", "lower=\"1\" upper=\"1\"")),
+                folder_.write("arm.srdf", TWO_LINKS_SRDF));
+            const auto request = [](const std::string &value)
+            { return with("group_name: arm\n" + START + GOAL, "position: -1", "position: " + value); };
+            EXPECT_EQ(read(BALL, request("1.0004")).scene.getMembers().front().goal.size(), 1u);
+            EXPECT_NE(messageOf(BALL, request("-1")).find("'turn' is not a joint of the group"), std::string::npos);
+        }
+
+        TEST_F(MoveItScene, StartsBeyondALimitAreRefusedByTheJoint)
+        {
+            const std::string message = messageOf(BALL, with(REQUEST, "position: [1, ", "position: [3.5, "));
+            EXPECT_NE(message.find("joint 'turn' must be from -3.000000 to 3.000000, not 3.500000"), std::string::npos)
+                << message;
         }
 
         TEST_F(MoveItScene, ShapesAndOperationsMayBeNumbers)

@@ -121,6 +121,8 @@ namespace ompl_certificates
              "<group_state>: there is no group 'x'"},
             {"<group name='a'><joint name='first'/></group><group_state name='s'/>",
              "<group_state>: there is no group ''"},
+            {"<group name='a'><joint name='first'/></group><disable_default_collisions link='x'/>",
+             "pairs of links name some that there are not: x"},
             {"<group name='a'><joint name='first'/></group>"
              "<group_state name='s' group='a'><joint name='x' value='1'/></group_state>",
              "there is no joint 'x'"}};
@@ -189,6 +191,7 @@ namespace ompl_certificates
         file.makeArm("arm", "all", {}, &notes);
         ASSERT_FALSE(notes.empty());
         EXPECT_NE(notes.front().find("'other' is ignored"), std::string::npos) << notes.front();
+        EXPECT_EQ(std::count(notes.begin(), notes.end(), "joint 'third' does not move: both limits are 1.000000"), 1);
     }
 
     TEST(SrdfFile, CollisionsAreDisabledByDefaultAndEnabledAgain)

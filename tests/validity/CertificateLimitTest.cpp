@@ -48,6 +48,9 @@ TEST_P(CertificateLimits, HoldForManyThreadsAndChangeNoVerdict)
         constexpr std::size_t most = 23;
         checker->params().setParam("max_certificates", std::to_string(most));
         EXPECT_EQ(checker->getMaxCertificates(), most);
+        for (const char *const none : {"-5", "", "many", "1.5", "99999999999999999999999"})
+            EXPECT_FALSE(checker->params().setParam("max_certificates", none)) << none;
+        EXPECT_EQ(checker->getMaxCertificates(), most);
         std::atomic<bool> done{false};
         std::size_t largest = 0;
         std::thread watching(

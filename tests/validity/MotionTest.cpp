@@ -1,5 +1,6 @@
 #include "support/Checkers.h"
 #include "support/ErrorsOnly.h"
+#include "support/Message.h"
 
 #include "ompl_certificates/robots/Arm.h"
 
@@ -219,6 +220,37 @@ TEST_P(Motions, FromAStateToItselfAreAsValidAsTheState)
                 }
             }
         }
+    }
+}
+
+/** Without a resolution a motion has no samples. */
+TEST_P(Motions, NeedASpaceThatWasSetUp)
+{
+    Random random(1);
+    const TeamStateSpacePtr team = anyTeam(GetParam());
+    const ObstaclesPtr obstacles = scatteredObstacles(random, team->getWorkspaceDimension(), 5);
+    for (const Method method : allMethods())
+    {
+        SCOPED_TRACE(nameOf(method));
+        const auto si = std::make_shared<ob::SpaceInformation>(team);
+        const auto checker = std::make_shared<TeamValidityChecker>(si, obstacles, method);
+        const CertificateMotionValidator validator(checker);
+        ob::ScopedState<> from = randomState(random, team), to = randomState(random, team);
+        while (!checker->isValid(from.get()))
+            from = randomState(random, team);
+        while (!checker->isValid(to.get()))
+            to = randomState(random, team);
+        std::pair<ob::State *, double> last{nullptr, 0.0};
+        const std::function<void()> asked[] = {[&] { validator.checkMotion(from.get(), to.get()); },
+                                               [&] { validator.checkMotion(from.get(), to.get(), last); },
+                                               [&]
+                                               {
+                                                   checker->isRobotMotionFree(
+                                                       0, from->as<ob::CompoundState>()->components[0],
+                                                       to->as<ob::CompoundState>()->components[0]);
+                                               }};
+        for (const auto &ask : asked)
+            EXPECT_NE(messageOf(ask).find("was not set up"), std::string::npos);
     }
 }
 

@@ -45,6 +45,8 @@ TEST_P(NotFinite, StatesAreInvalidForAllMethods)
                     SCOPED_TRACE(nameOf(setup->getTeamChecker()->getMethod()) + ", coordinate " + std::to_string(k));
                     EXPECT_FALSE(setup->getTeamChecker()->isValid(to.get()));
                     EXPECT_LE(setup->getTeamChecker()->clearance(to.get()), 0.0);
+                    EXPECT_NE(setup->getTeamChecker()->describeCollision(to.get()).find("not finite"),
+                              std::string::npos);
                     EXPECT_FALSE(setup->getSpaceInformation()->checkMotion(state.get(), to.get()));
                 }
             }

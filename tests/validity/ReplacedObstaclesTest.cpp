@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/ForwardingObstacles.h"
 
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/obstacles/ObstacleSet.h"
@@ -85,6 +86,33 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
                                           : ObstacleChange{after, nullptr, nullptr});
             expectTruth(team, *checker, after, states);
         }
+}
+
+/** Whose obstacles change under their hands tells of it so. */
+TEST(ReplacedObstacles, MayReplaceThemselves)
+{
+    class Moving : public ForwardingObstacles
+    {
+    public:
+        using ForwardingObstacles::ForwardingObstacles;
+
+        void become(const ObstaclesPtr &others)
+        {
+            obstacles_ = others;
+        }
+    };
+    const TeamStateSpacePtr team = teamOfDiscs();
+    const auto moving = std::make_shared<Moving>(makeObstacles<FclObstacles>(worldOf(1)));
+    TeamSetup setup(team, moving);
+    setup.getSpaceInformation()->setup();
+    const auto checker = setup.getTeamChecker();
+    std::vector<ob::ScopedState<>> states;
+    learn(*checker, states);
+    const ObstaclesPtr others = makeObstacles<FclObstacles>(worldOf(2));
+    moving->become(others);
+    checker->changeObstacles(ObstacleChange::replacing(moving, moving));
+    expectTruth(team, *checker, others, states);
+    learn(*checker, states);
 }
 
 /** A checker that a set's change has passed by gives up what it knows of that set. */

@@ -4,12 +4,14 @@
 
 #include "ompl_certificates/control/Integrator.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
+#include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/obstacles/ObstacleSet.h"
 #include "ompl_certificates/obstacles/PointCloudSet.h"
 #include "ompl_certificates/validity/Revalidation.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <ompl/control/PlannerData.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -290,6 +292,33 @@ TEST_F(Revalidating, RefusesObstaclesThatDoNotFit)
     TeamSetup setup(teamOfDiscs(), std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 2U));
     const auto inSpace = std::make_shared<FclObstacles>(std::vector<PlacedBody>(), 3U);
     EXPECT_THROW(Revalidation(*setup.getTeamChecker(), {inSpace, inSpace, {}}), ompl::Exception);
-    const Revalidation nothing(*setup.getTeamChecker(), {});
-    EXPECT_EQ(nothing.getChecker(), nullptr);
+}
+
+TEST_F(Revalidating, NeedsAChangeThatNamesWhatWasAdded)
+{
+    ObstacleSet set(2);
+    const ObstaclesPtr before = set.takeChange().after;
+    TeamSetup setup(teamOfDiscs(), before);
+    EXPECT_EQ(Revalidation(*setup.getTeamChecker(), set.takeChange()).getChecker(), nullptr) << "nothing has changed";
+    EXPECT_EQ(Revalidation(*setup.getTeamChecker(), mixedChange({set.takeChange()})).getChecker(), nullptr);
+    const ObstaclesPtr after =
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 1.0), Pose::Identity()}}, 2U);
+    for (const ObstacleChange &change : {ObstacleChange{}, ObstacleChange{after, nullptr, nullptr}})
+        EXPECT_NE(messageOf([&] { Revalidation(*setup.getTeamChecker(), change); }).find("must name what was added"),
+                  std::string::npos);
+    EXPECT_NE(Revalidation(*setup.getTeamChecker(), ObstacleChange::replacing(before, after)).getChecker(), nullptr);
+}
+
+TEST_F(Revalidating, NeedsTheControlsOfAPlannerThatHasThem)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(Integrator::firstOrder(RigidRobot::disc("disc", 0.05, cubeBounds(2, HALF)), cubeBounds(2, HALF)));
+    ObstacleSet set(2);
+    TeamControlSetup setup(team, set.takeChange().after);
+    set.add({Body::box(0.02, 2.0), planarPose(0.0, 0.0)});
+    const Revalidation revalidation(*setup.getTeamChecker(), set.takeChange());
+    const ob::PlannerData without(setup.getSpaceInformation());
+    EXPECT_NE(messageOf([&] { revalidation.findInvalid(without); }).find("ompl::control::PlannerData"),
+              std::string::npos);
+    EXPECT_NO_THROW(revalidation.findInvalid(oc::PlannerData(setup.getSpaceInformation())));
 }

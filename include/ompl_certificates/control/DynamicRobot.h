@@ -27,6 +27,8 @@ namespace ompl_certificates
 
         bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;
 
+        bool mayTouchObstacles(std::size_t body) const override;
+
         std::size_t getTracedBody() const override;
 
         /** \brief The bounds of the controls, in their own units */

@@ -17,7 +17,8 @@ namespace ompl_certificates
     {
     public:
         /** \brief A setup for \e team among \e obstacles
-            \param mode CONTINUOUS to prove each step free between its ends; see TeamPropagator
+            \param mode CONTINUOUS to prove each step free between its ends; see TeamPropagator. Another propagator
+            that you set must prove them itself: setup() warns of it.
             \throws ompl::Exception as TeamPropagator and TeamValidityChecker do */
         TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles,
                          Method method = Method::SHARED_PROJECTION,
@@ -54,6 +55,9 @@ namespace ompl_certificates
         }
 
     private:
+        const CertificateMotionValidator::Mode mode_;
+        /** \brief The one that this setup made, which proves steps in continuous mode */
+        const ompl::control::StatePropagator *propagator_;
         std::shared_ptr<TeamValidityChecker> checker_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};
     };

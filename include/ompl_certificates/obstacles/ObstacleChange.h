@@ -14,7 +14,8 @@ namespace ompl_certificates
         see replacing() for obstacles that are new altogether. */
     struct ObstacleChange
     {
-        /** \brief The change from all obstacles \e before to others: all that is known of them is given up. */
+        /** \brief The change from all obstacles \e before to others: all that is known of them is given up. Both may be
+            the same object, if what it stands for has changed while nobody checked. */
         static ObstacleChange replacing(const ObstaclesPtr &before, const ObstaclesPtr &after)
         {
             return {after, after, before, {}, before};

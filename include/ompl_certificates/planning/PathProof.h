@@ -39,7 +39,8 @@ namespace ompl_certificates
         counted in its statistics. For one that makes no certificates, by FCL or STANDARD, another checker is made, and
         forgotten. Cost: that of a motion in continuous mode for each motion, and of the samples.
         \param condition ends the work where it becomes true. Motions that were not looked at are not proved then.
-        \throws ompl::Exception if the space has no continuous mode; see CertificateMotionValidator */
+        \throws ompl::Exception if the space has no continuous mode; see CertificateMotionValidator. Also if the path is
+        one of another space, such as that of a robot alone. */
     PathProof
     provePath(const ompl::geometric::PathGeometric &path, const std::shared_ptr<const TeamValidityChecker> &checker,
               const ompl::base::PlannerTerminationCondition &condition = ompl::base::plannerNonTerminatingCondition());

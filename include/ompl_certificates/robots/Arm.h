@@ -38,6 +38,9 @@ namespace ompl_certificates
             the same pairs and values of joints. ArmFile::makeArms() does so. */
         std::optional<std::vector<std::string>> links{};
 
+        /** \brief The links that may touch the obstacles; see Robot::mayTouchObstacles() */
+        std::vector<std::string> mayTouchObstacles{};
+
         /** \brief The bounds of x, y (and z) of PLANAR and FLOATING joints that the arm moves, in the joint's frame. A
             PLANAR joint ignores those of z. */
         std::optional<ompl::base::RealVectorBounds> bounds{};
@@ -129,6 +132,9 @@ namespace ompl_certificates
         /** \brief False if \e other is a part of the same mechanism and the two links are none of the pairs that may
             collide; see ArmOptions::links. Costs a comparison of the trees. */
         bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;
+
+        /** \brief Whether the body's link is one of ArmOptions::mayTouchObstacles */
+        bool mayTouchObstacles(std::size_t body) const override;
 
         /** \brief Whether the group moves \e link
             \throws ompl::Exception if there is no such link */

@@ -70,6 +70,14 @@ namespace ompl_certificates
             return true;
         }
 
+        /** \brief Whether a body may touch the obstacles: then it is not checked against them, but in its pairs alone, such
+            as the foot of an arm that is bolted to a table. False by default. Called when a checker is made, and never
+            later. */
+        virtual bool mayTouchObstacles(std::size_t /*body*/) const
+        {
+            return false;
+        }
+
         /** \brief The index of the body that stands for the robot where one point must do: in pictures of paths, and in
             the projections of planners such as KPIECE. The first one by default; an arm has its hand. */
         virtual std::size_t getTracedBody() const

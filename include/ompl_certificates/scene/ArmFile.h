@@ -34,6 +34,23 @@ namespace ompl_certificates
         std::vector<std::string> touchLinks{};
     };
 
+    /** \brief An obstacle that some links may touch, such as a table for an object that stands on it. It counts as a link
+        of the robot that never moves, and is no obstacle of the workspace. */
+    struct TouchableObstacle
+    {
+        /** \brief What it is called; no link may have that name */
+        std::string name;
+
+        /** \brief Its shapes */
+        Body body;
+
+        /** \brief Its pose in the workspace */
+        Pose pose{Pose::Identity()};
+
+        /** \brief The links and attached bodies that may touch it */
+        std::vector<std::string> touchLinks{};
+    };
+
     /** \brief The joint between a robot's root link and the world, as an SRDF file names it */
     struct VirtualJoint
     {
@@ -55,7 +72,8 @@ namespace ompl_certificates
         materials, transmissions and the like are left out, whatever they say. A mesh is looked for
         - package://name/path: in the folder of the package, if the options tell it. Else it is looked for as name/path
           in the folder of the URDF file and in each folder above it; then as path, but not in a folder whose
-          package.xml has another name.
+          package.xml has another name. Last come the packages that ROS knows: share/name/path in the folders of
+          AMENT_PREFIX_PATH, and name/path in those of ROS_PACKAGE_PATH.
         - file:///path: there.
         - path: in the folder of the URDF file.
 
@@ -95,6 +113,13 @@ namespace ompl_certificates
 
             /** \brief Bodies that the arm carries */
             std::vector<AttachedBody> attached{};
+
+            /** \brief Obstacles that some links may touch. Others are checked against them as against each other. */
+            std::vector<TouchableObstacle> touchable{};
+
+            /** \brief The links, and attached bodies, that may touch all other obstacles, such as the foot of a robot
+                that is bolted to a table; see Robot::mayTouchObstacles() */
+            std::vector<std::string> mayTouchObstacles{};
 
             /** \brief Whether two links or attached bodies may touch, in place of what the SRDF file says of them */
             std::function<bool(const std::string &first, const std::string &second)> mayTouch{};
@@ -193,10 +218,11 @@ namespace ompl_certificates
 
         [[noreturn]] void failWithoutJoint(const std::string &group) const;
 
-        KinematicTree treeFor(const std::vector<std::string> &group, const std::vector<AttachedBody> &attached) const;
+        KinematicTree treeFor(const std::vector<std::string> &group, const ArmSettings &settings) const;
 
         std::string urdf_, srdf_, name_;
         KinematicTree tree_;
+        std::vector<std::string> notes_;
         std::shared_ptr<const SrdfModel> semantics_;
     };
 

@@ -70,6 +70,10 @@ namespace ompl_certificates
                               : spaces_[robot]->validSegmentCount(state1, state2);
         }
 
+        /** \brief Require that the space knows its resolution: without it, motions have no samples.
+            \throws ompl::Exception if it was not set up, as ompl::base::SpaceInformation::setup() does */
+        void requireResolution() const;
+
         /** \brief The state of a robot within a state of the team's space. Costs a nanosecond. */
         const ompl::base::State *getRobotState(const ompl::base::State *state, unsigned int robot) const
         {
@@ -87,6 +91,13 @@ namespace ompl_certificates
         std::size_t getBodyCount() const
         {
             return firstBody_.back();
+        }
+
+        /** \brief Whether a body, by its index among those of the team, may touch the obstacles; see
+            Robot::mayTouchObstacles() */
+        bool mayTouchObstacles(std::size_t body) const
+        {
+            return mayTouchObstacles_[body];
         }
 
         /** \brief The dimension of the workspace: 2 or 3 */
@@ -142,6 +153,7 @@ namespace ompl_certificates
         std::vector<RobotPtr> robots_;
         std::vector<ompl::base::StateSpacePtr> spaces_;
         std::vector<std::size_t> firstBody_;
+        std::vector<bool> mayTouchObstacles_;
         /** \brief How many spaces wrap the one that holds the robots' states */
         unsigned int wrappers_{0};
         /** \brief Whether a state is that of the one robot, and not made up of components */

@@ -33,6 +33,9 @@ namespace ompl_certificates
         - So is a robot in SE(3) that turns, but by less than 2e-4 rad, unless it is a ball about its origin. OMPL's
           interpolation makes such a turn in one jump.
 
+        Motions have the samples of the space of the checker's own space information, which must be set up. So another
+        space information, with a space or a resolution of its own, needs a checker of its own.
+
         A validity checker of your own, in the space information or derived from a class of this library, is heeded: see
         getFurtherChecker().
 

@@ -50,7 +50,8 @@ namespace ompl_certificates
 
             The mode is that of the CertificateMotionValidator of the checker's space information. If there is none, it
             is discrete; so it is in a TeamControlSetup. For steps that are proved, give the mode and the proof.
-            \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team */
+            \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team. Also
+            if the change names nothing but what there is now. The checker's space information must still exist. */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
 
         /** \brief The same in another mode
@@ -78,8 +79,8 @@ namespace ompl_certificates
 
         /** \brief Which vertices and edges of \e data, all valid before, are no longer valid. Edges of planners with
             controls are propagated again, in the steps of the space information of the checker.
-            \throws ompl::Exception if \e data has controls, and that space information has none. Also in continuous
-            mode, if no StepProof was given. */
+            \throws ompl::Exception if \e data has controls and that space information has none, or the other way round.
+            Also in continuous mode, if no StepProof was given. */
         Invalid findInvalid(const ompl::base::PlannerData &data) const;
 
         /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to

@@ -103,7 +103,8 @@ namespace ompl_certificates
             found before is not checked again, so clear the planner before it continues. A change that names neither
             added nor removed obstacles, but others than there are, counts as ObstacleChange::replacing(). So does one
             that starts from others, as this checker has missed a change, and a member's change within a mixedChange().
-            Whether they are others, their fingerprints tell.
+            Whether they are others, their fingerprints tell. Changes that come in another order bring back obstacles
+            as they were.
             \throws ompl::Exception if there are no obstacles, or if their workspace or z-interval does not fit. Also if
             the obstacles are MixedObstacles and the change is that of one member's set, and if called within a check. */
         void changeObstacles(const ObstacleChange &change);
