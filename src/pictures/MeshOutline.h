@@ -32,7 +32,12 @@ namespace ompl_certificates
 
     private:
         /** \brief Note in a cell of the grid that something is \e near */
-        void mark(int column, int row, float near);
+        void mark(int column, int row, float near)
+        {
+            float &cell = nearest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                                   static_cast<std::size_t>(column)];
+            cell = std::max(cell, near);
+        }
 
         /** \brief The same along an edge, given in cells, where it is within the grid */
         void markEdge(const Eigen::Vector3d &from, const Eigen::Vector3d &to);

@@ -151,7 +151,8 @@ namespace ompl_certificates
                 const std::string color = SceneDrawing::colorOf(robot);
                 svg.beginGroup("fill='" + color + "' fill-opacity='0.75' stroke='" + color + "' stroke-width='1.5'");
                 for (std::size_t body = 0; body < scene_.getMembers()[robot].robot->getBodies().size(); ++body)
-                    drawBody(svg, view, robot, body);
+                    if (!SceneDrawing::isObstacle(*scene_.getMembers()[robot].robot, body))
+                        drawBody(svg, view, robot, body);
                 svg.endGroup();
             }
         };

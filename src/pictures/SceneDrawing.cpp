@@ -3,6 +3,7 @@
 #include "ViewAxes.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
+#include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +96,17 @@ namespace ompl_certificates
                 { cross(svg, center, 5.0, "stroke='#555' stroke-width='2.2'"); }};
     }
 
+    bool SceneDrawing::isObstacle(const Robot &robot, std::size_t body)
+    {
+        const auto *arm = dynamic_cast<const Arm *>(&robot);
+        return arm && arm->isObstacle(body);
+    }
+
     void SceneDrawing::drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses)
     {
         for (std::size_t k = 0; k < poses.size(); ++k)
-            view.draw(svg, robot.getBodies()[k], poses[k]);
+            if (!isObstacle(robot, k))
+                view.draw(svg, robot.getBodies()[k], poses[k]);
     }
 
     void SceneDrawing::requireTeam(const ob::StateSpacePtr &space) const
@@ -170,7 +178,7 @@ namespace ompl_certificates
         svg.beginGroup(clipAtFrame(view) + " stroke-width='0.8' " +
                        (spatial ? "fill='#888' fill-opacity='0.28' stroke='#666'" : "fill='#8A8A8A' stroke='#444'"));
         const ZInterval zInterval = scene_.getZInterval();
-        for (const PlacedBody &obstacle : scene_.getObstacles())
+        for (const PlacedBody &obstacle : scene_.listObstacles())
             view.draw(svg, obstacle.body, obstacle.pose, zInterval, spatial ? 8 : 1);
         for (const ObstaclesPtr &sensed : scene_.getSensedObstacles())
         {

@@ -44,7 +44,10 @@ namespace ompl_certificates
         /** \brief The attribute of a group that ends at the frame of \e view */
         static std::string clipAtFrame(const SceneView &view);
 
-        /** \brief Draw bodies that have their poses */
+        /** \brief Whether a robot's body is an obstacle, and so drawn with these; see ArmOptions::obstacles */
+        static bool isObstacle(const Robot &robot, std::size_t body);
+
+        /** \brief Draw bodies that have their poses, but no obstacles */
         static void drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses);
 
         /** \brief Require that \e space is the space of the scene's robots

@@ -68,7 +68,7 @@ namespace ompl_certificates
     json ViewerData::obstacles()
     {
         std::map<std::size_t, std::vector<float>> poses;
-        for (const PlacedBody &obstacle : scene_.getObstacles())
+        for (const PlacedBody &obstacle : scene_.listObstacles())
             for (const Body::Part &part : obstacle.body.getParts())
             {
                 const std::array<float, 7> numbers = numbersOf(obstacle.pose * part.pose, origin_);
@@ -131,11 +131,13 @@ namespace ompl_certificates
     {
         const Robot &robot = *scene_.getMembers()[index].robot;
         json bodies = json::array();
-        for (const Body &body : robot.getBodies())
+        for (std::size_t body = 0; body < robot.getBodies().size(); ++body)
         {
             json parts = json::array();
-            for (const Body::Part &part : body.getParts())
-                parts.push_back({shapes_.add(part.shape), poseJson(part.pose)});
+            // Those that are obstacles are there already.
+            if (!SceneDrawing::isObstacle(robot, body))
+                for (const Body::Part &part : robot.getBodies()[body].getParts())
+                    parts.push_back({shapes_.add(part.shape), poseJson(part.pose)});
             bodies.push_back(parts);
         }
         const auto append = [this](std::vector<float> &numbers, const std::vector<Pose> &poses)

@@ -125,6 +125,11 @@ namespace ompl_certificates
         return model_->mayTouchObstacles[body];
     }
 
+    bool Arm::isObstacle(std::size_t body) const
+    {
+        return model_->areObstacles[body];
+    }
+
     bool Arm::moves(const std::string &link) const
     {
         return model_->frames.getLink(model_->tree.getLinkIndex(link)).frame != 0;

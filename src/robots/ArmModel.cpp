@@ -144,9 +144,11 @@ namespace ompl_certificates
         if (options.links)
             for (const std::string &link : *options.links)
                 owned[tree.getLinkIndex(link)] = true;
-        std::vector<bool> unchecked(tree.getLinks().size(), false);
+        std::vector<bool> unchecked(tree.getLinks().size(), false), obstacles = unchecked;
         for (const std::string &link : options.mayTouchObstacles)
             unchecked[tree.getLinkIndex(link)] = true;
+        for (const std::string &link : options.obstacles)
+            obstacles[tree.getLinkIndex(link)] = true;
         for (std::size_t link = 0; link < tree.getLinks().size(); ++link)
         {
             const std::optional<PlacedBody> &centered = tree.getLinks()[link].centered;
@@ -154,7 +156,8 @@ namespace ompl_certificates
                 continue;
             links.push_back(link);
             bodies.push_back(centered->body);
-            mayTouchObstacles.push_back(unchecked[link]);
+            mayTouchObstacles.push_back(unchecked[link] || obstacles[link]);
+            areObstacles.push_back(obstacles[link]);
             places.push_back(JointFrames::placeAt(frames.getLink(link), centered->pose));
             chains.emplace_back(frames, 0, places.back());
         }

@@ -26,8 +26,8 @@ namespace ompl_certificates
         /** \brief The link of each body, and where the body's frame is */
         std::vector<std::size_t> links;
         std::vector<JointFrames::Place> places;
-        /** \brief For each body whether it may touch the obstacles */
-        std::vector<bool> mayTouchObstacles;
+        /** \brief For each body whether it may touch the obstacles, and whether it is one */
+        std::vector<bool> mayTouchObstacles, areObstacles;
         std::vector<BodyPair> pairs;
         /** \brief The pairs of links that may collide, also those of other parts of the mechanism; by index, the
             smaller one first */

@@ -211,7 +211,7 @@ namespace ompl_certificates
         options.bounds = settings.bounds;
         options.mayTouchObstacles = settings.mayTouchObstacles;
         for (const TouchableObstacle &obstacle : settings.touchable)
-            options.mayTouchObstacles.push_back(obstacle.name);
+            options.obstacles.push_back(obstacle.name);
         const bool sampled = srdf_.empty() && !settings.mayTouch;
         if (sampled)
             options.linkPairs = pairsNotAdjacent(tree);

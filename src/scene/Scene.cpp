@@ -5,6 +5,7 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/planning/TeamGoalRegion.h"
+#include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -340,6 +341,25 @@ namespace ompl_certificates
                 throw ompl::Exception(source_,
                                       robot + " and " + describe(collision->other) + " overlap" + collision->hint);
         }
+    }
+
+    std::vector<PlacedBody> Scene::listObstacles() const
+    {
+        std::vector<PlacedBody> all = obstacles_;
+        for (const Member &member : members_)
+        {
+            const auto *arm = dynamic_cast<const Arm *>(member.robot.get());
+            if (!arm)
+                continue;
+            ob::ScopedState<> state(arm->getStateSpace());
+            state = member.start;
+            std::vector<Pose> poses(arm->getBodies().size());
+            arm->placeBodies(state.get(), poses.data());
+            for (std::size_t i = 0; i < poses.size(); ++i)
+                if (arm->isObstacle(i))
+                    all.push_back({arm->getBodies()[i], poses[i]});
+        }
+        return all;
     }
 
     std::string Scene::describeCollision(const TeamStateSpacePtr &team, const ob::State *state) const

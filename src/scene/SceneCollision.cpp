@@ -58,6 +58,22 @@ namespace ompl_certificates
             return "";
         }
 
+        /** What an arm touches of the obstacles that count as its links, as SceneCollision::touch; empty if nothing */
+        std::string describeTouch(const Robot &robot, const std::vector<Pose> &poses)
+        {
+            const auto *arm = dynamic_cast<const Arm *>(&robot);
+            for (const BodyPair &pair : arm ? arm->getBodyPairs() : std::vector<BodyPair>())
+            {
+                const bool isFirst = arm->isObstacle(pair.first);
+                const std::size_t obstacle = isFirst ? pair.first : pair.second,
+                                  link = isFirst ? pair.second : pair.first;
+                if (arm->isObstacle(obstacle) && FclObstacles({{arm->getBodies()[obstacle], poses[obstacle]}}, 3)
+                                                     .collides(arm->getBodies()[link], poses[link]))
+                    return "touches obstacle '" + arm->getLinkOfBody(obstacle) + "' with " + nameOfBody(robot, link);
+            }
+            return "";
+        }
+
         /** What messages call the obstacle that \e body touches at \e pose */
         std::string nameOfObstacle(const Scene &scene, const ZInterval &zInterval, const Body &body, const Pose &pose)
         {
@@ -112,6 +128,8 @@ namespace ompl_certificates
             if (!checker.isRobotFree(i, components[i]))
             {
                 const Robot &robot = team->getRobot(i);
+                if (const std::string touch = describeTouch(robot, poses[i]); !touch.empty())
+                    return SceneCollision{SceneCollision::OBSTACLES, i, i, touch, "", ""};
                 return SceneCollision{
                     SceneCollision::ITSELF, i, i, "", describeBodies(robot, poses[i], robot, poses[i]), ""};
             }

@@ -4,6 +4,7 @@
 #include "TeamCheck.h"
 
 #include <algorithm>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <functional>
 #include <ompl/base/GenericParam.h>
 #include <ompl/base/SpaceInformation.h>
@@ -37,9 +38,10 @@ namespace ompl_certificates
         {
             const auto read = [set](const std::string &text)
             {
-                if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
+                std::size_t count = 0;
+                if (text.find('-') != std::string::npos || !boost::conversion::try_lexical_convert(text, count))
                     throw std::invalid_argument("'" + text + "' is no count");
-                set(std::stoull(text));
+                set(count);
             };
             parameters.declareParam<std::string>(name, read, [get] { return std::to_string(get()); });
         }

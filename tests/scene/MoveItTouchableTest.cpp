@@ -1,6 +1,7 @@
 // Obstacles that links may touch, by the allowed collision matrix
 
 #include "support/Fcl.h"
+#include "support/Message.h"
 #include "support/MoveItScene.h"
 #include "support/RandomStates.h"
 
@@ -119,6 +120,11 @@ namespace ompl_certificates
             EXPECT_EQ(file.scene.getObstacleTitles().front(), "world.collision_objects[1].primitives[0] of 'table'");
             const Arm &arm = armOf(file);
             EXPECT_EQ(arm.getLinkOfBody(4), "ball");
+            EXPECT_TRUE(arm.isObstacle(4) && !arm.isObstacle(0));
+            // Pictures show both.
+            ASSERT_EQ(file.scene.listObstacles().size(), 2u);
+            EXPECT_TRUE(file.scene.listObstacles()[1].pose.translation().isApprox(Eigen::Vector3d(0.8, 0.2, 0.3)));
+            EXPECT_EQ(file.scene.listObstacles()[1].body.getParts().front().shape.getRadius(), 0.2);
             EXPECT_TRUE(arm.mayTouchObstacles(0) && arm.mayTouchObstacles(4));
             EXPECT_FALSE(arm.mayTouchObstacles(1) || arm.mayTouchObstacles(2) || arm.mayTouchObstacles(3));
             ASSERT_EQ(file.scene.getNotes().size(), 1u);
@@ -158,6 +164,11 @@ namespace ompl_certificates
                 read(floor + matrixOf(names, allowing(ADJACENT, {{"lower", "floor"}, {"tip", "floor"}})));
             EXPECT_NO_THROW(file.scene.validate());
             EXPECT_EQ(armOf(file).getLinkOfBody(4), "floor");
+            const std::string message = test::messageOf(
+                [&] {
+                    read(floor + matrixOf(names, allowing(ADJACENT, {{"tip", "floor"}}))).scene.validate();
+                });
+            EXPECT_NE(message.find("touches obstacle 'floor' with link 'lower'"), std::string::npos) << message;
         }
 
         TEST_F(MoveItTouchable, DefaultsAreForAllThatHasNoEntry)

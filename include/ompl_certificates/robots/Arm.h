@@ -41,6 +41,10 @@ namespace ompl_certificates
         /** \brief The links that may touch the obstacles; see Robot::mayTouchObstacles() */
         std::vector<std::string> mayTouchObstacles{};
 
+        /** \brief The links that are obstacles themselves, which some of the others may touch. They may touch all other
+            obstacles, and pictures show them as such. */
+        std::vector<std::string> obstacles{};
+
         /** \brief The bounds of x, y (and z) of PLANAR and FLOATING joints that the arm moves, in the joint's frame. A
             PLANAR joint ignores those of z. */
         std::optional<ompl::base::RealVectorBounds> bounds{};
@@ -133,8 +137,11 @@ namespace ompl_certificates
             collide; see ArmOptions::links. Costs a comparison of the trees. */
         bool mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const override;
 
-        /** \brief Whether the body's link is one of ArmOptions::mayTouchObstacles */
+        /** \brief Whether the body's link is one of ArmOptions::mayTouchObstacles or ArmOptions::obstacles */
         bool mayTouchObstacles(std::size_t body) const override;
+
+        /** \brief Whether the body's link is one of ArmOptions::obstacles */
+        bool isObstacle(std::size_t body) const;
 
         /** \brief Whether the group moves \e link
             \throws ompl::Exception if there is no such link */

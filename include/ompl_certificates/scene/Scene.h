@@ -82,6 +82,10 @@ namespace ompl_certificates
             return obstacles_;
         }
 
+        /** \brief The obstacles that are bodies, also those that count as links of arms; see ArmOptions::obstacles. For
+            pictures. */
+        std::vector<PlacedBody> listObstacles() const;
+
         /** \brief What messages call these */
         const std::vector<std::string> &getObstacleTitles() const
         {
