@@ -19,12 +19,14 @@ namespace ompl_certificates
         using LinkNames = std::set<std::pair<std::string, std::string>>;
 
         /** A ball where the lower link and the tip get, and a table at the foot of the robot, which stands in it */
-        const std::string OBJECTS_TO_TOUCH =
-            OBJECTS +
-            "    - {id: ball, primitives: [{type: sphere, dimensions: [0.2]}], primitive_poses: "
-            "[{position: [0.8, 0.2, 0.3]}]}\n"
-            "    - {id: table, primitives: [{type: box, dimensions: [1, 1, 0.1]}], primitive_poses: "
-            "[{position: [0, 0, -0.05]}]}\n";
+        std::string objectsToTouch()
+        {
+            return OBJECTS +
+                   "    - {id: ball, primitives: [{type: sphere, dimensions: [0.2]}], primitive_poses: "
+                   "[{position: [0.8, 0.2, 0.3]}]}\n"
+                   "    - {id: table, primitives: [{type: box, dimensions: [1, 1, 0.1]}], primitive_poses: "
+                   "[{position: [0, 0, -0.05]}]}\n";
+        }
 
         std::string matrixOf(const std::vector<std::string> &names, const LinkNames &allowed,
                              const std::string &more = "")
@@ -113,7 +115,7 @@ namespace ompl_certificates
         {
             const LinkNames allowed = allowing(ADJACENT, {{"tip", "ball"}, {"base", "table"}});
             const SceneFile file =
-                read(OBJECTS_TO_TOUCH + matrixOf({"base", "upper", "lower", "tip", "ball", "table"}, allowed));
+                read(objectsToTouch() + matrixOf({"base", "upper", "lower", "tip", "ball", "table"}, allowed));
             expectVerdicts(file, allowed);
             // The base never moves, so the table stays an obstacle.
             ASSERT_EQ(file.scene.getObstacles().size(), 1u);
@@ -174,7 +176,7 @@ namespace ompl_certificates
         TEST_F(MoveItTouchable, DefaultsAreForAllThatHasNoEntry)
         {
             const std::string defaults = ", default_entry_names: [tip, base], default_entry_values: [true, true]";
-            const SceneFile file = read(OBJECTS_TO_TOUCH + matrixOf(FOUR_LINKS, ADJACENT, defaults));
+            const SceneFile file = read(objectsToTouch() + matrixOf(FOUR_LINKS, ADJACENT, defaults));
             expectVerdicts(
                 file, allowing(ADJACENT, {{"tip", "ball"}, {"base", "ball"}, {"tip", "table"}, {"base", "table"}}));
             EXPECT_EQ(file.scene.getObstacles().size(), 2u);
@@ -185,7 +187,7 @@ namespace ompl_certificates
                          ", default_entry_names: [base, table], default_entry_values: [true, false]")};
             for (const std::string &other : others)
             {
-                const SceneFile blocked = read(OBJECTS_TO_TOUCH + other);
+                const SceneFile blocked = read(objectsToTouch() + other);
                 auto team = std::make_shared<TeamStateSpace>();
                 team->addRobot(blocked.scene.getMembers().front().robot);
                 const TeamValidityChecker checker(std::make_shared<ompl::base::SpaceInformation>(team),
