@@ -121,7 +121,7 @@ TEST_F(TouchableObstacles, LeaveMotionsAsOmplsOwnValidatorSeesThem)
         auto from = randomState(random, checkers.team);
         for (int i = 0; i < 40; ++i)
         {
-            const auto to = randomStateNear(random, from, random.logUniform(1e-2, 1.0));
+            const auto to = randomStateNear(random, from, random.uniform(0.05, 1.0));
             const bool isFree = ompls.checkMotion(from.get(), to.get());
             ++(isFree ? free : blocked);
             for (const auto &setup : checkers.setups)
