@@ -135,6 +135,27 @@ namespace ompl_certificates
         return cell;
     }
 
+    std::vector<JointCells::Values> JointCells::getMiddles(unsigned int level) const
+    {
+        const unsigned int shift = shiftOf(level, LEVELS);
+        std::vector<Values> middles(1);
+        for (std::size_t i = 0; i < coordinates_.size(); ++i)
+        {
+            const std::uint32_t count = counts_[i] >> shift;
+            const double half = 0.5 * static_cast<double>(1U << shift) / scales_[i];
+            std::vector<Values> further;
+            further.reserve(middles.size() * count);
+            for (Values values : middles)
+                for (std::uint32_t k = 0; k < count; ++k)
+                {
+                    values[i] = coordinates_[i].lower + (2.0 * k + 1.0) * half;
+                    further.push_back(values);
+                }
+            middles.swap(further);
+        }
+        return middles;
+    }
+
     double JointCells::moveToMiddle(const Cell &cell, Values &values) const
     {
         Index index{};

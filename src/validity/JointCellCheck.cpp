@@ -3,6 +3,7 @@
 #include "geometry/BodyContact.h"
 #include "geometry/ConvexCover.h"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -54,13 +55,43 @@ namespace ompl_certificates
             const JointCells::Cell cell = cells_->find(values);
             if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::ASKED)
                 return cell.answer;
-            const Answer answer = prove(cell, context);
+            // A motion passes most small ones once.
+            if (cell.answer == Answer::UNKNOWN && JointCells::isSmall(cell))
+            {
+                cells_->note(cell, Answer::ASKED);
+                return Answer::ASKED;
+            }
+            ompl::base::State *middle = context.spare[robot_];
+            description_.getStateSpace()->copyState(middle, context.placed[robot_]);
+            const Answer answer = prove(cell, values, middle, context.sparePoses.data(), context.counts);
             if (answer == Answer::UNKNOWN)
                 return Answer::OPEN;
             cells_->note(cell, answer);
-            if (answer == Answer::ASKED)
-                return answer;
         }
+    }
+
+    std::size_t JointCellCheck::settleLarge(unsigned int level, std::size_t most, ompl::base::State *state,
+                                            Pose *poses) const
+    {
+        const std::vector<JointCells::Values> middles = cells_->getMiddles(level);
+        const auto isOfLevel = [&](const JointCells::Values &values) { return cells_->find(values).level == level; };
+        const auto isNew = [level](const JointCells::Cell &cell)
+        { return cell.level == level && cell.answer == Answer::UNKNOWN; };
+        // They are settled in their order: once the last of those that a larger one leaves open is known, all are.
+        const auto last = std::find_if(middles.rbegin(), middles.rend(), isOfLevel);
+        if (last == middles.rend() || !isNew(cells_->find(*last)))
+            return 0;
+        CheckCounts counts;
+        std::size_t settled = 0;
+        for (const JointCells::Values &values : middles)
+        {
+            const JointCells::Cell cell = cells_->find(values);
+            if (settled == most || !isNew(cell))
+                continue;
+            cells_->note(cell, prove(cell, values, state, poses, counts));
+            ++settled;
+        }
+        return settled;
     }
 
     bool JointCellCheck::mayContactSettle(const JointCells::Cell &cell) const
@@ -68,23 +99,17 @@ namespace ompl_certificates
         return JointCells::isSmallest(cell) || (JointCells::isSmall(cell) && locations_.size() <= MOST_FOR_CONTACT);
     }
 
-    Answer JointCellCheck::prove(const JointCells::Cell &cell, CheckContext &context) const
+    Answer JointCellCheck::prove(const JointCells::Cell &cell, JointCells::Values values, ompl::base::State *state,
+                                 Pose *poses, CheckCounts &counts) const
     {
-        // A motion passes most of them once.
-        if (cell.answer == Answer::UNKNOWN && JointCells::isSmall(cell))
-            return Answer::ASKED;
         const auto &space = description_.getStateSpace();
-        ompl::base::State *middle = context.spare[robot_];
-        space->copyState(middle, context.placed[robot_]);
-        JointCells::Values values = valuesOf(middle);
         const double inCell = cells_->moveToMiddle(cell, values);
         for (std::size_t i = 0; i < locations_.size(); ++i)
-            *space->getValueAddressAtLocation(middle, locations_[i]) = values[i];
-        Pose *poses = context.sparePoses.data();
-        description_.placeBodies(middle, poses);
+            *space->getValueAddressAtLocation(state, locations_[i]) = values[i];
+        description_.placeBodies(state, poses);
         const Pose &one = poses[pair_.first], &other = poses[pair_.second];
         const Pose relative = one.inverse() * other;
-        if (!space->satisfiesBounds(middle) || !isFinite(relative))
+        if (!space->satisfiesBounds(state) || !isFinite(relative))
             return Answer::UNKNOWN;
         // Where the other coordinates have taken the bodies, far from the origin, their relative pose is less precise.
         const double within = inCell + RELATIVE_POSE_ROUNDING * (one.translation().norm() + other.translation().norm());
@@ -97,7 +122,7 @@ namespace ompl_certificates
             return Answer::OPEN;
         if (!mayContactSettle(cell))
             return touchDeeply(first, second, relative, contactMargin_ + within) ? Answer::TOUCHING : Answer::OPEN;
-        ++context.counts.contactTests;
+        ++counts.contactTests;
         switch (touching(first, second, relative, contactMargin_ + within))
         {
             case Touching::YES:

@@ -28,6 +28,14 @@ namespace ompl_certificates
             the cell is small enough for that. */
         JointCells::Answer settle(CheckContext &context) const;
 
+        /** \brief Settles the cells of one of the first two levels that are new, unless this was done before, by any
+            checker
+            \param most how many of them, at most
+            \param state one within its bounds; those of its coordinates that move the bodies are changed
+            \param poses for all bodies of the robot
+            \return how many were settled. Cost: some microseconds each */
+        std::size_t settleLarge(unsigned int level, std::size_t most, ompl::base::State *state, Pose *poses) const;
+
         /** \brief How long the bodies are known to be apart before and after the time of their poses, along the motion
             that is checked */
         std::array<double, 2> apartFor(const CheckContext &context) const;
@@ -42,9 +50,13 @@ namespace ompl_certificates
         /** \brief Whether a cell is so small that the contact test may settle it */
         bool mayContactSettle(const JointCells::Cell &cell) const;
 
-        /** \brief What holds in all of \e cell. ASKED if it is small and was not asked for before. UNKNOWN if the
-            robot's state proves nothing: it is beyond its bounds, or not finite. */
-        JointCells::Answer prove(const JointCells::Cell &cell, CheckContext &context) const;
+        /** \brief What holds in all of \e cell. UNKNOWN if the robot's state proves nothing: it is beyond its bounds,
+            or not finite.
+            \param values any in the cell
+            \param state where the robot is, but for these values; they become those of the middle
+            \param poses for all bodies of the robot */
+        JointCells::Answer prove(const JointCells::Cell &cell, JointCells::Values values, ompl::base::State *state,
+                                 Pose *poses, CheckCounts &counts) const;
 
         const unsigned int robot_;
         const Robot &description_;

@@ -7,6 +7,7 @@
 #include "geometry/Infinity.h"
 
 #include <algorithm>
+#include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -68,6 +69,7 @@ namespace ompl_certificates
                 pairs_.back().bodies.push_back(bodies);
             }
         }
+        settleLargeCells(team);
         for (const Pair &pair : pairs_)
         {
             firstBodyPairs_.push_back(firstBodyPairs_.back() + pair.bodies.size());
@@ -76,6 +78,25 @@ namespace ompl_certificates
     }
 
     RobotPairs::~RobotPairs() = default;
+
+    void RobotPairs::settleLargeCells(const Team &team) const
+    {
+        std::size_t left = MOST_LARGE_CELLS;
+        for (const unsigned int level : {0U, 1U})
+            for (const Pair &pair : pairs_)
+            {
+                if (pair.first != pair.second)
+                    continue;
+                const Robot &robot = team.getRobot(pair.first);
+                ompl::base::ScopedState<> state(robot.getStateSpace());
+                state = std::vector<double>(state.reals().size());
+                state.enforceBounds();
+                std::vector<Pose> poses(robot.getBodies().size());
+                for (const TwoBodies &bodies : pair.bodies)
+                    if (bodies.cells)
+                        left -= bodies.cells->settleLarge(level, left, state.get(), poses.data());
+            }
+    }
 
     TwoBodies RobotPairs::makeTwoBodies(const Team &team, unsigned int first, std::size_t a, unsigned int second,
                                         std::size_t b)

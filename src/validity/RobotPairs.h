@@ -123,6 +123,13 @@ namespace ompl_certificates
             std::vector<TwoBodies> bodies;
         };
 
+        /** \brief So many large joint cells are settled while a checker is made, at most, which takes some ten
+            milliseconds. */
+        static constexpr std::size_t MOST_LARGE_CELLS = 1U << 14;
+
+        /** \brief Settles the joint cells of the first two levels, so that the first plan need not. */
+        void settleLargeCells(const Team &team) const;
+
         /** \brief Whether it pays to know how long two bodies stay apart */
         bool searchesGaps(const MotionSample &sample) const
         {

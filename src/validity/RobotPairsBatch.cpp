@@ -1,7 +1,32 @@
 #include "RobotPairs.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
 namespace ompl_certificates
 {
+    namespace
+    {
+        /** So many masks fill a word. */
+        constexpr std::size_t MASKS_AT_ONCE = sizeof(std::uint64_t) / sizeof(BatchMask);
+
+        /** Whether one of up to MASKS_AT_ONCE masks contains a sample. Most pairs are far apart, so that this leaves out
+            most masks. */
+        bool anyContains(const BatchMask *masks, std::size_t count, std::size_t sample)
+        {
+            constexpr std::uint64_t firstSamples = 0x0101010101010101;
+            static_assert(MASKS_AT_ONCE == 8, "A mask is a byte");
+            std::uint64_t word = 0;
+            // Where the size is a constant, this is one load.
+            if (count == MASKS_AT_ONCE)
+                std::memcpy(&word, masks, MASKS_AT_ONCE);
+            else
+                std::memcpy(&word, masks, count * sizeof(BatchMask));
+            return (word & (firstSamples << sample)) != 0;
+        }
+    }
+
     void RobotPairs::findNear(unsigned int pair, CheckContext &context) const
     {
         SampleBatch &batch = context.batch;
@@ -25,15 +50,23 @@ namespace ompl_certificates
                                   const IsApart &isApart) const
     {
         const std::vector<TwoBodies> &all = pairs_[pair].bodies;
-        const std::size_t likely = context.lastCollidingPair[pair];
-        for (std::size_t k = 0; k < all.size(); ++k)
+        const BatchMask *near = context.batch.nearEachOther.data() + firstBodyPairs_[pair];
+        std::size_t &likely = context.lastCollidingPair[pair];
+        const auto touch = [&](std::size_t i)
+        { return contains(near[i], sample) && !isApart(all[i], firstBodyPairs_[pair] + i); };
+        if (!all.empty() && touch(likely))
+            return false;
+        for (std::size_t first = 0; first < all.size(); first += MASKS_AT_ONCE)
         {
-            const std::size_t i = CheckContext::inOrder(k, likely), number = firstBodyPairs_[pair] + i;
-            if (contains(context.batch.nearEachOther[number], sample) && !isApart(all[i], number))
-            {
-                context.lastCollidingPair[pair] = i;
-                return false;
-            }
+            const std::size_t count = std::min(all.size() - first, MASKS_AT_ONCE);
+            if (!anyContains(near + first, count, sample))
+                continue;
+            for (std::size_t i = first; i < first + count; ++i)
+                if (i != likely && touch(i))
+                {
+                    likely = i;
+                    return false;
+                }
         }
         return true;
     }

@@ -138,6 +138,33 @@ TEST(JointCells, ReachAsFarFromTheirMiddleAsTheySay)
     }
 }
 
+TEST(JointCells, HaveTheirMiddlesInOrder)
+{
+    for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        JointCells cells = randomCells(random, seed % 4);
+        std::size_t next = 0;
+        for (unsigned int level = 0; level < 3; ++level)
+        {
+            const std::vector<JointCells::Values> middles = cells.getMiddles(level);
+            EXPECT_LE(middles.size(), level < 2 ? 1U << 11 : 1U << 15);
+            for (const JointCells::Values &middle : middles)
+            {
+                const JointCells::Cell cell = cells.find(middle);
+                ASSERT_EQ(cell.level, level);
+                ASSERT_EQ(cell.number, next++);
+                JointCells::Values values = middle;
+                cells.moveToMiddle(cell, values);
+                for (std::size_t i = 0; i < cells.getCoordinates().size(); ++i)
+                    ASSERT_NEAR(values[i], middle[i], 1e-12);
+                cells.note(cell, Answer::OPEN);
+            }
+        }
+    }
+}
+
 TEST(JointCells, AreFollowedAlongAMotionForAsLongAsTheyAreApart)
 {
     int followed = 0, ended = 0;

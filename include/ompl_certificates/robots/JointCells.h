@@ -16,9 +16,11 @@ namespace ompl_certificates
         depends on few coordinates, such as two links with up to three joints between them.
 
         The values of these coordinates are divided into cells. There are four levels of them: a cell has four parts
-        along each coordinate on the next level. Checkers settle a cell for good when they first need it; a small one,
-        of the third or fourth level, when they need it again. What is known of it is true of the robot alone, whatever
-        the obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move alike.
+        along each coordinate on the next level. The first checker of a robot settles the cells of the first two levels
+        when it is made, up to some ten thousand of all pairs; checkers settle others when they need them, small ones, of
+        the third or fourth level, when they need them again. What is known of a cell is true of the robot alone,
+        whatever the obstacles are. So all checkers of a robot can share it, and so can robots whose two bodies move
+        alike.
 
         A robot says by Robot::getJointCells() for which of its pairs there are cells. Any number of threads may use
         them at once. Uses a byte for each cell of the first three levels, at most 35 kB, and up to a megabyte for the
@@ -112,6 +114,10 @@ namespace ompl_certificates
         {
             return cell.level >= ROW_LEVELS;
         }
+
+        /** \brief The middles of all cells of a level, in the order of their numbers: at most 2^11 of the first two
+            levels, and 2^15 of the third */
+        std::vector<Values> getMiddles(unsigned int level) const;
 
         /** \brief Moves \e values to the middle of the cell that contains them
             \return by how much the distance between any two points of the bodies changes, at most, from there to
