@@ -13,41 +13,6 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** Triangles, as indices of their corners */
-        using Surface = std::vector<std::array<std::uint32_t, 3>>;
-
-        /** The triangles that hang together by their corners */
-        std::vector<Surface> piecesOf(const Surface &triangles, std::size_t vertexCount)
-        {
-            std::vector<std::uint32_t> parents(vertexCount);
-            std::iota(parents.begin(), parents.end(), 0U);
-            const auto rootOf = [&parents](std::uint32_t vertex)
-            {
-                while (parents[vertex] != vertex)
-                    vertex = parents[vertex] = parents[parents[vertex]];
-                return vertex;
-            };
-            for (const auto &[a, b, c] : triangles)
-            {
-                parents[rootOf(b)] = rootOf(a);
-                parents[rootOf(c)] = rootOf(a);
-            }
-            constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-            std::vector<std::size_t> numbers(vertexCount, none);
-            std::vector<Surface> pieces;
-            for (const auto &triangle : triangles)
-            {
-                std::size_t &number = numbers[rootOf(triangle[0])];
-                if (number == none)
-                {
-                    number = pieces.size();
-                    pieces.emplace_back();
-                }
-                pieces[number].push_back(triangle);
-            }
-            return pieces;
-        }
-
         /** Whether each edge is passed as often in one direction as in the other */
         bool isClosed(const Surface &piece)
         {
@@ -98,6 +63,37 @@ namespace ompl_certificates
                     }
             return piece;
         }
+    }
+
+    std::vector<Surface> piecesOf(const Surface &triangles, std::size_t vertexCount)
+    {
+        std::vector<std::uint32_t> parents(vertexCount);
+        std::iota(parents.begin(), parents.end(), 0U);
+        const auto rootOf = [&parents](std::uint32_t vertex)
+        {
+            while (parents[vertex] != vertex)
+                vertex = parents[vertex] = parents[parents[vertex]];
+            return vertex;
+        };
+        for (const auto &[a, b, c] : triangles)
+        {
+            parents[rootOf(b)] = rootOf(a);
+            parents[rootOf(c)] = rootOf(a);
+        }
+        constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+        std::vector<std::size_t> numbers(vertexCount, none);
+        std::vector<Surface> pieces;
+        for (const auto &triangle : triangles)
+        {
+            std::size_t &number = numbers[rootOf(triangle[0])];
+            if (number == none)
+            {
+                number = pieces.size();
+                pieces.emplace_back();
+            }
+            pieces[number].push_back(triangle);
+        }
+        return pieces;
     }
 
     std::vector<ClosedPiece> closedPiecesOf(const TriangleTree &mesh)

@@ -7,6 +7,13 @@
 
 namespace ompl_certificates
 {
+    /** \brief Triangles, as indices of their corners */
+    using Surface = std::vector<std::array<std::uint32_t, 3>>;
+
+    /** \brief The triangles that hang together by their corners
+        \param vertexCount how many vertices there are */
+    std::vector<Surface> piecesOf(const Surface &triangles, std::size_t vertexCount);
+
     /** \brief A piece of a mesh: triangles that hang together by their corners. Each edge has as many of them on one
         side as on the other. So the piece has an inside, and every path from there to far away meets a triangle. */
     struct ClosedPiece

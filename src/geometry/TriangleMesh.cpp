@@ -1,6 +1,7 @@
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
 #include "MeshInside.h"
+#include "MeshVolume.h"
 #include "TriangleTree.h"
 #include "Weld.h"
 
@@ -72,6 +73,12 @@ namespace ompl_certificates
     {
         std::call_once(insideOnce_, [this] { inside_ = std::make_unique<MeshInside>(getTree()); });
         return *inside_;
+    }
+
+    const MeshVolume &TriangleMesh::getVolume() const
+    {
+        std::call_once(volumeOnce_, [this] { volume_ = std::make_unique<MeshVolume>(*this); });
+        return *volume_;
     }
 
     bool TriangleMesh::isClosed() const

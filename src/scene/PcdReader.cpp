@@ -82,7 +82,7 @@ namespace ompl_certificates
                         words.emplace_back(word);
                     if (words.empty() || words.size() > MOST_FIELDS)
                         text_.fail("there is no such number of values");
-                    if (key == "FIELDS")
+                    if (key == "FIELDS" || key == "COLUMNS")  // the latter up to version 0.5
                         for (const std::string &word : words)
                             fields_.push_back({word});
                     else if (key == "SIZE" || key == "TYPE" || key == "COUNT")
@@ -102,11 +102,14 @@ namespace ompl_certificates
             /** All points, and those of an image's rows and columns, must be as many. */
             void readCount(const std::map<std::string, std::size_t> &counts)
             {
-                if (counts.count("POINTS") == 0)
+                const bool isImage = counts.count("WIDTH") > 0 && counts.count("HEIGHT") > 0;
+                if (counts.count("POINTS") == 0 && !isImage)
                     text_.fail("the header has no line 'POINTS'");
-                count_ = counts.at("POINTS");
-                if (counts.count("WIDTH") > 0 && counts.count("HEIGHT") > 0 &&
-                    counts.at("WIDTH") * counts.at("HEIGHT") != count_)
+                count_ = counts.count("POINTS") > 0 ? counts.at("POINTS") : counts.at("WIDTH") * counts.at("HEIGHT");
+                if (count_ > MOST_POINTS)
+                    text_.fail("there are " + std::to_string(count_) + " points, more than " +
+                               std::to_string(MOST_POINTS));
+                if (isImage && counts.at("WIDTH") * counts.at("HEIGHT") != count_)
                     text_.fail("WIDTH " + std::to_string(counts.at("WIDTH")) + " times HEIGHT " +
                                std::to_string(counts.at("HEIGHT")) + " is not POINTS " + std::to_string(count_));
             }

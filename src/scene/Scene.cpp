@@ -94,6 +94,9 @@ namespace ompl_certificates
         if (obstacles->getDimension() != getDimension())
             throw ompl::Exception(source_, title + ": must have " + std::to_string(getDimension()) +
                                                " dimensions, not " + std::to_string(obstacles->getDimension()));
+        // A sensor that has seen nothing looks like free space: that is said.
+        if (std::isinf(obstacles->clearance(Eigen::Vector3d::Zero())))
+            addNote(title + " is empty: nothing of it is an obstacle");
         sensed_.push_back(obstacles);
         sensedTitles_.push_back(title);
     }

@@ -4,7 +4,6 @@
 #include "YamlText.h"
 #include "ompl_certificates/scene/SceneFile.h"
 
-#include <cmath>
 #include <filesystem>
 
 namespace ompl_certificates
@@ -12,14 +11,6 @@ namespace ompl_certificates
     namespace
     {
         constexpr std::size_t MAX_OBSTACLES = 100000, MAX_ROBOTS = 1000;
-
-        /** A sensor that has seen nothing looks like free space: that is said. */
-        void addSensed(Scene &scene, const ObstaclesPtr &obstacles, const std::string &key)
-        {
-            if (std::isinf(obstacles->clearance(Eigen::Vector3d::Zero())))
-                scene.addNote(key + " is empty: nothing of it is an obstacle");
-            scene.addSensedObstacles(obstacles, key);
-        }
     }
 
     Scene sceneFromYaml(const std::string &text, const std::string &source, bool dynamics)
@@ -57,9 +48,9 @@ namespace ompl_certificates
             {
                 const std::string type = obstacle.at("type").text();
                 if (type == "cloud")
-                    addSensed(scene, readCloud(obstacle, dimension, source), obstacle.getKey());
+                    scene.addSensedObstacles(readCloud(obstacle, dimension, source), obstacle.getKey());
                 else if (type == "octomap")
-                    addSensed(scene, readOctomap(obstacle, dimension, source), obstacle.getKey());
+                    scene.addSensedObstacles(readOctomap(obstacle, dimension, source), obstacle.getKey());
                 else
                     scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
             }

@@ -1,6 +1,6 @@
 #include "ompl_certificates/team/RobotFilter.h"
 
-#include "geometry/Winding.h"
+#include "geometry/MeshVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +16,9 @@ namespace ompl_certificates
             const Shape *shape;
             Pose toShape;
             Eigen::AlignedBox3d bounds;
-            /** Whether it is a mesh with an inside */
-            bool isClosed;
+            /** What is inside a mesh in space, or null */
+            const MeshVolume *volume;
         };
-
-        /** Whether a closed mesh winds around a point */
-        bool isInside(const TriangleMesh &mesh, const Eigen::Vector3d &point)
-        {
-            double sum = 0.0;
-            for (std::size_t i = 0; i < mesh.getTriangles().size(); ++i)
-            {
-                const auto [a, b, c] = mesh.getCorners(i);
-                sum += halfSolidAngle(a - point, b - point, c - point);
-            }
-            return std::abs(sum) > M_PI;
-        }
 
         bool isNear(const PlacedPart &part, const Eigen::Vector3d &point, double distance)
         {
@@ -38,8 +26,7 @@ namespace ompl_certificates
             // Somewhat more, as the bounds are rounded
             if (part.bounds.squaredExteriorDistance(local) > 1.001 * distance * distance)
                 return false;
-            return part.shape->signedDistance(local) <= distance ||
-                   (part.isClosed && isInside(*part.shape->getMesh(), local));
+            return part.shape->signedDistance(local) <= distance || (part.volume && part.volume->contains(local));
         }
 
         std::vector<PlacedPart> partsOf(const Team &team, const ompl::base::State *state)
@@ -55,7 +42,7 @@ namespace ompl_certificates
                     {
                         const TriangleMesh *mesh = part.shape.getMesh();
                         PlacedPart placed{&part.shape, (poses[k] * part.pose).inverse(), part.shape.getBounds(),
-                                          mesh && part.shape.getDimension() == 3 && mesh->isClosed()};
+                                          mesh && part.shape.getDimension() == 3 ? &mesh->getVolume() : nullptr};
                         // In the plane a mesh is above or below the points.
                         if (mesh && part.shape.getDimension() == 2)
                             placed.bounds.min().z() = placed.bounds.max().z() = placed.toShape.translation().z();

@@ -10,21 +10,6 @@ using namespace ompl_certificates::test;
 
 namespace
 {
-    /** One mesh of all triangles of some */
-    TriangleMeshPtr joined(const std::vector<TriangleMeshPtr> &meshes)
-    {
-        std::vector<Eigen::Vector3d> vertices;
-        std::vector<TriangleMesh::Triangle> triangles;
-        for (const TriangleMeshPtr &mesh : meshes)
-        {
-            const auto first = static_cast<std::uint32_t>(vertices.size());
-            vertices.insert(vertices.end(), mesh->getVertices().begin(), mesh->getVertices().end());
-            for (const auto &[a, b, c] : mesh->getTriangles())
-                triangles.push_back({first + a, first + b, first + c});
-        }
-        return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
-    }
-
     /** The mesh without a triangle, or with one turned round */
     TriangleMeshPtr broken(const TriangleMesh &mesh, bool turned)
     {

@@ -64,6 +64,21 @@ namespace ompl_certificates
             return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
         }
 
+        /** \brief One mesh of the triangles of all */
+        inline TriangleMeshPtr joined(const std::vector<TriangleMeshPtr> &meshes)
+        {
+            std::vector<Eigen::Vector3d> vertices;
+            std::vector<TriangleMesh::Triangle> triangles;
+            for (const TriangleMeshPtr &mesh : meshes)
+            {
+                const auto first = static_cast<std::uint32_t>(vertices.size());
+                vertices.insert(vertices.end(), mesh->getVertices().begin(), mesh->getVertices().end());
+                for (const auto &[a, b, c] : mesh->getTriangles())
+                    triangles.push_back({first + a, first + b, first + c});
+            }
+            return std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles));
+        }
+
         /** \brief A soup about \e size wide: large and small triangles, slivers, some without area, some twice */
         inline TriangleMeshPtr randomSoup(Random &random, double size)
         {

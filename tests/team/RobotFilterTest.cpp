@@ -95,6 +95,26 @@ TEST(RobotFilter, KnowsTheInsideOfClosedMeshes)
     EXPECT_THROW(withoutRobots(cloud, team, state.get(), NAN), ompl::Exception);
 }
 
+/** Meshes of real robots are so. */
+TEST(RobotFilter, KnowsTheInsideOfMeshesThatAreWoundAnyhowAndHaveLooseTriangles)
+{
+    const TriangleMeshPtr box = boxMesh({2.0, 2.0, 2.0});
+    std::vector<Eigen::Vector3d> vertices = box->getVertices();
+    std::vector<TriangleMesh::Triangle> triangles = box->getTriangles();
+    for (std::size_t i = 0; i < 6; ++i)
+        std::swap(triangles[i][0], triangles[i][1]);
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const double x : {1.1, 1.2, 1.3})
+        vertices.emplace_back(x, x * x, 0.0);
+    triangles.push_back({first, first + 1, first + 2});
+    const auto space = std::make_shared<TeamStateSpace>();
+    space->addRobot(RigidRobot::inSE3("box", Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)), cubeBounds(3, 9.0)));
+    ompl::base::ScopedState<> state(space);
+    state = std::vector<double>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+    const PointCloud cloud{{{1.0, 0.0, 0.0}, {1.5, 0.5, -0.5}, {3.2, 0.0, 0.0}}, 0.0};
+    EXPECT_EQ(findRobots(cloud, Team(space), state.get(), 0.1), (std::vector<bool>{true, true, false}));
+}
+
 /** Robots that are nowhere would filter nothing, and then collide with themselves. */
 TEST(RobotFilter, RefusesStatesThatAreNotFinite)
 {

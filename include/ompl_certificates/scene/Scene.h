@@ -127,7 +127,7 @@ namespace ompl_certificates
             \throws ompl::Exception if it has not the workspace's dimension */
         void addObstacle(const PlacedBody &obstacle, const std::string &title = "");
 
-        /** \brief Add obstacles that are no bodies, such as a point cloud
+        /** \brief Add obstacles that are no bodies, such as a point cloud. If there is nothing in them, a note says so.
             \param title what messages call them
             \throws ompl::Exception if they are null or have not the workspace's dimension */
         void addSensedObstacles(const ObstaclesPtr &obstacles, const std::string &title);
