@@ -186,7 +186,8 @@ def plan_controls(
     """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
 
     planner: one of control_planner_names()
-    motion: discrete checks the states at the ends of steps, continuous proves each step free between them
+    motion: discrete checks the states at the ends of steps, continuous proves each step free between them; limits are
+        checked at the ends in both
     goal_tolerance: how far from the goal the team may end, in its space's distance (docs/controls.md)
     nearest: what RRT and SST look for near states in, kdtree or gnat
     parameters: of the planner, such as {"goal_bias": 0.1}; control_planner_parameters() names them
@@ -199,7 +200,8 @@ def plan_controls(
     if not isinstance(scene, Scene):
         raise Error(f"scene: must be a Scene, not a {type(scene).__name__}")
     _require_options(time, iterations, seed, parameters)
-    _require_range("max_steps", max_steps, 2**31 - 1)
+    # A control is held to its end, whatever the time: more would not end in time, and Ctrl-C would wait.
+    _require_range("max_steps", max_steps, 10**6)
     _require_range("min_steps", min_steps, max_steps)
     return _plan_controls(
         scene,

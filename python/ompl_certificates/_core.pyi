@@ -228,7 +228,7 @@ class Scene:
         in each cell of a grid; the radius grows, so that all that was occupied still is, and what Checker.change_cloud
         inserts has that larger radius, too. In a planar scene points of shape (n, 2) are in the robots' way at any
         height. Of those of shape (n, 3) only the ones count that a robot reaches with its meshes; so add the robots
-        first."""
+        first. Robots of other shapes reach all heights, so leave out the floor before."""
     def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
         """The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv"""
     def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:

@@ -298,3 +298,15 @@ def test_an_obstacle_is_not_moved_and_removed_at_once() -> None:
     checker = oc.Checker(world(3, np.zeros((0, 3)))[0])
     with pytest.raises(oc.Error, match="^remove: obstacle 0 is to be moved as well$"):
         checker.change_obstacles(move={0: [1, 1, 1]}, remove=[0])
+
+
+def test_what_has_seen_nothing_is_noted(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "nothing.xyz").write_text("nan nan nan\n")
+    scene = oc.Scene([-1, -1, -1], [1, 1, 1])
+    scene.add_cloud([[0.5, 0.5, 0.5]], 0.1)
+    assert scene.notes == []
+    scene.add_cloud(np.zeros((0, 3)), 0.1)
+    scene.add_cloud_file(tmp_path / "nothing.xyz", 0.1)
+    scene.add_grid(np.zeros((3, 3, 3), dtype=bool), 0.1)
+    empty = ("clouds[1]", "clouds[2]", "grids[3]")
+    assert scene.notes == [f"{what} is empty: nothing of it is an obstacle" for what in empty]

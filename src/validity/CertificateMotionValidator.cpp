@@ -12,6 +12,8 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/constraint/ConstrainedStateSpace.h>
+#include <ompl/control/SpaceInformation.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
 
@@ -93,6 +95,10 @@ namespace ompl_certificates
                                             "robots as their own spaces do"
                                       : "The method " + nameOf(method) +
                                             " makes no certificates and so cannot check motions continuously");
+        if (mode == CONTINUOUS && dynamic_cast<const ompl::control::SpaceInformation *>(si_))
+            OMPL_WARN(
+                "CertificateMotionValidator: planners by controls ask no motion validator, so this one proves nothing. "
+                "Their steps are proved by TeamPropagator::requireProof(), or in a TeamControlSetup.");
     }
 
     bool CertificateMotionValidator::isFree(const ob::State *s1, const ob::State *s2) const

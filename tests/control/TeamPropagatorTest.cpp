@@ -234,18 +234,19 @@ TEST(TeamControlSetup, RefusesAStepThatIsNotFinite)
     EXPECT_NO_THROW(setup->setup());
 }
 
-TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
+namespace
 {
-    class Warnings : public ompl::msg::OutputHandler
+    /** Counts warnings with some words */
+    class CountedWarnings : public ompl::msg::OutputHandler
     {
     public:
-        Warnings()
+        explicit CountedWarnings(std::string words) : words_(std::move(words))
         {
             ompl::msg::useOutputHandler(this);
             ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
         }
 
-        ~Warnings() override
+        ~CountedWarnings() override
         {
             ompl::msg::restorePreviousOutputHandler();
         }
@@ -253,15 +254,22 @@ TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
         void log(const std::string &text, ompl::msg::LogLevel /*level*/, const char * /*filename*/,
                  int /*line*/) override
         {
-            count += text.find("another one has replaced") == std::string::npos ? 0 : 1;
+            count += text.find(words_) == std::string::npos ? 0 : 1;
         }
 
         int count{0};
+
+    private:
+        std::string words_;
     };
+}
+
+TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
+{
     for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
         for (const bool isReplaced : {false, true})
         {
-            const Warnings warnings;
+            const CountedWarnings warnings("another one has replaced");
             TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({{0.0, 1.6, 0.2, 2.0}}), Method::SHARED_PROJECTION,
                                    mode);
             setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
@@ -270,4 +278,16 @@ TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
             setup.setup();
             EXPECT_EQ(warnings.count, isReplaced && mode == CertificateMotionValidator::CONTINUOUS ? 1 : 0);
         }
+}
+
+TEST(TeamControlSetup, WarnsOfAMotionValidatorThatNoControlPlannerAsks)
+{
+    const TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({{0.0, 1.6, 0.2, 2.0}}), Method::SHARED_PROJECTION,
+                                 CertificateMotionValidator::CONTINUOUS);
+    for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+    {
+        const CountedWarnings warnings("proves nothing");
+        const CertificateMotionValidator validator(setup.getTeamChecker(), mode);
+        EXPECT_EQ(warnings.count, mode == CertificateMotionValidator::CONTINUOUS ? 1 : 0);
+    }
 }
