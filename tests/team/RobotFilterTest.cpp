@@ -108,7 +108,8 @@ TEST(RobotFilter, KnowsTheInsideOfMeshesThatAreWoundAnyhowAndHaveLooseTriangles)
         vertices.emplace_back(x, x * x, 0.0);
     triangles.push_back({first, first + 1, first + 2});
     const auto space = std::make_shared<TeamStateSpace>();
-    space->addRobot(RigidRobot::inSE3("box", Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)), cubeBounds(3, 9.0)));
+    space->addRobot(
+        RigidRobot::inSE3("box", Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)), cubeBounds(3, 9.0)));
     ompl::base::ScopedState<> state(space);
     state = std::vector<double>{1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     const PointCloud cloud{{{1.0, 0.0, 0.0}, {1.5, 0.5, -0.5}, {3.2, 0.0, 0.0}}, 0.0};
