@@ -1,7 +1,7 @@
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
 #include "MeshInside.h"
-#include "MeshVolume.h"
+#include "MeshSolid.h"
 #include "TriangleTree.h"
 #include "Weld.h"
 
@@ -75,10 +75,10 @@ namespace ompl_certificates
         return *inside_;
     }
 
-    const MeshVolume &TriangleMesh::getVolume() const
+    const MeshSolid &TriangleMesh::getSolid() const
     {
-        std::call_once(volumeOnce_, [this] { volume_ = std::make_unique<MeshVolume>(*this); });
-        return *volume_;
+        std::call_once(solidOnce_, [this] { solid_ = std::make_unique<MeshSolid>(*this); });
+        return *solid_;
     }
 
     bool TriangleMesh::isClosed() const

@@ -1,6 +1,6 @@
 #include "ompl_certificates/team/RobotFilter.h"
 
-#include "geometry/MeshVolume.h"
+#include "geometry/MeshSolid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace ompl_certificates
             Pose toShape;
             Eigen::AlignedBox3d bounds;
             /** What is inside a mesh in space, or null */
-            const MeshVolume *volume;
+            const MeshSolid *solid;
         };
 
         bool isNear(const PlacedPart &part, const Eigen::Vector3d &point, double distance)
@@ -26,7 +26,7 @@ namespace ompl_certificates
             // Somewhat more, as the bounds are rounded
             if (part.bounds.squaredExteriorDistance(local) > 1.001 * distance * distance)
                 return false;
-            return part.shape->signedDistance(local) <= distance || (part.volume && part.volume->contains(local));
+            return part.shape->signedDistance(local) <= distance || (part.solid && part.solid->contains(local));
         }
 
         std::vector<PlacedPart> partsOf(const Team &team, const ompl::base::State *state)
@@ -42,7 +42,7 @@ namespace ompl_certificates
                     {
                         const TriangleMesh *mesh = part.shape.getMesh();
                         PlacedPart placed{&part.shape, (poses[k] * part.pose).inverse(), part.shape.getBounds(),
-                                          mesh && part.shape.getDimension() == 3 ? &mesh->getVolume() : nullptr};
+                                          mesh && part.shape.getDimension() == 3 ? &mesh->getSolid() : nullptr};
                         // In the plane a mesh is above or below the points.
                         if (mesh && part.shape.getDimension() == 2)
                             placed.bounds.min().z() = placed.bounds.max().z() = placed.toShape.translation().z();

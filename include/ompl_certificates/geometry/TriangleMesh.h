@@ -12,7 +12,7 @@
 namespace ompl_certificates
 {
     class MeshInside;
-    class MeshVolume;
+    class MeshSolid;
     class TriangleTree;
 
     /** \brief A triangle soup in its own frame, in the scene's length unit. It never changes and is shared by pointer.
@@ -72,9 +72,9 @@ namespace ompl_certificates
         /** \brief Balls inside the mesh's closed pieces, for the library's own checks; made when first asked for */
         const MeshInside &getInside() const;
 
-        /** \brief The points inside the mesh's closed pieces, for the library's own filters; made when first asked
+        /** \brief The solid that the mesh's closed pieces bound, for the library's own filters; made when first asked
             for */
-        const MeshVolume &getVolume() const;
+        const MeshSolid &getSolid() const;
 
     private:
         std::vector<Eigen::Vector3d> vertices_;
@@ -85,8 +85,8 @@ namespace ompl_certificates
         mutable std::unique_ptr<TriangleTree> tree_;
         mutable std::once_flag insideOnce_;
         mutable std::unique_ptr<MeshInside> inside_;
-        mutable std::once_flag volumeOnce_;
-        mutable std::unique_ptr<MeshVolume> volume_;
+        mutable std::once_flag solidOnce_;
+        mutable std::unique_ptr<MeshSolid> solid_;
     };
 
     /** \brief A shared pointer to a mesh */

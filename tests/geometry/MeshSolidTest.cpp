@@ -1,4 +1,4 @@
-#include "geometry/MeshVolume.h"
+#include "geometry/MeshSolid.h"
 
 #include "support/RandomMeshes.h"
 
@@ -43,7 +43,7 @@ namespace
     }
 }
 
-TEST(MeshVolume, IsThatOfABoxHoweverItsTrianglesAreWound)
+TEST(MeshSolid, IsThatOfABoxHoweverItsTrianglesAreWound)
 {
     int inside = 0;
     for (unsigned int seed = 1; seed <= 60; ++seed)
@@ -53,7 +53,7 @@ TEST(MeshVolume, IsThatOfABoxHoweverItsTrianglesAreWound)
         const Eigen::Vector3d size = 0.2 * Eigen::Vector3d::Ones() + (random.point(3, 1.0)).cwiseAbs(),
                               center = random.point(3, 1.0);
         const TriangleMeshPtr box = boxMesh(size, center);
-        const MeshVolume exact(*box), other(spoiled(*box, random));
+        const MeshSolid exact(*box), other(spoiled(*box, random));
         for (int i = 0; i < 300; ++i)
         {
             const Eigen::Vector3d point = center + 0.7 * random.point(3, 1.0).cwiseProduct(size);
@@ -70,12 +70,12 @@ TEST(MeshVolume, IsThatOfABoxHoweverItsTrianglesAreWound)
     EXPECT_GT(inside, 3000);
 }
 
-TEST(MeshVolume, IsThatOfABallOfManyTriangles)
+TEST(MeshSolid, IsThatOfABallOfManyTriangles)
 {
     const unsigned int rings = 24;
     const TriangleMeshPtr ball = ballMesh(rings, 2.0);
     Random random(1);
-    const MeshVolume exact(*ball), other(spoiled(*ball, random));
+    const MeshSolid exact(*ball), other(spoiled(*ball, random));
     const double flat = 2.0 * std::pow(std::cos(0.5 * M_PI / rings), 2);
     for (int i = 0; i < 20000; ++i)
     {
@@ -88,10 +88,10 @@ TEST(MeshVolume, IsThatOfABallOfManyTriangles)
     }
 }
 
-TEST(MeshVolume, OfPiecesIsTheirUnion)
+TEST(MeshSolid, OfPiecesIsTheirUnion)
 {
     const Eigen::Vector3d size(1.0, 1.0, 1.0), shifted(0.5, 0.4, 0.3);
-    const MeshVolume both(*joined({boxMesh(size), boxMesh(size, shifted)}));
+    const MeshSolid both(*joined({boxMesh(size), boxMesh(size, shifted)}));
     Random random(1);
     for (int i = 0; i < 3000; ++i)
     {
@@ -101,21 +101,21 @@ TEST(MeshVolume, OfPiecesIsTheirUnion)
     }
 }
 
-TEST(MeshVolume, IsNowhereIfThereIsAHole)
+TEST(MeshSolid, IsNowhereIfThereIsAHole)
 {
     const TriangleMeshPtr box = boxMesh({1.0, 1.0, 1.0});
     for (std::size_t left = 0; left < box->getTriangles().size(); ++left)
     {
         Triangles triangles = box->getTriangles();
         triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(left));
-        EXPECT_FALSE(MeshVolume(TriangleMesh(box->getVertices(), triangles)).contains(Eigen::Vector3d::Zero()));
+        EXPECT_FALSE(MeshSolid(TriangleMesh(box->getVertices(), triangles)).contains(Eigen::Vector3d::Zero()));
     }
     Random random(1);
-    const MeshVolume soup(*randomSoup(random, 2.0));
+    const MeshSolid soup(*randomSoup(random, 2.0));
     EXPECT_FALSE(soup.contains({100.0, 0.0, 0.0}));
 }
 
-TEST(MeshVolume, OfALargeOpenMeshIsFoundInTime)
+TEST(MeshSolid, OfALargeOpenMeshIsFoundInTime)
 {
     // A sheet that is taken apart from its rim, triangle after triangle
     constexpr std::uint32_t count = 200;
@@ -132,5 +132,5 @@ TEST(MeshVolume, OfALargeOpenMeshIsFoundInTime)
                 triangles.push_back({at - 1, at - count, at - count - 1});
             }
         }
-    EXPECT_FALSE(MeshVolume(TriangleMesh(vertices, triangles)).contains({20.3, 30.7, 1.0}));
+    EXPECT_FALSE(MeshSolid(TriangleMesh(vertices, triangles)).contains({20.3, 30.7, 1.0}));
 }

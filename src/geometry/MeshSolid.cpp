@@ -1,4 +1,4 @@
-#include "MeshVolume.h"
+#include "MeshSolid.h"
 
 #include "ClosedPieces.h"
 #include "Weld.h"
@@ -140,7 +140,7 @@ namespace ompl_certificates
         }
     }
 
-    MeshVolume::MeshVolume(const TriangleMesh &mesh)
+    MeshSolid::MeshSolid(const TriangleMesh &mesh)
     {
         const Surface surface = withoutLoose(orderedTriangles(mesh));
         for (const Surface &closed : piecesOf(surface, mesh.getVertices().size()))
@@ -161,7 +161,7 @@ namespace ompl_certificates
         }
     }
 
-    bool MeshVolume::contains(const Eigen::Vector3d &point) const
+    bool MeshSolid::contains(const Eigen::Vector3d &point) const
     {
         const Eigen::Vector3d turned = turn() * point;
         return std::any_of(pieces_.begin(), pieces_.end(),
