@@ -41,6 +41,7 @@ namespace
         std::size_t states{500}, motions{50};
         unsigned int seed{1};
         double range{0.0};
+        bool fresh{false};
     };
 
     void declare(CLI::App &app, Options &options)
@@ -60,6 +61,8 @@ namespace
         benchmarks::addPositive(app, "--seed", options.seed, "Seed of all plans");
         app.add_option("--range", options.range,
                        "The length of the planners' steps; by default Arm::getPlannerRange()");
+        app.add_flag("--fresh", options.fresh,
+                     "Read the robot anew for each plan, as the first plan of a program finds it; no random checks");
         app.footer(
             "An interrupt ends it after the present row, with the means of what is done.\n"
             "Returns 1 if a tree or a verdict differs from that of FCL alone, 2 for bad input.");
@@ -216,8 +219,13 @@ namespace
                         fclToMethod_.add(seconds[0], seconds[2]), standardToMethod_.add(seconds[1], seconds[2]));
             const double scale = 1e6 / static_cast<double>(problems);
             const auto states = static_cast<double>(options.states), motions = static_cast<double>(options.motions);
-            printThree("%.3g", [&](const Family &each) { return scale * each.stateSeconds / states; });
-            printThree("%.3g", [&](const Family &each) { return scale * each.motionSeconds / motions; });
+            if (options.fresh)
+                std::printf(" - | - |");
+            else
+            {
+                printThree("%.3g", [&](const Family &each) { return scale * each.stateSeconds / states; });
+                printThree("%.3g", [&](const Family &each) { return scale * each.motionSeconds / motions; });
+            }
             std::printf(" %s |\n", equal ? "yes" : "NO");
             std::fflush(stdout);
         }
@@ -240,12 +248,19 @@ namespace
         unsigned int different_{0};
     };
 
-    void compare(const std::string &robot, const std::string &family, const std::vector<Scene> &scenes,
-                 const std::string &planner, const Options &options, Table &table)
+    /** FCL alone, no certificates, and the methods to compare with these */
+    std::vector<Family> familiesOf(const Options &options)
     {
         std::vector<Family> methods{{nameOf(Method::FCL)}, {nameOf(Method::STANDARD)}};
         for (const std::string &method : options.methods)
             methods.push_back({method});
+        return methods;
+    }
+
+    void compare(const std::string &robot, const std::string &family, const std::vector<Scene> &scenes,
+                 const std::string &planner, const Options &options, Table &table)
+    {
+        std::vector<Family> methods = familiesOf(options);
         for (const Scene &scene : scenes)
         {
             // The first use of a shape prepares it, so checks come first.
@@ -256,6 +271,24 @@ namespace
         }
         for (std::size_t i = 2; i < methods.size(); ++i)
             table.add(robot, family, planner, methods[0], methods[1], methods[i], options);
+    }
+
+    /** Each plan is the first that is made for its robot: nothing is known of the links' pairs. */
+    void compareFresh(const std::string &robot, const std::string &description, const fs::path &family,
+                      const std::string &planner, const Options &options, Table &table)
+    {
+        std::vector<Family> methods = familiesOf(options);
+        for (const auto &files : benchmarks::problemFiles(family, options.problems))
+            for (Family &method : methods)
+            {
+                const ArmFile file(description + ".urdf", description + ".srdf");
+                const auto scene = benchmarks::problemOf(files, file);
+                if (!scene)
+                    break;
+                method.plan(*scene, planner, options);
+            }
+        for (std::size_t i = 2; i < methods.size(); ++i)
+            table.add(robot, family.filename().string(), planner, methods[0], methods[1], methods[i], options);
     }
 
     int run(const Options &options)
@@ -270,10 +303,12 @@ namespace
             const ArmFile file(description.string() + ".urdf", description.string() + ".srdf");
             for (const std::string &family : benchmarks::namesIn(folder / robot / "problems", options.families))
             {
-                const auto scenes =
-                    benchmarks::problemsIn(folder / robot / "problems" / family, file, options.problems);
+                const fs::path problems = folder / robot / "problems" / family;
+                const auto scenes = benchmarks::problemsIn(problems, file, options.problems);
                 for (const std::string &planner : options.planners)
-                    if (!interrupted && !scenes.empty())
+                    if (!interrupted && !scenes.empty() && options.fresh)
+                        compareFresh(robot, description.string(), problems, planner, options, table);
+                    else if (!interrupted && !scenes.empty())
                         compare(robot, family, scenes, planner, options, table);
             }
         }

@@ -61,22 +61,27 @@ namespace benchmarks
         return files;
     }
 
+    std::optional<Scene> problemOf(const std::array<std::string, 2> &files, const ArmFile &robot)
+    {
+        Scene scene = readMoveItFiles(files[0], files[1], robot).scene;
+        try
+        {
+            scene.validate();
+        }
+        catch (const ompl::Exception &exception)
+        {
+            std::cerr << "left out: " << exception.what() << std::endl;
+            return {};
+        }
+        return scene;
+    }
+
     std::vector<Scene> problemsIn(const fs::path &folder, const ArmFile &robot, std::size_t most)
     {
         std::vector<Scene> scenes;
-        for (const auto &[file, request] : problemFiles(folder, most))
-        {
-            Scene scene = readMoveItFiles(file, request, robot).scene;
-            try
-            {
-                scene.validate();
-                scenes.push_back(scene);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                std::cerr << "left out: " << exception.what() << std::endl;
-            }
-        }
+        for (const auto &files : problemFiles(folder, most))
+            if (const auto scene = problemOf(files, robot))
+                scenes.push_back(*scene);
         return scenes;
     }
 

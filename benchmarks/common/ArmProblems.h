@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <ompl/util/RandomNumbers.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace benchmarks
 
     /** \brief The files of the scene and of the request of the first \e most problems in \e folder */
     std::vector<std::array<std::string, 2>> problemFiles(const std::filesystem::path &folder, std::size_t most);
+
+    /** \brief A problem, if its start and goal are valid; else why not, on stderr
+        \param files those of the scene and of the request */
+    std::optional<ompl_certificates::Scene> problemOf(const std::array<std::string, 2> &files,
+                                                      const ompl_certificates::ArmFile &robot);
 
     /** \brief The first \e most problems of a family whose start and goal are valid. Names those left out on stderr.
         \param folder has scene0001.yaml and request0001.yaml, and so on */

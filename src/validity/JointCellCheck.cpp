@@ -3,7 +3,6 @@
 #include "geometry/BodyContact.h"
 #include "geometry/ConvexCover.h"
 
-#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -73,14 +72,19 @@ namespace ompl_certificates
     std::size_t JointCellCheck::settleLarge(unsigned int level, std::size_t most, ompl::base::State *state,
                                             Pose *poses) const
     {
-        const std::vector<JointCells::Values> middles = cells_->getMiddles(level);
-        const auto isOfLevel = [&](const JointCells::Values &values) { return cells_->find(values).level == level; };
         const auto isNew = [level](const JointCells::Cell &cell)
         { return cell.level == level && cell.answer == Answer::UNKNOWN; };
-        // They are settled in their order: once the last of those that a larger one leaves open is known, all are.
-        const auto last = std::find_if(middles.rbegin(), middles.rend(), isOfLevel);
-        if (last == middles.rend() || !isNew(cells_->find(*last)))
+        // They are settled in their order: once one is known near the upper bounds, all are. But a larger one may have
+        // settled that one.
+        JointCells::Values last{};
+        for (std::size_t i = 0; i < locations_.size(); ++i)
+        {
+            const JointCells::Coordinate &one = cells_->getCoordinates()[i];
+            last[i] = one.upper - 1e-6 * (one.upper - one.lower);
+        }
+        if (const JointCells::Cell cell = cells_->find(last); cell.level >= level && !isNew(cell))
             return 0;
+        const std::vector<JointCells::Values> middles = cells_->getMiddles(level);
         CheckCounts counts;
         std::size_t settled = 0;
         for (const JointCells::Values &values : middles)
