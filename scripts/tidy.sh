@@ -2,12 +2,12 @@
 # Runs clang-tidy with the checks of .clang-tidy, all of them errors, over src/ and the headers that it includes, which
 # takes some ten minutes on two cores, or over the files that are named as arguments. With --changed [COMMIT] over those
 # that have changed since COMMIT: by default since the branch left main, on main itself since the last release, but within
-# the last 50 commits. These are at most 20, those that changed last, in some two minutes; it says which it leaves out.
+# the last 50 commits. These are at most 10, those that changed last, in some two minutes; it says which it leaves out.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 most_commits=50
-most_files=20
+most_files=10
 
 # Where the changes begin that nobody has looked at
 default_base() {

@@ -17,12 +17,13 @@
 #include "common/PlannerChoice.h"
 #include "common/PlannerFactory.h"
 #include "common/ProgressBar.h"
+#include "common/SolutionProof.h"
 
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
-#include "ompl_certificates/planning/PathProof.h"
+#include "ompl_certificates/planning/ProvePath.h"
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/team/TeamObjective.h"
@@ -144,22 +145,6 @@ namespace
                                               ob::timedPlannerTerminationCondition(options.seconds)));
         report.simplifiedCost = costOf(setup, scene, options);
         report.simplifyingSeconds = setup.getLastSimplificationTime();
-    }
-
-    /** Tell whether the solution is free between its samples, too, until an interrupt comes or as much time has passed as
-        there was for planning */
-    void prove(TeamSetup &setup, const Scene &scene, const PlanTeamOptions &options, PlanReport &report)
-    {
-        if (!report.solved)
-            return;
-        const PathProof proof =
-            provePath(setup.getSolutionPath(), setup.getTeamChecker(),
-                      ob::plannerOrTerminationCondition(ob::PlannerTerminationCondition(demos::interrupted),
-                                                        ob::timedPlannerTerminationCondition(options.seconds)));
-        report.unprovedMotions = static_cast<std::int64_t>(proof.unproved.size());
-        if (proof.collision)
-            report.collision = scene.describeCollision(std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace()),
-                                                       proof.collision->get());
     }
 
     std::string drawn(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup,
@@ -293,7 +278,7 @@ namespace
         }
         if (options.simplify)
             simplify(*setup, scene, options, report);
-        prove(*setup, scene, options, report);
+        proveSolution(*setup, scene, options, report);
 
         if (!options.quiet)
         {

@@ -6,8 +6,10 @@
 #include "common/Outputs.h"
 #include "common/PlanPage.h"
 #include "common/PlanTeamSummary.h"
+#include "common/SolutionProof.h"
 
 #include "ompl_certificates/control/ControlPlanners.h"
+#include "ompl_certificates/control/ProvePath.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PlanReport.h"
@@ -57,8 +59,12 @@ namespace demos
             std::printf("%s: %s by controls, method %s, seed %llu\n", report.scene.c_str(), report.planner.c_str(),
                         report.method.c_str(), number(report.seed));
             if (report.solved)
-                std::printf("  solved        %.6g s, %zu controls\n", report.cost,
-                            setup.getSolutionPath().getControlCount());
+            {
+                ompl::control::PathControl path = setup.getSolutionPath();
+                std::printf("  solved        %.6g s, %zu controls\n", report.cost, path.getControlCount());
+                path.interpolate();
+                printProof(report, path.getControlCount(), "steps", "their ends");
+            }
             else
                 std::printf("  not solved    %s\n", report.reason.c_str());
             printTree(report);
@@ -144,6 +150,7 @@ namespace demos
             setup.getPlanner()->getPlannerData(tree);
             report.setTree(tree);
         }
+        proveSolution(setup, scene, options, report);
         if (!options.quiet)
         {
             print(report, setup);

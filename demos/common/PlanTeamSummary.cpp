@@ -13,26 +13,24 @@ namespace demos
             std::printf("%s%llu (%.1f %%)", label, static_cast<unsigned long long>(part),
                         whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0);
         }
+    }
 
-        /** What is known of the path between the samples */
-        void printProof(const PlanReport &report, const TeamSetup &setup)
+    void printProof(const PlanReport &report, std::size_t count, const char *motions, const char *samples)
+    {
+        if (report.unprovedMotions < 0)
+            return;
+        if (report.unprovedMotions == 0)
         {
-            if (report.unprovedMotions < 0)
-                return;
-            const std::size_t motions = setup.getSolutionPath().getStateCount() - 1;
-            if (report.unprovedMotions == 0)
-            {
-                std::puts("  proved        free throughout");
-                return;
-            }
-            std::printf("  not proved    %lld of %zu motions", static_cast<long long>(report.unprovedMotions), motions);
-            if (!report.collision.empty())
-                std::printf("; between samples, %s", report.collision.c_str());
-            if (!makesCertificates(methodOf(report.method)))
-                std::puts("; --method shared --motion continuous proves all of a path");
-            else
-                std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");
+            std::puts("  proved        free throughout");
+            return;
         }
+        std::printf("  not proved    %lld of %zu %s", static_cast<long long>(report.unprovedMotions), count, motions);
+        if (!report.collision.empty())
+            std::printf("; between %s, %s", samples, report.collision.c_str());
+        if (!makesCertificates(methodOf(report.method)))
+            std::puts("; --method shared --motion continuous proves all of a path");
+        else
+            std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");
     }
 
     void printTree(const PlanReport &report)
@@ -65,7 +63,8 @@ namespace demos
                         setup.getSolutionPath().getStateCount());
         else
             std::printf("  not solved    %s\n", report.reason.c_str());
-        printProof(report, setup);
+        if (report.solved)
+            printProof(report, setup.getSolutionPath().getStateCount() - 1, "motions", "samples");
         if (report.firstSolutionSeconds >= 0.0)
             std::printf("  first         after %.3f s\n", report.firstSolutionSeconds);
         printTree(report);

@@ -15,6 +15,13 @@ namespace demos
     /** \brief Print the planner's iterations, and how large its tree is if the report knows it */
     void printTree(const ompl_certificates::PlanReport &report);
 
+    /** \brief Print what is known of the solution between the states at which it was checked, if the report tells
+        \param count the number of its motions
+        \param motions what these are called
+        \param samples what the states are called, between which collisions were looked for */
+    void printProof(const ompl_certificates::PlanReport &report, std::size_t count, const char *motions,
+                    const char *samples);
+
     /** \brief Print what was left out of \e scene, or changed, when it was read */
     void printNotes(const ompl_certificates::Scene &scene);
 

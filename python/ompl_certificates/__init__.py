@@ -33,6 +33,7 @@ from ._core import (
     _plan_controls,
     control_planner_names,
     control_planner_parameters,
+    load_cloud,
     load_moveit,
     load_scene,
     planner_names,
@@ -57,6 +58,7 @@ __all__ = [
     "__version__",
     "control_planner_names",
     "control_planner_parameters",
+    "load_cloud",
     "load_moveit",
     "load_scene",
     "plan",
@@ -203,6 +205,8 @@ def plan_controls(
     # A control is held to its end, whatever the time: more would not end in time, and Ctrl-C would wait.
     _require_range("max_steps", max_steps, 10**6)
     _require_range("min_steps", min_steps, max_steps)
+    for name, value in (("goal_tolerance", goal_tolerance), ("step", step)):
+        _require_kind(name, value, (int, float, np.integer, np.floating), "a number")
     return _plan_controls(
         scene,
         planner,

@@ -382,7 +382,7 @@ class Checker:
         states, for experiments. Not while others use the checker."""
 
 class Proof:
-    """What is known of a path between the samples at which it was checked"""
+    """What is known of a path between the states at which it was checked"""
     @property
     def proved(self) -> bool:
         """Whether all of the path is proved free"""
@@ -471,6 +471,10 @@ class ControlPlan:
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
         the planner's tree: some seconds for a hundred thousand states."""
+    def prove(self) -> Proof:
+        """Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete mode
+        looks. In a step that is not proved a hundred states are looked at until one collides. Raises Error if there is
+        no path."""
     def save(self, file: Path) -> None:
         """Write times, states and controls as a table of comma-separated values (docs/controls.md)."""
     def save_report(self, file: Path) -> None:
@@ -492,6 +496,9 @@ def load_scene(file: Path, *, dynamics: bool = False) -> Scene:
     by controls, and their velocities count; there may be no others."""
 def scene_from_yaml(text: str, source: str = "scene.yaml", *, dynamics: bool = False) -> Scene:
     """The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its folder."""
+def load_cloud(file: Path) -> NDArray[np.float64]:
+    """The points of a PCD or PLY file, or of a text (.xyz, .txt, .asc, .pts or .csv), of shape (n, 3), without those
+    that are not finite: to be moved, scaled and cut by numpy, for add_cloud and change_cloud."""
 def load_moveit(scene: Path, request: Path, urdf: Path, srdf: Path, packages: Mapping[str, Path] = ...) -> Scene:
     """The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm()."""
 def planner_parameters(planner: str) -> Dict[str, Tuple[str, str]]:

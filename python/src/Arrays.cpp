@@ -148,6 +148,15 @@ namespace ompl_certificates_python
         return points;
     }
 
+    Doubles fromPoints(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
+    {
+        Doubles result({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(dimension)});
+        double *values = result.mutable_data();
+        for (const Eigen::Vector3d &point : points)
+            values = std::copy_n(point.data(), dimension, values);
+        return result;
+    }
+
     bool haveHeights(const Doubles &points)
     {
         return points.ndim() == 2 && points.shape(1) == 3;

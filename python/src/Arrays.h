@@ -34,6 +34,9 @@ namespace ompl_certificates_python
         \throws ompl::Exception that names \e what for another shape */
     std::vector<Eigen::Vector3d> toPoints3(const Doubles &array, const std::string &what, bool planar = false);
 
+    /** \brief An array of shape (n, dimension) */
+    Doubles fromPoints(const std::vector<Eigen::Vector3d> &points, unsigned int dimension);
+
     /** \brief Whether points of an array that toPoints3() takes have three coordinates */
     bool haveHeights(const Doubles &points);
 

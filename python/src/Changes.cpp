@@ -61,16 +61,6 @@ namespace ompl_certificates_python
             checker.changeCloud(cloud, std::move(change));
         }
 
-        /** An array of shape (n, dimension) */
-        Doubles toArray(const std::vector<Eigen::Vector3d> &points, unsigned int dimension)
-        {
-            Doubles result({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(dimension)});
-            double *values = result.mutable_data();
-            for (const Eigen::Vector3d &point : points)
-                values = std::copy_n(point.data(), dimension, values);
-            return result;
-        }
-
         Doubles cloudPoints(const Checker &checker, std::size_t cloud)
         {
             const auto points = [&]
@@ -78,7 +68,7 @@ namespace ompl_certificates_python
                 const py::gil_scoped_release release;
                 return checker.getCloudPoints(cloud);
             }();
-            return toArray(points, checker.getDimension());
+            return fromPoints(points, checker.getDimension());
         }
 
         /** Which points are part of the team; those that are not finite are not */
@@ -111,7 +101,7 @@ namespace ompl_certificates_python
             cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(),
                                               [&](const Eigen::Vector3d & /*point*/) { return are[i++]; }),
                                cloud.points.end());
-            return toArray(cloud.points, checker.getDimension());
+            return fromPoints(cloud.points, checker.getDimension());
         }
 
         py::array_t<bool> robotMask(const Checker &checker, const py::object &array, const py::object &values,

@@ -1,5 +1,7 @@
 #include "ControlPlan.h"
+#include "Proof.h"
 
+#include <ompl_certificates/control/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
 
 #include <algorithm>
@@ -81,6 +83,17 @@ namespace ompl_certificates_python
                           "The controls that are held from each state to the next, of shape (n - 1, controls)")
             .def_readonly("control_names", &ControlPlan::controlNames,
                           "The names of the columns of controls, such as cart.linear")
+            .def(
+                "prove",
+                [](ControlPlan &self)
+                {
+                    const auto team = std::static_pointer_cast<TeamStateSpace>(self.setup->getStateSpace());
+                    return prove(self, self.setup->getTeamChecker(),
+                                 [&](const ob::State *state) { return self.scene->describeCollision(team, state); });
+                },
+                "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
+                "mode looks. In a step that is not proved a hundred states are looked at until one collides. Raises "
+                "Error if there is no path.")
             .def("save", &savePath<ControlPlan>, py::arg("file"),
                  "Write times, states and controls as a table of comma-separated values (docs/controls.md).")
             .def(

@@ -299,6 +299,20 @@ namespace ompl_certificates_python
             "The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its "
             "folder.");
         module.def(
+            "load_cloud",
+            [](const std::filesystem::path &file)
+            {
+                const auto points = [&]
+                {
+                    const py::gil_scoped_release release;
+                    return loadCloud(file).points;
+                }();
+                return fromPoints(points, 3);
+            },
+            py::arg("file"),
+            "The points of a PCD or PLY file, or of a text (.xyz, .txt, .asc, .pts or .csv), of shape (n, 3), without "
+            "those that are not finite: to be moved, scaled and cut by numpy, for add_cloud and change_cloud.");
+        module.def(
             "load_moveit",
             [](const std::filesystem::path &file, const std::filesystem::path &request,
                const std::filesystem::path &urdf, const std::filesystem::path &srdf,

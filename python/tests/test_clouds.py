@@ -300,6 +300,23 @@ def test_an_obstacle_is_not_moved_and_removed_at_once() -> None:
         checker.change_obstacles(move={0: [1, 1, 1]}, remove=[0])
 
 
+def test_points_of_a_file_are_an_array(tmp_path: pathlib.Path) -> None:
+    file = tmp_path / "frame.xyz"
+    file.write_text("1 2 3\nnan 0 0\n4 5 6\n")
+    points = oc.load_cloud(file)
+    assert points.dtype == float and points.tolist() == [[1, 2, 3], [4, 5, 6]]
+    scene, other = (oc.Scene([-9, -9, -9], [9, 9, 9]) for _ in range(2))
+    for each in (scene, other):
+        each.add_robot(oc.Robot.rigid("ball", oc.Body.sphere(0.5), [-9] * 3, [9] * 3, turns=False), [0] * 3, [8] * 3)
+    scene.add_cloud_file(file, radius=0.5)
+    other.add_cloud(points, radius=0.5)
+    states = np.random.default_rng(1).uniform(0, 7, (2000, 3))
+    valid = oc.Checker(scene).is_valid(states)
+    assert (valid == oc.Checker(other).is_valid(states)).all() and not valid.all()
+    with pytest.raises(oc.Error, match="none.pcd"):
+        oc.load_cloud(tmp_path / "none.pcd")
+
+
 def test_what_has_seen_nothing_is_noted(tmp_path: pathlib.Path) -> None:
     (tmp_path / "nothing.xyz").write_text("nan nan nan\n")
     scene = oc.Scene([-1, -1, -1], [1, 1, 1])

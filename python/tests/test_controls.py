@@ -147,15 +147,22 @@ def test_steps_proved_free_do_not_jump_through_walls(closed: oc.Scene) -> None:
     assert discrete.solved and crosses(discrete)
     assert oc.Checker(closed).is_valid(discrete.path).all()
     assert not oc.Checker(closed).is_valid(discrete.at(np.linspace(0, discrete.cost, 20000))).all()
+    proof = discrete.prove()
+    assert not proof and set(proof.unproved) < set(range(len(discrete.path) - 1))
+    assert proof.collision is not None and not oc.Checker(closed).is_valid(proof.collision)
+    assert proof.reason and proof.reason.startswith(f"robot '{closed.robots[0].name}' ")
+    assert discrete.report["unproved_motions"] == len(proof.unproved)
     proved = oc.plan_controls(closed, time=60, iterations=5000, seed=1, motion="continuous")
     assert not proved.solved and proved.report["motion"] == "continuous"
+    with pytest.raises(oc.Error, match="^prove: there is no path$"):
+        proved.prove()
     # With a door there is a way.
     scene = oc.Scene(LOW, HIGH, "door")
     scene.add_obstacle(oc.Body.box(0.001, 2.5), (3, 1.25))
     scene.add_robot(closed.robots[0], [1, 2], [5, 2])
     for seed in (1, 2, 3):
         proved = oc.plan_controls(scene, time=60, seed=seed, motion="continuous")
-        assert proved.solved and crosses(proved)
+        assert proved.solved and crosses(proved) and proved.prove()
         assert oc.Checker(scene).is_valid(proved.at(np.linspace(0, proved.cost, 20000))).all()
 
 

@@ -100,16 +100,17 @@ namespace ompl_certificates
             return isAny(obstacles, pair.first) || isAny(obstacles, pair.second);
         }
 
-        /** Add the pairs of each obstacle and the links that must not touch it. */
+        /** Add the pairs of each obstacle and the links that must not touch it. Those in \e free may touch all. */
         void addPairs(const std::vector<TouchableObstacle> &obstacles, const KinematicTree &tree,
-                      std::vector<LinkPair> &pairs)
+                      const std::vector<std::string> &free, std::vector<LinkPair> &pairs)
         {
             for (const TouchableObstacle &obstacle : obstacles)
             {
                 const auto &allowed = obstacle.touchLinks;
                 for (const KinematicTree::Link &link : tree.getLinks())
                     if (link.body && !isAny(obstacles, link.name) &&
-                        std::find(allowed.begin(), allowed.end(), link.name) == allowed.end())
+                        std::find(allowed.begin(), allowed.end(), link.name) == allowed.end() &&
+                        std::find(free.begin(), free.end(), link.name) == free.end())
                         pairs.emplace_back(link.name, obstacle.name);
             }
         }
@@ -225,7 +226,16 @@ namespace ompl_certificates
                                    [&](const LinkPair &pair)
                                    { return mayTouch(settings.attached, pair) || isOfAny(settings.touchable, pair); }),
                     pairs.end());
-        addPairs(settings.touchable, tree, pairs);
+        std::vector<std::string> free;
+        if (!settings.mayTouch)
+            for (const KinematicTree::Link &link : tree.getLinks())
+                if (link.body && semantics_->isDisabledByDefault(link.name))
+                    free.push_back(link.name);
+        options.mayTouchObstacles.insert(options.mayTouchObstacles.end(), free.begin(), free.end());
+        if (!free.empty())
+            notes.push_back(names + ": by disable_default_collisions these links may touch obstacles: " +
+                            boost::algorithm::join(free, ", "));
+        addPairs(settings.touchable, tree, free, pairs);
         const Arm all(names, tree, joints, options);
         std::set<LinkPair> apart;
         std::vector<std::string> together;

@@ -277,6 +277,6 @@ namespace ompl_certificates
         const auto pair = ordered(first, second);
         if (disabled_.count(pair) > 0)
             return true;
-        return (disabledLinks_.count(first) > 0 || disabledLinks_.count(second) > 0) && enabled_.count(pair) == 0;
+        return (isDisabledByDefault(first) || isDisabledByDefault(second)) && enabled_.count(pair) == 0;
     }
 }

@@ -35,6 +35,12 @@ namespace ompl_certificates
         /** \brief Whether two links are not checked against each other */
         bool isDisabled(const std::string &first, const std::string &second) const;
 
+        /** \brief Whether a link is not checked against anything, but for the pairs that the file enables again */
+        bool isDisabledByDefault(const std::string &link) const
+        {
+            return disabledLinks_.count(link) > 0;
+        }
+
         /** \brief The joints of each group: those that a plan can move, in the order of the tree */
         std::map<std::string, std::vector<std::string>> groups;
 

@@ -1,6 +1,7 @@
 #include "demos/Program.h"
 
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <sys/resource.h>
 
@@ -37,7 +38,14 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
         EXPECT_EQ(lines.back().substr(lines.back().size() - 4), ",,,,");
         EXPECT_NE(contentOf(folder / "plan.svg").find("</svg>"), std::string::npos);
         EXPECT_NE(contentOf(folder / "plan.html").find("</html>"), std::string::npos);
-        EXPECT_NE(contentOf(folder / "report.json").find(std::string("\"") + motion + '"'), std::string::npos);
+        const auto report = nlohmann::json::parse(contentOf(folder / "report.json"));
+        EXPECT_EQ(report.at("motion"), motion);
+        const auto unproved = report.at("unproved_motions").get<std::int64_t>();
+        EXPECT_TRUE(unproved == 0 || std::string(motion) == "discrete") << unproved;
+        const std::string line =
+            unproved == 0 ? "\n  proved        free throughout\n"
+                          : "\n  not proved    " + std::to_string(unproved) + " of " + std::to_string(lines.size() - 2);
+        EXPECT_NE(program.output().find(line), std::string::npos) << program.output();
     }
 }
 

@@ -208,6 +208,38 @@ namespace ompl_certificates
         EXPECT_EQ(pairs, (std::vector<std::string>{"base arm", "base hand"}));
     }
 
+    TEST(SrdfFile, LinksDisabledByDefaultMayTouchObstacles)
+    {
+        const test::Folder folder;
+        const std::string urdf = folder.write("a.urdf", chain()),
+                          group = "<group name='all'><chain base_link='base' tip_link='hand'/></group>";
+        const ArmFile file(urdf, folder.write("a.srdf", robot(group + "<disable_default_collisions link='hand'/>")));
+        const auto linksOf = [](const Arm &arm)
+        {
+            std::string links;
+            for (std::size_t body = 0; body < arm.getBodies().size(); ++body)
+                if (arm.mayTouchObstacles(body))
+                    links += arm.getLinkOfBody(body) + " ";
+            return links;
+        };
+        std::vector<std::string> notes;
+        EXPECT_EQ(linksOf(*file.makeArm("arm", "all", {}, &notes)), "hand ");
+        ASSERT_EQ(notes.size(), 1U);
+        EXPECT_NE(notes.front().find("may touch obstacles: hand"), std::string::npos) << notes.front();
+
+        // Of an obstacle that some links may touch, too: the others are checked against it as a link.
+        ArmFile::ArmSettings settings;
+        settings.touchable.push_back({"box", Body::box(0.1, 0.1, 0.1), Pose(Eigen::Translation3d(0.0, 0.0, 9.0)), {}});
+        const auto arm = file.makeArm("arm", "all", settings);
+        EXPECT_EQ(linksOf(*arm), "hand box ");
+        for (const BodyPair &pair : arm->getBodyPairs())
+            EXPECT_NE(arm->getLinkOfBody(pair.first), "hand");
+
+        // A matrix takes the file's place.
+        settings.mayTouch = [](const std::string &, const std::string &) { return false; };
+        EXPECT_EQ(linksOf(*file.makeArm("arm", "all", settings)), "box ");
+    }
+
     TEST(SrdfFile, PairsHaveNoOrderAndDisabledOnesStayDisabled)
     {
         const test::Folder folder;

@@ -82,7 +82,8 @@ namespace ompl_certificates
         Read from SRDF: groups of chains, joints, links and groups; group_state; disable_collisions,
         disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors
         are groups like others. Joints that are not of an arm's group have fixed values. Links, joints and groups that
-        there are not are ignored, as MoveIt does; makeArm() notes them. */
+        there are not are ignored, as MoveIt does; makeArm() notes them. As there, a link of disable_default_collisions may
+        touch obstacles, too, unless ArmSettings::mayTouch takes the file's place; a note tells which. */
     class ArmFile
     {
     public:

@@ -1,4 +1,4 @@
-#include "ompl_certificates/planning/PathProof.h"
+#include "ompl_certificates/planning/ProvePath.h"
 
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 

@@ -1,4 +1,4 @@
-#include "ompl_certificates/planning/PathProof.h"
+#include "ompl_certificates/planning/ProvePath.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/planning/TeamSetup.h"
@@ -23,7 +23,7 @@ namespace og = ompl::geometric;
 namespace
 {
     /** A disc of radius 0.2 on a floor with an obstacle at its middle, a pillar of radius 0.1, looked at every 0.6 */
-    class PathProofTest : public testing::Test
+    class ProvePathTest : public testing::Test
     {
     protected:
         static TeamSetupPtr floor(Method method = Method::SHARED_PROJECTION, const Body &obstacle = Body::disc(0.1))
@@ -57,7 +57,7 @@ namespace
     };
 }
 
-TEST_F(PathProofTest, ProvesWhatIsFarFromEverything)
+TEST_F(ProvePathTest, ProvesWhatIsFarFromEverything)
 {
     const auto setup = floor();
     const PathProof proof =
@@ -67,7 +67,7 @@ TEST_F(PathProofTest, ProvesWhatIsFarFromEverything)
     EXPECT_TRUE(provePath(through(*setup, {{1.0, 1.0}}), setup->getTeamChecker()).isProved());
 }
 
-TEST_F(PathProofTest, FindsWhatHappensBetweenTheSamples)
+TEST_F(ProvePathTest, FindsWhatHappensBetweenTheSamples)
 {
     const auto setup = floor();
     // A third of a segment before and behind the pillar's middle
@@ -82,7 +82,7 @@ TEST_F(PathProofTest, FindsWhatHappensBetweenTheSamples)
     EXPECT_NEAR((*proof.collision)[0], -std::sqrt(0.09 - 0.21 * 0.21), 0.6 / 100);
 }
 
-TEST_F(PathProofTest, NeedsAPathOfTheTeam)
+TEST_F(ProvePathTest, NeedsAPathOfTheTeam)
 {
     const auto setup = floor();
     const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
@@ -90,7 +90,7 @@ TEST_F(PathProofTest, NeedsAPathOfTheTeam)
     EXPECT_THROW(provePath(path, setup->getTeamChecker()), ompl::Exception);
 }
 
-TEST_F(PathProofTest, FindsNothingWhereThereIsHardlyRoom)
+TEST_F(ProvePathTest, FindsNothingWhereThereIsHardlyRoom)
 {
     const auto setup = floor();
     const PathProof proof = provePath(through(*setup, {{-0.25, 0.301}, {0.25, 0.301}}), setup->getTeamChecker());
@@ -98,7 +98,7 @@ TEST_F(PathProofTest, FindsNothingWhereThereIsHardlyRoom)
     EXPECT_EQ(proof.collision, nullptr);
 }
 
-TEST_F(PathProofTest, ProvesNoPathThatStartsOrEndsInAnObstacle)
+TEST_F(ProvePathTest, ProvesNoPathThatStartsOrEndsInAnObstacle)
 {
     const auto setup = floor();
     for (const auto &points : {std::vector<std::vector<double>>{{0.0, 0.0}, {0.0, 2.0}}, {{0.0, 2.0}, {0.0, 0.0}}})
@@ -109,7 +109,7 @@ TEST_F(PathProofTest, ProvesNoPathThatStartsOrEndsInAnObstacle)
     }
 }
 
-TEST_F(PathProofTest, EndsWhereItIsToldTo)
+TEST_F(ProvePathTest, EndsWhereItIsToldTo)
 {
     const auto setup = floor();
     const og::PathGeometric path = through(*setup, {{-2.0, -1.0}, {2.0, -1.0}, {2.0, 0.0}, {-2.0, 0.0}});
@@ -123,7 +123,7 @@ TEST_F(PathProofTest, EndsWhereItIsToldTo)
     EXPECT_EQ(first.collision, nullptr);
 }
 
-TEST_F(PathProofTest, NeedsNoCheckerThatMakesCertificates)
+TEST_F(ProvePathTest, NeedsNoCheckerThatMakesCertificates)
 {
     for (const Method method : {Method::FCL, Method::STANDARD})
     {
@@ -142,7 +142,7 @@ TEST_F(PathProofTest, NeedsNoCheckerThatMakesCertificates)
 }
 
 /** Plans past a thin wall, which look where the disc is each 0.6: some go through the wall, and those are not proved. */
-TEST_F(PathProofTest, NeverProvesAPlanThatCollides)
+TEST_F(ProvePathTest, NeverProvesAPlanThatCollides)
 {
     unsigned int proved = 0, colliding = 0;
     for (std::uint64_t seed = 1; seed <= std::max(20U, scaled(200)); ++seed)

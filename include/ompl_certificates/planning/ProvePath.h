@@ -1,34 +1,15 @@
-#ifndef OMPL_CERTIFICATES_PLANNING_PATH_PROOF_
-#define OMPL_CERTIFICATES_PLANNING_PATH_PROOF_
+#ifndef OMPL_CERTIFICATES_PLANNING_PROVE_PATH_
+#define OMPL_CERTIFICATES_PLANNING_PROVE_PATH_
 
+#include "ompl_certificates/validity/PathProof.h"
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
-#include <cstddef>
 #include <memory>
 #include <ompl/base/PlannerTerminationCondition.h>
-#include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
-#include <vector>
 
 namespace ompl_certificates
 {
-    /** \brief What is known of a path between the samples at which its motions were checked; see provePath() */
-    struct PathProof
-    {
-        /** \brief The motions that are not proved free throughout, each by the index of the state that it starts at, in
-            the order of the path */
-        std::vector<std::size_t> unproved;
-
-        /** \brief The first invalid state that was found on these motions; null if none was */
-        std::shared_ptr<const ompl::base::ScopedState<>> collision;
-
-        /** \brief Whether all of the path is proved free */
-        bool isProved() const
-        {
-            return unproved.empty();
-        }
-    };
-
     /** \brief Prove that no robot touches anything on \e path, also between the samples at which discrete mode looks.
 
         Each motion is checked as in continuous mode. A motion that is not proved may be free all the same: it may pass

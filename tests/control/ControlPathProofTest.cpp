@@ -1,0 +1,176 @@
+#include "DynamicProblems.h"
+
+#include "ompl_certificates/control/ProvePath.h"
+#include "support/Message.h"
+#include "support/Quiet.h"
+#include "support/Random.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace oc = ompl::control;
+
+namespace
+{
+    /** A disc of radius 0.1 that is pushed at up to 10 m/s, in steps of 0.1 s, about a wall of 2 mm along x = 0, as high
+        as y = 1 */
+    class ControlPathProof : public testing::Test
+    {
+    protected:
+        static TeamControlSetupPtr
+        setupFor(Method method = Method::SHARED_PROJECTION,
+                 CertificateMotionValidator::Mode mode = CertificateMotionValidator::DISCRETE)
+        {
+            const auto disc =
+                Integrator::firstOrder(RigidRobot::disc("disc", 0.1, within({3.0, 3.0})), within({10.0, 10.0}));
+            auto setup =
+                std::make_shared<TeamControlSetup>(teamOf({disc}), boxes({{{0.0, -1.0, 0.002, 4.0}}}), method, mode);
+            setup->getSpaceInformation()->setup();
+            return setup;
+        }
+
+        /** From a point on, some speeds for some time each */
+        static oc::PathControl driven(const TeamControlSetup &setup, const std::vector<double> &from,
+                                      const std::vector<std::array<double, 3>> &controls)
+        {
+            const auto si = setup.getSpaceInformation();
+            oc::PathControl path(si);
+            ob::ScopedState<> state(si);
+            state = from;
+            path.append(state.get());
+            const TeamPropagator propagator(si);
+            oc::Control *control = si->allocControl();
+            for (const auto &[vx, vy, duration] : controls)
+            {
+                double *values = control->as<oc::RealVectorControlSpace::ControlType>()->values;
+                values[0] = vx, values[1] = vy;
+                propagator.propagate(path.getState(static_cast<unsigned int>(path.getControlCount())), control,
+                                     duration, state.get());
+                path.append(state.get(), control, duration);
+            }
+            si->freeControl(control);
+            return path;
+        }
+
+    private:
+        const Quiet quiet_;
+    };
+}
+
+TEST_F(ControlPathProof, ProvesTheWayAboutAWall)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    const oc::PathControl path = driven(*setup, {-1.0, 0.0}, {{0.0, 5.0, 0.4}, {5.0, 0.0, 0.4}, {0.0, -5.0, 0.4}});
+    const PathProof proof = provePath(path, setup->getTeamChecker());
+    EXPECT_TRUE(proof.isProved());
+    EXPECT_FALSE(proof.collision);
+    EXPECT_TRUE(path.check());
+}
+
+TEST_F(ControlPathProof, FindsTheWallBetweenTheEndsOfAStep)
+{
+    for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+        for (const Method method : {Method::FCL, Method::STANDARD, Method::SHARED_PROJECTION})
+        {
+            if (mode == CertificateMotionValidator::CONTINUOUS && !makesCertificates(method))
+                continue;
+            const TeamControlSetupPtr setup = setupFor(method, mode);
+            // Steps of half a meter: from x = -0.25 to 0.25, with the ends clear of the wall.
+            const oc::PathControl path = driven(*setup, {-1.25, 0.0}, {{5.0, 0.0, 0.3}, {5.0, 0.0, 0.2}});
+            const PathProof proof = provePath(path, setup->getTeamChecker());
+            EXPECT_EQ(proof.unproved, std::vector<std::size_t>{2});
+            ASSERT_TRUE(proof.collision);
+            EXPECT_LT(std::abs(proof.collision->reals()[0]), 0.11);
+            EXPECT_FALSE(setup->getTeamChecker()->isValid(proof.collision->get()));
+            EXPECT_EQ(path.check(), mode == CertificateMotionValidator::DISCRETE);
+        }
+}
+
+TEST_F(ControlPathProof, ProvesNoPathThatStartsOrEndsInAnObstacle)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    for (const double from : {0.0, -0.5})
+    {
+        const PathProof proof =
+            provePath(driven(*setup, {from, 0.0}, {{from == 0.0 ? -5.0 : 5.0, 0.0, 0.1}}), setup->getTeamChecker());
+        EXPECT_EQ(proof.unproved, std::vector<std::size_t>{0}) << from;
+        EXPECT_TRUE(proof.collision) << from;
+    }
+}
+
+TEST_F(ControlPathProof, EndsWhereItIsToldTo)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    const oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}});
+    int asked = 0;
+    const PathProof proof =
+        provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition([&asked] { return ++asked > 2; }));
+    EXPECT_EQ(proof.unproved, (std::vector<std::size_t>{2, 3, 4}));
+    EXPECT_FALSE(proof.collision);
+}
+
+TEST_F(ControlPathProof, NeedsACheckerOfTheTeam)
+{
+    const TeamControlSetupPtr setup = setupFor(), other = setupFor();
+    const oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}});
+    EXPECT_NE(messageOf([&] { provePath(path, nullptr); }), "");
+    EXPECT_NE(messageOf([&] { provePath(path, other->getTeamChecker()); }).find("same space and robots"),
+              std::string::npos);
+}
+
+TEST_F(ControlPathProof, ProvesNoStepThatCollides)
+{
+    Random random(1);
+    unsigned int proved = 0, unproved = 0, colliding = 0;
+    for (unsigned int trial = 0; trial < std::max(20U, scaled(100)); ++trial)
+    {
+        const TeamControlSetupPtr setup = makeSetup(Method::SHARED_PROJECTION);
+        const auto si = setup->getSpaceInformation();
+        si->setup();
+        oc::PathControl path(si);
+        ob::ScopedState<> state(si);
+        state.random();
+        path.append(state.get());
+        oc::Control *control = si->allocControl();
+        const auto sampler = si->allocControlSampler();
+        const TeamPropagator propagator(si);
+        for (int i = 0; i < 4; ++i)
+        {
+            sampler->sample(control);
+            const double duration = 0.1 * random.integer(1, 10);
+            propagator.propagate(state.get(), control, duration, state.get());
+            path.append(state.get(), control, duration);
+        }
+        si->freeControl(control);
+
+        const PathProof proof = provePath(path, setup->getTeamChecker());
+        colliding += proof.collision ? 1 : 0;
+        path.interpolate();
+        std::size_t next = 0;
+        for (unsigned int step = 0; step < path.getControlCount(); ++step)
+        {
+            if (next < proof.unproved.size() && proof.unproved[next] == step)
+            {
+                ++next, ++unproved;
+                continue;
+            }
+            ++proved;
+            for (int i = 0; i <= 100; ++i)
+            {
+                propagator.propagate(path.getState(step), path.getControl(step),
+                                     path.getControlDuration(step) * i / 100.0, state.get());
+                ASSERT_TRUE(setup->getTeamChecker()->isValid(state.get())) << "trial " << trial << ", step " << step;
+            }
+        }
+        EXPECT_EQ(next, proof.unproved.size());
+    }
+    std::cout << proved << " steps are proved, " << unproved << " are not; " << colliding << " drives collide\n";
+    EXPECT_GT(proved, 0U);
+    EXPECT_GT(colliding, 0U);
+}
