@@ -59,11 +59,6 @@ namespace ompl_certificates
             }
             return shapes;
         }
-
-        bool isMesh(const PlacedShape &placed)
-        {
-            return placed.shape.getMesh() != nullptr;
-        }
     }
 
     FclObstacles::FclObstacles(const std::vector<PlacedBody> &obstacles, unsigned int dimension,

@@ -47,31 +47,44 @@ namespace ompl_certificates
                 triangles.add({pose * a, pose * b, pose * c}, 0);
             }
         }
+
+        std::shared_ptr<const TriangleTree> trianglesOf(const PlacedShapes &obstacles)
+        {
+            const auto first = std::find_if(obstacles.begin(), obstacles.end(), isMesh);
+            if (first != obstacles.end() && std::none_of(first + 1, obstacles.end(), isMesh) &&
+                first->pose.matrix() == Pose::Identity().matrix())
+            {
+                const auto shape = std::make_shared<const Shape>(first->shape);  // keeps the mesh
+                return {shape, &shape->getMesh()->getTree()};
+            }
+            auto triangles = std::make_shared<TriangleTree>();
+            for (const auto &[shape, pose] : obstacles)
+                if (const TriangleMesh *mesh = shape.getMesh())
+                    addTriangles(*mesh, pose, *triangles);
+            triangles->build();
+            return triangles;
+        }
     }
 
     MeshSurface::MeshSurface(const PlacedShapes &obstacles, unsigned int dimension, const ZInterval &zInterval)
-      : isPlanar_(dimension == 2)
+      : isPlanar_(dimension == 2), triangles_(trianglesOf(obstacles))
     {
-        for (const auto &[shape, pose] : obstacles)
-            if (const TriangleMesh *mesh = shape.getMesh())
-                addTriangles(*mesh, pose, triangles_);
-        triangles_.build();
         if (isPlanar_ && !isEmpty())
             project(zInterval);
     }
 
     void MeshSurface::project(const ZInterval &robotZInterval)
     {
-        const Eigen::AlignedBox3d bounds = triangles_.getBounds();
+        const Eigen::AlignedBox3d bounds = triangles_->getBounds();
         const double size = bounds.sizes().maxCoeff();
         // Prisms are slightly higher than what is cut off below.
         const double higher = 2.0 * EXACT_CHECK_TOLERANCE * size;
         zInterval_ = ZInterval{robotZInterval.low - higher, robotZInterval.high + higher}.intersectedWith(
             {bounds.min().z() - 0.05 * size, bounds.max().z() + 0.05 * size});
         const double height = robotZInterval.high - robotZInterval.low;
-        for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+        for (std::uint32_t i = 0; i < triangles_->size(); ++i)
         {
-            const auto &corners = triangles_.getTriangle(i).corners;
+            const auto &corners = triangles_->getTriangle(i).corners;
             // Slightly more than the robots' z-interval, so that rounding leaves nothing out. How much must not depend
             // on other triangles: certificates of this one would not be true when others come or go.
             const Eigen::AlignedBox3d box = boxOf(corners);
@@ -84,7 +97,7 @@ namespace ompl_certificates
             if (outline.empty())
                 continue;
             // Seen from above, an upright triangle is a segment.
-            if (triangles_.getTriangle(i).normal.z() == 0.0)
+            if (triangles_->getTriangle(i).normal.z() == 0.0)
             {
                 const auto [first, last] =
                     std::minmax_element(outline.begin(), outline.end(),

@@ -7,6 +7,8 @@
 #include "geometry/TriangleTree.h"
 #include "ompl_certificates/obstacles/Obstacles.h"
 
+#include <memory>
+
 namespace ompl_certificates
 {
     /** \brief The triangles of the obstacles' meshes; in the plane also what robots can touch of them, seen from
@@ -19,13 +21,13 @@ namespace ompl_certificates
 
         bool isEmpty() const
         {
-            return triangles_.size() == 0;
+            return triangles_->size() == 0;
         }
 
         /** \brief The triangles in space; an ObstaclePart is a position in this tree */
         const TriangleTree &getTriangles() const
         {
-            return triangles_;
+            return *triangles_;
         }
 
         /** \brief In the plane: the intersection of the meshes' z-interval with the robots' */
@@ -49,11 +51,14 @@ namespace ompl_certificates
         /** \brief The tree in which distances are searched */
         const TriangleTree &near() const
         {
-            return isPlanar_ ? outlines_ : triangles_;
+            return isPlanar_ ? outlines_ : *triangles_;
         }
 
         bool isPlanar_;
-        TriangleTree triangles_;
+
+        /** \brief That of the mesh itself, if there is no other and it stands at the origin; of a large one it would take
+            long to make it again */
+        std::shared_ptr<const TriangleTree> triangles_;
 
         /** \brief In the plane: the projections, by their position in triangles_ */
         TriangleTree outlines_;

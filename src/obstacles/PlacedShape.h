@@ -16,6 +16,12 @@ namespace ompl_certificates
         Pose pose;
     };
 
+    /** \brief Whether it is a mesh */
+    inline bool isMesh(const PlacedShape &placed)
+    {
+        return placed.shape.getMesh() != nullptr;
+    }
+
     /** \brief All shapes of some obstacles, in their order */
     using PlacedShapes = std::vector<PlacedShape>;
 

@@ -4,6 +4,7 @@
 #include "certificates/CertifiedEnvironment.h"
 #include "geometry/BodyContact.h"
 #include "obstacles/FclTolerance.h"
+#include "obstacles/SpatialCheck.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -14,7 +15,7 @@ namespace ompl_certificates
 {
     /** \brief A body as the environment of others, seen from its own frame.
 
-        Most pairs never need it as obstacles, and to make these takes milliseconds for a mesh. So they are made when
+        Most pairs never need it as obstacles, and to make these may take milliseconds for meshes. So they are made when
         first asked for. */
     class BodyFrame
     {
@@ -37,6 +38,16 @@ namespace ompl_certificates
             if (body_.getDimension() == 2)
                 return getObstacles().touches(other, pose, nullptr);
             return touching(body_, other, pose, getContactMargin(other));
+        }
+
+        /** \brief Whether another body touches this one, by FCL */
+        bool collides(const Body &other, const Pose &pose) const
+        {
+            if (body_.getDimension() == 2)
+                return getObstacles().collides(other, pose);
+            // FCL alone needs nothing else, and as obstacles the body may have a tree to be made.
+            std::call_once(fclMade_, [this] { fcl_ = std::make_unique<SpatialCheck>(shapesOf(body_)); });
+            return fcl_->collides(other, pose);
         }
 
         /** \brief How much a gap to this body must exceed zero for FCL to see it; see Obstacles::getTolerance() */
@@ -88,6 +99,8 @@ namespace ompl_certificates
         const ZInterval zInterval_;
         const std::shared_ptr<CertificateLimit> limit_;
         const double tolerance_;
+        mutable std::once_flag fclMade_;
+        mutable std::unique_ptr<SpatialCheck> fcl_;
         mutable std::once_flag made_;
         mutable std::shared_ptr<FclObstacles> obstacles_;
         mutable std::unique_ptr<CertifiedEnvironment> certified_;

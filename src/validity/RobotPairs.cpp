@@ -272,7 +272,7 @@ namespace ompl_certificates
                 return answer == Touching::YES;
         }
         ++counts.exactCalls;
-        return bodies.frame->getObstacles().collides(bodies.lookedUp(), relative);
+        return bodies.frame->collides(bodies.lookedUp(), relative);
     }
 
     PoseVerdict RobotPairs::settleByGap(const TwoBodies &bodies, const Pose &relative, const MotionBound &bound,
@@ -317,7 +317,7 @@ namespace ompl_certificates
             const double gap = bodies.gap(context);
             if (!bodies.frame || gap > bodies.margin)
                 return !(gap > 0.0);
-            return bodies.frame->getObstacles().collides(bodies.lookedUp(), bodies.relativePose(context));
+            return bodies.frame->collides(bodies.lookedUp(), bodies.relativePose(context));
         };
         const Pair &robots = pairs_[pair];
         for (const TwoBodies &bodies : robots.bodies)
