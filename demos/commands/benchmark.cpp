@@ -6,12 +6,11 @@
 #include "commands/Commands.h"
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
+#include "common/MoveItOptions.h"
 #include "common/Outputs.h"
 #include "common/PlannerFactory.h"
 #include "common/PlannerList.h"
 #include "common/TeamBenchmark.h"
-
-#include "ompl_certificates/scene/SceneFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +28,7 @@ namespace
     struct Options
     {
         std::vector<std::string> scenes;
+        demos::MoveItOptions moveIt;
         std::optional<std::string> planners;
         std::string methods;
         std::string nearest{"kdtree"};
@@ -42,7 +42,11 @@ namespace
 
     void declare(CLI::App &app, Options &options)
     {
-        app.add_option("SCENE", options.scenes, "Scene files: YAML, or .cfg files of OMPL.app")->required();
+        app.add_option(
+               "SCENE", options.scenes,
+               "Scene files: YAML, .cfg files of OMPL.app, or planning scenes of MoveIt (YAML) with one request and one robot")
+            ->required();
+        demos::declare(app, options.moveIt);
         app.add_option("--planners", options.planners,
                        "Planners: DRRTstar and names of OMPL's classes, separated by commas")
             ->default_str("those of a .cfg file, else DRRTstar for two or more robots and RRTConnect for one");
@@ -62,7 +66,7 @@ namespace
             ->default_str("that of a .cfg file, else 10");
         app.add_option("--time", options.seconds, "Time for each run, in seconds")
             ->check(demos::positiveNumber())
-            ->default_str("that of a .cfg file, else 5");
+            ->default_str("that of a .cfg file or of a request, else 5");
         app.add_option("--seed", options.seed, "Seed of the first run; each further one adds 1")
             ->check(demos::countUpTo(4000000000ull))
             ->capture_default_str();
@@ -104,7 +108,7 @@ namespace
 
     Task readTask(const Options &options, const std::string &file)
     {
-        const SceneFile content = readSceneFile(file);
+        const SceneFile content = demos::readScene(file, options.moveIt);
         content.scene.validate();
         Task task{content.scene, {}, {}};
         task.planners = demos::choosePlanners(content, options.planners ? listOf("--planners", *options.planners)
@@ -232,7 +236,9 @@ namespace
         std::vector<std::pair<std::string, std::string>> logs;
         for (const std::string &file : options.scenes)
             logs.emplace_back("--log", logOf(options, file));
-        demos::prepareOutputs(logs, options.scenes);
+        std::vector<std::string> inputs = options.scenes;
+        inputs.insert(inputs.end(), {options.moveIt.request, options.moveIt.urdf, options.moveIt.srdf});
+        demos::prepareOutputs(logs, inputs);
         std::vector<Task> tasks;
         for (const std::string &file : options.scenes)
         {

@@ -25,7 +25,6 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/planning/ProvePath.h"
 #include "ompl_certificates/planning/Planners.h"
-#include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/validity/CertificateFile.h"
 
@@ -183,37 +182,6 @@ namespace
         outputs.finish();
     }
 
-    /** The scene; a planning scene of MoveIt needs the files of --request, --urdf and --srdf. */
-    SceneFile readScene(const PlanTeamOptions &options)
-    {
-        const std::pair<std::string, std::string> files[]{
-            {"--request", options.request}, {"--urdf", options.urdf}, {"--srdf", options.srdf}};
-        if (!isMoveItScene(options.scene))
-        {
-            SceneFile scene = readSceneFile(options.scene);
-            for (const auto &[option, file] : files)
-                if (!file.empty())
-                    throw ompl::Exception(option,
-                                          "is for planning scenes of MoveIt, which " + options.scene + " is not");
-            if (!options.packages.empty())
-                throw ompl::Exception("--package",
-                                      "is for planning scenes of MoveIt, which " + options.scene + " is not");
-            return scene;
-        }
-        for (const auto &[option, file] : files)
-            if (file.empty())
-                throw ompl::Exception(options.scene, "is a planning scene of MoveIt, which needs " + option);
-        ArmFile::Options packages;
-        for (const std::string &text : options.packages)
-        {
-            const std::size_t equals = text.find('=');
-            if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-                throw ompl::Exception("--package", "must be NAME=FOLDER, not '" + text + "'");
-            packages.packages[text.substr(0, equals)] = text.substr(equals + 1);
-        }
-        return readMoveItFiles(options.scene, options.request, ArmFile(options.urdf, options.srdf, packages));
-    }
-
     int run(PlanTeamOptions options)
     {
         if (options.dynamics)
@@ -221,7 +189,7 @@ namespace
         // What is wrong with the input is told in one line, ours, and not in OMPL's words as well.
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const SceneFile file = readScene(options);
+        const SceneFile file = demos::readScene(options.scene, options.moveIt);
         const Scene &scene = file.scene;
         scene.validate();
         requireOneGoal(options, scene);
@@ -236,7 +204,8 @@ namespace
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
-        demos::prepareOutputs(demos::outputsOf(options), {options.scene, options.request, options.urdf, options.srdf});
+        demos::prepareOutputs(demos::outputsOf(options),
+                              {options.scene, options.moveIt.request, options.moveIt.urdf, options.moveIt.srdf});
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length" || options.first)
             setup->setOptimizationObjective(objectiveOf(*setup, scene, options));

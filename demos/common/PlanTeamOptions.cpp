@@ -18,13 +18,7 @@ namespace demos
         app.add_option("SCENE", options.scene,
                        "Scene file: YAML, a .cfg file of OMPL.app, or a planning scene of MoveIt (YAML)")
             ->required();
-        app.add_option("--request", options.request, "For a planning scene of MoveIt: its motion plan request (YAML)");
-        app.add_option("--urdf", options.urdf, "For a planning scene of MoveIt: the robot's URDF file");
-        app.add_option("--srdf", options.srdf,
-                       "For a planning scene of MoveIt: the robot's SRDF file, with its groups");
-        app.add_option("--package", options.packages,
-                       "For a planning scene of MoveIt: packages of meshes that are neither around the URDF file nor "
-                       "known to ROS: NAME=FOLDER ...");
+        declare(app, options.moveIt);
         app.add_option(
                "--planner", options.planner,
                "Planner: DRRTstar, or the name of OMPL's class. Where a .cfg file has the same planner, its parameters "
@@ -88,8 +82,10 @@ namespace demos
                          "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
                          "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
                          "--motion continuous proves each step free between its ends");
-        for (const char *option : {"--request", "--urdf", "--srdf", "--package", "--first", "--simplify", "--objective",
-                                   "--animation", "--load-certificates", "--save-certificates"})
+        for (const std::string &option : moveItOptionNames())
+            dynamics->excludes(app.get_option(option));
+        for (const char *option :
+             {"--first", "--simplify", "--objective", "--animation", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
         app.add_option("--goal-tolerance", options.goalTolerance,
                        "With --dynamics: how far from the goal the team may end, in its space's distance")
@@ -101,7 +97,7 @@ namespace demos
             "--dry-run", options.dryRun,
             "Read all, check start and goal and whether files can be written, print what would be planned, and "
             "end");
-        group(app, {{"Scenes of MoveIt", {"--request", "--urdf", "--srdf", "--package"}},
+        group(app, {{"Scenes of MoveIt", moveItOptionNames()},
                     {"Planning",
                      {"--planner", "--list-planners", "--range", "--planner-param", "--time", "--iterations", "--first",
                       "--seed", "--nearest", "--objective", "--simplify", "--dry-run"}},

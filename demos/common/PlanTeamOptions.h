@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
 #define OMPL_CERTIFICATES_DEMOS_COMMON_PLAN_TEAM_OPTIONS_
 
+#include "common/MoveItOptions.h"
+
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <CLI/CLI.hpp>
@@ -17,8 +19,7 @@ namespace demos
     struct PlanTeamOptions
     {
         std::string scene;
-        std::string request, urdf, srdf;
-        std::vector<std::string> packages;
+        MoveItOptions moveIt;
         std::string planner;
         std::string method{"shared"};
         std::string motion{"discrete"};

@@ -207,3 +207,52 @@ TEST(BenchmarkTeam, refusesBadInput)
         EXPECT_EQ(contentOf(scene), easyScene());
     }
 }
+
+TEST(BenchmarkTeam, takesPlanningScenesOfMoveIt)
+{
+    const Folder folder;
+    const std::string arms = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/arms/";
+    for (const char *name : {"one.yaml", "two.yaml"})
+        writeFile(folder / name,
+                  "world:\n  collision_objects:\n    - {id: ball, primitives: [{type: sphere, dimensions: [0.1]}], "
+                  "primitive_poses: [{position: [0, 3, 0]}]}\n");
+    std::string request =
+        "group_name: arm\nallowed_planning_time: 0.5\n"
+        "start_state: {joint_state: {name: [waist, shoulder_lift, elbow, wrist_roll, wrist_bend, flange], "
+        "position: [0, -0.6, 1.9, 0, 0.3, 0]}}\ngoal_constraints:\n  - joint_constraints:\n";
+    for (const char *joint : {"waist", "shoulder_lift", "elbow", "wrist_roll", "wrist_bend", "flange"})
+        request += std::string("      - {joint_name: ") + joint + ", position: 0}\n";
+    writeFile(folder / "request.yaml", request);
+    std::vector<std::string> arguments{folder / "one.yaml",
+                                       folder / "two.yaml",
+                                       "--request",
+                                       folder / "request.yaml",
+                                       "--urdf",
+                                       arms + "arm6.urdf",
+                                       "--srdf",
+                                       arms + "arm6.srdf",
+                                       "--runs",
+                                       "2",
+                                       "--planners",
+                                       "RRTConnect",
+                                       "--methods",
+                                       "standard,shared",
+                                       "--log",
+                                       folder / "arms.log"};
+    Program program("benchmark_team", arguments);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    for (const char *log : {"arms_one.log", "arms_two.log"})
+    {
+        std::vector<std::string> names;
+        EXPECT_EQ(runsOf(contentOf(folder / log), "geometric_RRTConnect[shared]", names).size(), 2u) << log;
+    }
+
+    // Not among other scenes
+    writeFile(folder / "two.yaml", easyScene());
+    Program mixed("benchmark_team", arguments);
+    EXPECT_EQ(mixed.wait(), 2);
+    EXPECT_NE(mixed.errors().find("--request: is for planning scenes of MoveIt, which " + folder / "two.yaml"),
+              std::string::npos)
+        << mixed.errors();
+    EXPECT_EQ(mixed.output(), "");
+}
