@@ -32,11 +32,12 @@ namespace ompl_certificates
             for (unsigned int i = 0; i < path.getControlCount(); ++i)
             {
                 const double duration = path.getControlDuration(i);
-                const double count = std::max(1.0, std::round(duration / length));
+                const auto count =
+                    static_cast<std::size_t>(std::min(1e9, std::max(1.0, std::round(duration / length))));
                 ob::ScopedState<> state(space, path.getState(i));
-                for (double k = 0.0; k < count; ++k)
+                for (std::size_t k = 0; k < count; ++k)
                 {
-                    steps.push_back({state, path.getControl(i), count > 1.0 ? length : duration});
+                    steps.push_back({state, path.getControl(i), count > 1 ? length : duration});
                     propagator.propagate(state.get(), path.getControl(i), length, state.get());
                 }
             }
