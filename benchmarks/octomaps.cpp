@@ -51,7 +51,7 @@ namespace
 
         double clearance(const Eigen::Vector3d & /*point*/) const override
         {
-            throw ompl::Exception("FCL's distances to an OcTree are not to be trusted");
+            return 0.0;  // none is known: FCL's to an OcTree are not to be trusted
         }
 
         double getTolerance() const override

@@ -144,6 +144,8 @@ namespace demos
         report.objective = options.objective;
         report.seed = options.seed;
         solve(setup, options, report);
+        // The next interrupt ends the proof.
+        const bool stopped = takeInterrupt();
         ob::PlannerData tree(setup.getSpaceInformation());
         if (needsTree(options))
         {
@@ -153,6 +155,8 @@ namespace demos
         proveSolution(setup, scene, options, report);
         if (!options.quiet)
         {
+            if (stopped || interrupted())
+                std::puts("interrupted: this is what was found so far");
             print(report, setup);
             if (!report.solved && !options.path.empty())
                 std::printf("no path was written to %s\n", options.path.c_str());

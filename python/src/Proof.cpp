@@ -15,18 +15,16 @@ namespace ompl_certificates_python
         }
     }
 
-    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found,
-                      const std::function<std::string(const ompl::base::State *)> &describe)
+    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found, const std::string &collision)
     {
         plan.report.unprovedMotions = static_cast<std::int64_t>(found.unproved.size());
-        plan.report.collision.clear();
+        plan.report.collision = collision;
         Proof proof{found.unproved, py::none(), py::none()};
         if (found.collision)
         {
             const std::vector<double> row = found.collision->reals();
-            plan.report.collision = describe(found.collision->get());
             proof.collision = Doubles(static_cast<py::ssize_t>(row.size()), row.data());
-            proof.reason = py::str(plan.report.collision);
+            proof.reason = py::str(collision);
         }
         return proof;
     }

@@ -20,12 +20,11 @@ namespace ompl_certificates_python
     };
 
     /** \brief Add what is found to the report of a plan. With Python's lock.
-        \param describe tells what collides in a state */
-    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found,
-                      const std::function<std::string(const ompl::base::State *)> &describe);
+        \param collision what collides, in words; empty if nothing */
+    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found, const std::string &collision);
 
     /** \brief The proof of a plan's solution by \e checker, which Ctrl-C ends
-        \param describe as above
+        \param describe tells what collides in a state, without Python's lock
         \throws ompl::Exception if there is no path */
     template <typename Kind>
     Proof prove(Kind &plan, const std::shared_ptr<ompl_certificates::TeamValidityChecker> &checker,
@@ -34,6 +33,7 @@ namespace ompl_certificates_python
         if (!plan.solution)
             throw ompl::Exception("prove", "there is no path");
         ompl_certificates::PathProof found;
+        std::string collision;
         {
             const py::gil_scoped_release release;
             Signals signals;
@@ -44,8 +44,10 @@ namespace ompl_certificates_python
                                       signals.handle();
                                       return false;
                                   }));
+            if (found.collision)
+                collision = describe(found.collision->get());
         }
-        return reportProof(plan, found, describe);
+        return reportProof(plan, found, collision);
     }
 }
 

@@ -1,9 +1,9 @@
 #include "ompl_certificates/control/ProvePath.h"
 
+#include "validity/ControlSteps.h"
+
 #include "ompl_certificates/control/TeamPropagator.h"
 
-#include <algorithm>
-#include <cmath>
 #include <ompl/util/Exception.h>
 #include <vector>
 
@@ -16,11 +16,17 @@ namespace ompl_certificates
     {
         constexpr unsigned int STATES_OF_A_STEP = 100, MOST_STATES = 100000;
 
+        /** A path leads from state to state up to such a part of the space's extent, which rounding explains. */
+        constexpr double ROUNDING = 1e-6;
+
         struct Step
         {
             ob::ScopedState<> from;
             const oc::Control *control;
             double duration;
+
+            /** False if it is the last one of its control, and ends elsewhere than where the path goes on */
+            bool arrives;
         };
 
         /** The steps of a path. PathControl::interpolate() would ask its own propagator, whose steps end in no state if it
@@ -31,15 +37,15 @@ namespace ompl_certificates
             std::vector<Step> steps;
             for (unsigned int i = 0; i < path.getControlCount(); ++i)
             {
-                const double duration = path.getControlDuration(i);
-                const auto count =
-                    static_cast<std::size_t>(std::min(1e9, std::max(1.0, std::round(duration / length))));
+                const ControlSteps durations(path.getControlDuration(i), length);
                 ob::ScopedState<> state(space, path.getState(i));
-                for (std::size_t k = 0; k < count; ++k)
+                for (std::size_t k = 0; k < durations.count(); ++k)
                 {
-                    steps.push_back({state, path.getControl(i), count > 1 ? length : duration});
-                    propagator.propagate(state.get(), path.getControl(i), length, state.get());
+                    steps.push_back({state, path.getControl(i), durations[k], true});
+                    propagator.propagate(state.get(), path.getControl(i), durations[k], state.get());
                 }
+                steps.back().arrives =
+                    space->distance(state.get(), path.getState(i + 1)) <= ROUNDING * space->getMaximumExtent();
             }
             return steps;
         }
@@ -59,10 +65,18 @@ namespace ompl_certificates
 
         PathProof proof;
         const auto state = std::make_shared<ob::ScopedState<>>(si->getStateSpace());
+        if (path.getStateCount() == 1 && !prover->isValid(path.getState(0)))
+        {
+            *state = path.getState(0);
+            return {{0}, state};
+        }
         for (std::size_t i = 0; i < steps.size(); ++i)
-            if (const Step &step = steps[i]; condition || !propagator.isStepFree(*prover, step.from.get(), step.control,
-                                                                                 step.duration, state->get()))
+        {
+            const Step &step = steps[i];
+            if (condition || !step.arrives ||
+                !propagator.isStepFree(*prover, step.from.get(), step.control, step.duration, state->get()))
                 proof.unproved.push_back(i);
+        }
 
         unsigned int left = MOST_STATES;
         for (const std::size_t index : proof.unproved)

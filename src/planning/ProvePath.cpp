@@ -16,6 +16,15 @@ namespace ompl_certificates
         constexpr unsigned int DENSITY = 100;
         constexpr unsigned int MOST_SAMPLES = 100000;
 
+        /** Whether the states of \e space are those of \e team */
+        bool areOfOneTeam(const ob::StateSpacePtr &space, const Team &team)
+        {
+            const auto *own = dynamic_cast<const TeamStateSpace *>(space.get());
+            return space == team.getStateSpace() ||
+                   (own && dynamic_cast<const TeamStateSpace *>(team.getStateSpace().get()) &&
+                    own->getRobots() == team.getRobots());
+        }
+
         /** Looks for collisions on motions that are not proved, as long as there are samples left */
         class Search
         {
@@ -57,7 +66,7 @@ namespace ompl_certificates
                         const ob::PlannerTerminationCondition &condition)
     {
         const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
-        if (checker && space->getDimension() != checker->getTeam().getStateSpace()->getDimension())
+        if (checker && !areOfOneTeam(space, checker->getTeam()))
             throw ompl::Exception("The path is of space '" + space->getName() + "', not of the checker's, '" +
                                   checker->getTeam().getStateSpace()->getName() + "'");
         std::shared_ptr<const TeamValidityChecker> prover = checker;
@@ -65,6 +74,8 @@ namespace ompl_certificates
             prover = std::make_shared<TeamValidityChecker>(*checker, Method::SHARED_PROJECTION);
         const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);
         PathProof proof;
+        if (path.getStateCount() == 1 && !prover->isValid(path.getState(0)))
+            return {{0}, std::make_shared<ob::ScopedState<>>(space, path.getState(0))};
         std::vector<double> proved;
         ob::ScopedState<> last(space);
         const auto state = [&path](std::size_t i) { return path.getState(static_cast<unsigned int>(i)); };

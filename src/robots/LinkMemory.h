@@ -28,9 +28,10 @@ namespace ompl_certificates
         std::shared_ptr<JointCells> getCells(const Pair &pair);
 
     private:
-        /** \brief So many pairs are remembered when no arm uses them any more: with grasped objects, new ones come and
-            go. Those of a robot of two arms are some 60. */
-        static constexpr std::size_t MOST_PAIRS = 128;
+        /** \brief So many pairs are remembered, those that were asked for last: with grasped objects, new ones come and go.
+            A robot of two arms has some 60, one with hands of five fingers some hundred. Of one with more all would be
+            forgotten before they are asked for again. */
+        static constexpr std::size_t MOST_PAIRS = 512;
 
         struct Known
         {

@@ -3,6 +3,8 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
 
+#include <algorithm>
+
 namespace ompl_certificates
 {
     namespace ob = ompl::base;
@@ -118,6 +120,9 @@ namespace ompl_certificates
             const Robot &robot = team->getRobot(i);
             poses.emplace_back(robot.getBodies().size());
             robot.placeBodies(components[i], poses.back().data());
+            // FCL must not be asked about it.
+            if (!std::all_of(poses.back().begin(), poses.back().end(), [](const Pose &pose) { return isFinite(pose); }))
+                return SceneCollision{SceneCollision::OBSTACLES, i, i, "has a number that is not finite", "", ""};
             const std::string touch = describeTouch(scene, *obstacles, team->getZInterval(), robot, poses.back());
             if (!touch.empty())
                 return SceneCollision{SceneCollision::OBSTACLES, i, i, touch, "", ""};

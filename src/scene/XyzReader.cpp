@@ -88,19 +88,23 @@ namespace ompl_certificates
         // A value that is missing is no number, so that others keep their columns.
         std::string text;
         text.reserve(content.size());
-        bool isMissing = true;
+        bool isMissing = true, hasComma = false;
+        const auto endField = [&] { text += isMissing ? " nan " : " "; };
         for (const char c : content)
         {
             const bool isEnd = c == '\n' || c == '\r';
-            if (c == ',')
-                text += isMissing ? " nan " : " ";
-            else
+            if (c == ',' || (isEnd && hasComma))
+                endField();
+            if (c != ',')
                 text += c;
             if (c == ',' || isEnd)
                 isMissing = true;
             else if (c != ' ' && c != '\t')
                 isMissing = false;
+            hasComma = c == ',' || (hasComma && !isEnd);
         }
+        if (hasComma)
+            endField();
         return readXyz(text);
     }
 }

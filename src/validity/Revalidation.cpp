@@ -1,9 +1,9 @@
 #include "ompl_certificates/validity/Revalidation.h"
 
+#include "ControlSteps.h"
 #include "TeamCheck.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ompl/base/ScopedState.h>
 #include <ompl/control/PlannerData.h>
 #include <ompl/control/SpaceInformation.h>
@@ -72,12 +72,12 @@ namespace ompl_certificates
                                   "TeamPropagator::isStepFree()");
         ob::ScopedState<> state(si->getStateSpace());
         si->copyState(state.get(), from);
-        const auto steps = std::lround(duration / si->getPropagationStepSize());
-        for (long step = 0; step < steps; ++step)
+        const ControlSteps steps(duration, si->getPropagationStepSize());
+        for (std::size_t step = 0; step < steps.count(); ++step)
         {
-            if (isProved && !isStepFree_(*checker_, state.get(), control, si->getPropagationStepSize()))
+            if (isProved && !isStepFree_(*checker_, state.get(), control, steps[step]))
                 return false;
-            si->propagate(state.get(), control, 1, state.get());
+            si->getStatePropagator()->propagate(state.get(), control, steps[step], state.get());
             if (!checker_->isValid(state.get()))
                 return false;
         }

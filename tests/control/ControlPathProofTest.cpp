@@ -104,6 +104,47 @@ TEST_F(ControlPathProof, ProvesNoPathThatStartsOrEndsInAnObstacle)
     }
 }
 
+/** After two steps the disc has not come to the wall; what is left of the control takes it through. */
+TEST_F(ControlPathProof, LooksAtAllOfAControl)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    const oc::PathControl path = driven(*setup, {-2.2, 0.0}, {{10.0, 0.0, 0.24}});
+    const PathProof proof = provePath(path, setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{1});
+    EXPECT_TRUE(proof.collision);
+
+    setup->getSpaceInformation()->setPropagationStepSize(1.0);
+    const PathProof whole = provePath(path, setup->getTeamChecker());
+    EXPECT_EQ(whole.unproved, std::vector<std::size_t>{0});
+    EXPECT_TRUE(whole.collision);
+    setup->getSpaceInformation()->setPropagationStepSize(0.0);
+    EXPECT_NE(messageOf([&] { provePath(path, setup->getTeamChecker()); }).find("step size"), std::string::npos);
+    setup->getSpaceInformation()->setPropagationStepSize(1e-9);
+    EXPECT_NE(messageOf([&] { provePath(path, setup->getTeamChecker()); }).find("million"), std::string::npos);
+}
+
+TEST_F(ControlPathProof, ProvesNoPathThatItsControlsDoNotLeadAlong)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}, {0.0, 1.0, 0.2}});
+    EXPECT_TRUE(provePath(path, setup->getTeamChecker()).isProved());
+    path.getState(1)->as<ob::CompoundState>()->components[0]->as<ob::RealVectorStateSpace::StateType>()->values[0] =
+        -1.9;
+    const PathProof proof = provePath(path, setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, (std::vector<std::size_t>{4, 6}));
+    EXPECT_FALSE(proof.collision);
+}
+
+TEST_F(ControlPathProof, IsOfASingleStateWhetherThatIsValid)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    EXPECT_TRUE(provePath(driven(*setup, {-2.0, 0.0}, {}), setup->getTeamChecker()).isProved());
+    const PathProof proof = provePath(driven(*setup, {0.05, 0.0}, {}), setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{0});
+    ASSERT_TRUE(proof.collision);
+    EXPECT_EQ((*proof.collision)[0], 0.05);
+}
+
 TEST_F(ControlPathProof, EndsWhereItIsToldTo)
 {
     const TeamControlSetupPtr setup = setupFor();

@@ -1,9 +1,11 @@
 #include "demos/Program.h"
 
+#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <sys/resource.h>
+#include <thread>
 
 namespace
 {
@@ -47,6 +49,22 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
                           : "\n  not proved    " + std::to_string(unproved) + " of " + std::to_string(lines.size() - 2);
         EXPECT_NE(program.output().find(line), std::string::npos) << program.output();
     }
+}
+
+/** SST goes on to improve what it has found. */
+TEST(PlanDynamicsTest, ProvesWhatWasFoundWhenInterrupted)
+{
+    const Folder folder;
+    Program program("plan_team", {DOORWAY, "--dynamics", "--planner", "SST", "--goal-tolerance", "3", "--motion",
+                                  "continuous", "--time", "300", "--report", folder / "report.json"});
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_NE(program.output().find("interrupted: this is what was found so far"), std::string::npos);
+    EXPECT_NE(program.output().find("\n  proved        free throughout\n"), std::string::npos) << program.output();
+    const auto report = nlohmann::json::parse(contentOf(folder / "report.json"));
+    EXPECT_EQ(report.at("unproved_motions"), 0);
+    EXPECT_LT(report.at("seconds").at("total").get<double>(), 200.0);
 }
 
 TEST(PlanDynamicsTest, TellsOfAllFilesThatCannotBeWritten)

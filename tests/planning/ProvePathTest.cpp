@@ -88,6 +88,18 @@ TEST_F(ProvePathTest, NeedsAPathOfTheTeam)
     const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
     const og::PathGeometric path(std::make_shared<ob::SpaceInformation>(space));
     EXPECT_THROW(provePath(path, setup->getTeamChecker()), ompl::Exception);
+    // Of as many dimensions, and another team
+    EXPECT_THROW(provePath(through(*floor(), {{2.0, 0.0}, {2.0, 1.0}}), setup->getTeamChecker()), ompl::Exception);
+}
+
+TEST_F(ProvePathTest, IsOfASingleStateWhetherThatIsValid)
+{
+    const auto setup = floor();
+    EXPECT_TRUE(provePath(through(*setup, {{2.0, 0.0}}), setup->getTeamChecker()).isProved());
+    const PathProof proof = provePath(through(*setup, {{0.1, 0.0}}), setup->getTeamChecker());
+    EXPECT_EQ(proof.unproved, std::vector<std::size_t>{0});
+    ASSERT_TRUE(proof.collision);
+    EXPECT_EQ((*proof.collision)[0], 0.1);
 }
 
 TEST_F(ProvePathTest, FindsNothingWhereThereIsHardlyRoom)

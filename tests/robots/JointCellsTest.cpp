@@ -339,10 +339,10 @@ TEST(JointCells, OfSomeHundredPairsAreRemembered)
     LinkMemory::Pair other = pairOf(0.0);
     other.second = Body::sphere(3.0);
     EXPECT_NE(memory.getCells(other), first.lock());
-    for (int i = 1; i <= 100; ++i)
+    for (int i = 1; i <= 500; ++i)
         memory.getCells(pairOf(i));
     EXPECT_FALSE(first.expired());
-    for (int i = 101; i <= 200; ++i)
+    for (int i = 501; i <= 600; ++i)
         memory.getCells(pairOf(i));
     EXPECT_TRUE(first.expired());
 }

@@ -155,6 +155,7 @@ namespace ompl_certificates
             {"a.csv", "1,2,3\r\n-4.5, 5 ,0.6\r\n"},
             {"a.csv", "//X,Y,Z,R\n1,2,3,9\n-4.5,5,0.6,9\n"},
             {"a.csv", "time,\"x\",Y,z,intensity\n7,1,2,3,\n7,9,,9,4\n,-4.5,5,0.6,1\n"},
+            {"a.csv", "x,y,z\n8,9,\n1,2,3\n7,,\r\n-4.5,5,0.6\n6,5,"},
             {"a.txt", "# seen\nZ Y X\n3 2 1\n0.6 5 -4.5\n"}};
         for (const auto &[name, content] : files)
             EXPECT_EQ(loadCloud(folder.write(name, content)).points, expected) << name << ":\n" << content;

@@ -1,6 +1,7 @@
 #include "ompl_certificates/scene/SceneFile.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace ompl_certificates;
 
@@ -60,6 +61,7 @@ TEST_F(DescribeCollision, namesRobotsBodiesAndObstacles)
 {
     EXPECT_EQ(told({}), "");
     EXPECT_EQ(told({{0, 10}}), "robot 'a' touches environment.obstacles[0]");
+    EXPECT_EQ(told({{0, std::numeric_limits<double>::quiet_NaN()}}), "robot 'a' has a number that is not finite");
     EXPECT_EQ(told({{2, 10}, {3, 9}}), "robot 'b' touches environment.obstacles[1]");
     EXPECT_EQ(told({{0, 1.5}, {1, 2.5}}), "robots 'a' and 'b' touch each other");
     EXPECT_EQ(told({{0, 4}, {1, 5}}), "robots 'a' and 'car' touch each other: body 0 of 'car'");

@@ -284,6 +284,9 @@ TEST_F(Revalidating, ProvesStepsOfControlsInContinuousMode)
                   std::string::npos);
         setup.getTeamChecker()->changeObstacles(change);
         EXPECT_EQ(findInvalid(), std::vector<std::size_t>{0});
+        // A control that is held for less than a step is one.
+        si->setPropagationStepSize(0.25);
+        EXPECT_EQ(findInvalid(), std::vector<std::size_t>{0});
     }
 }
 

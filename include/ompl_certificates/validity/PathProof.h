@@ -11,8 +11,8 @@ namespace ompl_certificates
     /** \brief What is known of a path between the states at which it was checked; see provePath() */
     struct PathProof
     {
-        /** \brief The motions that are not proved free throughout, each by the index of the state that it starts at, in
-            the order of the path */
+        /** \brief The motions, or with controls the steps, that are not proved free throughout, in the order of the path.
+            A motion has the index of the state that it starts at, a step its number. */
         std::vector<std::size_t> unproved;
 
         /** \brief The first invalid state that was found on these motions; null if none was */

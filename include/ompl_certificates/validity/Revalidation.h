@@ -80,7 +80,7 @@ namespace ompl_certificates
         /** \brief Which vertices and edges of \e data, all valid before, are no longer valid. Edges of planners with
             controls are propagated again, in the steps of the space information of the checker.
             \throws ompl::Exception if \e data has controls and that space information has none, or the other way round.
-            Also in continuous mode, if no StepProof was given. */
+            Also in continuous mode, if no StepProof was given, and if that space information was not set up. */
         Invalid findInvalid(const ompl::base::PlannerData &data) const;
 
         /** \brief Which motions of \e path, all valid before, are no longer valid: i is the motion from state i to
