@@ -44,7 +44,8 @@ namespace
     {
         app.add_option(
                "SCENE", options.scenes,
-               "Scene files: YAML, .cfg files of OMPL.app, or planning scenes of MoveIt (YAML) with one request and one robot")
+               "Scene files: YAML, .cfg files of OMPL.app, or planning scenes of MoveIt (YAML) with one request and one "
+               "robot")
             ->required();
         demos::declare(app, options.moveIt);
         app.add_option("--planners", options.planners,

@@ -13,7 +13,8 @@ namespace ompl_certificates
     class ControlSteps
     {
     public:
-        /** \throws ompl::Exception if \e step is not positive and finite, or so short that there were millions */
+        /** \brief Of a control that is held for \e duration, in steps of \e step
+            \throws ompl::Exception if \e step is not positive and finite, or so short that there were millions */
         ControlSteps(double duration, double step) : step_(step), last_(duration)
         {
             if (!(step > 0.0) || !std::isfinite(step))
@@ -31,6 +32,7 @@ namespace ompl_certificates
                 last_ = step;
         }
 
+        /** \brief How many they are: at least one */
         std::size_t count() const
         {
             return count_;
