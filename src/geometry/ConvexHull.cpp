@@ -124,15 +124,22 @@ namespace ompl_certificates
 
         using Triple = std::array<std::size_t, 3>;
 
-        /** The triangles of the hull by the numbers of their corners, in order */
-        std::vector<Triple> hullTriangles(const std::vector<Eigen::Vector3d> &points)
+        /** A triangle of the hull by the numbers of its corners, in order, with Qhull's normal */
+        struct HullTriangle
+        {
+            Triple corners;
+            Eigen::Vector3d normal;
+        };
+
+        /** The triangles of the hull, in the order of their corners */
+        std::vector<HullTriangle> hullTriangles(const std::vector<Eigen::Vector3d> &points)
         {
             // Its precision is that of the largest coordinate.
             std::vector<Eigen::Vector3d> moved;
             moved.reserve(points.size());
             for (const Eigen::Vector3d &point : points)
                 moved.push_back(point - points.front());
-            std::vector<Triple> triangles;
+            std::vector<HullTriangle> triangles;
             orgQhull::Qhull qhull;  // Its other constructor leaks when it throws.
             try
             {
@@ -144,7 +151,8 @@ namespace ompl_certificates
                     for (const orgQhull::QhullVertex &vertex : facet.vertices())
                         corners.push_back(static_cast<std::size_t>(vertex.point().id()));
                     std::sort(corners.begin(), corners.end());
-                    triangles.push_back({corners.at(0), corners.at(1), corners.at(2)});
+                    triangles.push_back({{corners.at(0), corners.at(1), corners.at(2)},
+                                         Eigen::Map<const Eigen::Vector3d>(facet.hyperplane().coordinates())});
                 }
             }
             catch (const orgQhull::QhullError &)
@@ -152,7 +160,8 @@ namespace ompl_certificates
                 qhull.clearQhullMessage();  // Its destructor would print it.
                 throw ompl::Exception(NO_VOLUME);
             }
-            std::sort(triangles.begin(), triangles.end());
+            std::sort(triangles.begin(), triangles.end(),
+                      [](const HullTriangle &a, const HullTriangle &b) { return a.corners < b.corners; });
             return triangles;
         }
 
@@ -171,20 +180,27 @@ namespace ompl_certificates
             std::vector<ConvexHull::Face> run()
             {
                 std::vector<Plane> planes;
-                for (const Triple &triangle : hullTriangles(points_))
-                {
-                    // Triangles that are nearly in one plane are one face.
-                    const auto isHeld = [&](const Plane &plane) { return holds(plane, triangle); };
-                    const Plane plane = planeThrough(triangle);
-                    if (!plane.points.empty() && std::none_of(planes.begin(), planes.end(), isHeld))
+                // Triangles that are nearly in one plane are one face.
+                const auto isHeld = [&planes](const Triple &triangle) {
+                    return std::any_of(planes.begin(), planes.end(),
+                                       [&](const Plane &plane) { return holds(plane, triangle); });
+                };
+                const std::vector<HullTriangle> triangles = hullTriangles(points_);
+                for (const auto &[triangle, normal] : triangles)
+                    if (const Plane plane = planeOf(triangle); !plane.points.empty() && !isHeld(triangle))
                         planes.push_back(byFirstPoints(plane.points, triangle));
-                }
+                // Without one at its tip, a wedge would go on beyond it.
+                for (const auto &[triangle, normal] : triangles)
+                    if (!isHeld(triangle))
+                        planes.push_back(supporting(triangle, normal));
                 std::sort(planes.begin(), planes.end(),
                           [](const Plane &a, const Plane &b) { return a.points < b.points; });
                 std::vector<ConvexHull::Face> faces;
                 for (const Plane &plane : planes)
                     if (auto corners = cornersOf(plane); corners.size() >= 3)
                         faces.push_back({plane.normal, plane.offset, std::move(corners)});
+                    else if (plane.points.size() == 3)
+                        faces.push_back({plane.normal, plane.offset, plane.points});
                 return faces;
             }
 
@@ -223,6 +239,25 @@ namespace ompl_certificates
                 return plane;
             }
 
+            /** The same; of a sliver not all three corners tell its normal. */
+            Plane planeOf(const Triple &three) const
+            {
+                for (const Triple &turned :
+                     {three, Triple{three[1], three[2], three[0]}, Triple{three[2], three[0], three[1]}})
+                    if (Plane plane = planeThrough(turned); !plane.points.empty())
+                        return plane;
+                return {};
+            }
+
+            /** The plane of a given normal that touches the hull from outside, as the face of a triangle of the hull */
+            Plane supporting(const Triple &triangle, const Eigen::Vector3d &normal) const
+            {
+                double offset = -std::numeric_limits<double>::infinity();
+                for (const Eigen::Vector3d &point : points_)
+                    offset = std::max(offset, normal.dot(point));
+                return {normal, offset, {triangle.begin(), triangle.end()}};
+            }
+
             /** The plane through the first three of \e points that holds \e triangle, which is of them */
             Plane byFirstPoints(const std::vector<std::size_t> &points, const Triple &triangle) const
             {
@@ -231,7 +266,7 @@ namespace ompl_certificates
                         for (std::size_t k = j + 1; k < points.size(); ++k)
                             if (Plane plane = planeThrough({points[i], points[j], points[k]}); holds(plane, triangle))
                                 return plane;
-                return planeThrough(triangle);
+                return planeOf(triangle);
             }
 
             /** Converts to the plane's own coordinates and lets the planar hull order the points. */

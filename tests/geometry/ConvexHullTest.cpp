@@ -1,3 +1,4 @@
+#include "support/Message.h"
 #include "support/RandomBodies.h"
 
 #include "ompl_certificates/geometry/ConvexHull.h"
@@ -217,6 +218,43 @@ TEST(ConvexHull, IsRightOrRefusedForThinPointsAndFarFromTheOrigin)
             EXPECT_GE(distance, farthestBeyond(points, 3, query) - rounding);
         }
     }
+}
+
+/** The blunt tip of a wedge may be one sliver of a triangle. Without its face the hull would go on beyond the tip. */
+TEST(ConvexHull, EndsAtTheTipOfAThinWedge)
+{
+    unsigned int hulls = 0;
+    for (unsigned int seed = 1; seed <= scaled(2000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double thickness = random.logUniform(1e-6, 1e-3), tip = thickness * random.logUniform(1e-4, 0.9),
+                     width = random.logUniform(0.03, 1.0);
+        std::vector<Eigen::Vector3d> points;
+        for (const double y : {-0.5, 0.5})
+            for (const double z : {-0.5, 0.5})
+                points.emplace_back(0.0, width * y, thickness * z);
+        points.emplace_back(1.0, -0.5 * width, 0.0);
+        points.emplace_back(1.0, 0.5 * width, 0.5 * tip);
+        points.emplace_back(1.0, 0.5 * width, -0.5 * tip);
+        const Pose pose = random.pose(3, random.chance(0.5) ? 10.0 : 0.0);
+        for (Eigen::Vector3d &point : points)
+            point = pose * point;
+        for (std::size_t i = points.size() - 1; i > 0; --i)
+            std::swap(points[i], points[random.below(i + 1)]);
+        ConvexHull hull;
+        if (!messageOf([&] { hull = convexHull(points, 3); }).empty())
+            continue;
+        ++hulls;
+        for (int i = 0; i < 20; ++i)
+        {
+            const double beyond = random.logUniform(10.0 * thickness, 1.0);
+            const double distance =
+                hull.signedDistance(pose * Eigen::Vector3d(1.0 + beyond, width * random.uniform(-0.4, 0.4), 0.0));
+            ASSERT_NEAR(distance, beyond, 0.1 * beyond) << "thickness " << thickness << ", tip " << tip;
+        }
+    }
+    EXPECT_GT(hulls, scaled(1500));
 }
 
 /** Fingerprints of obstacles, by which certificate files know theirs, are made of the vertices in their order. */
