@@ -242,6 +242,16 @@ namespace ompl_certificates
         throw ompl::Exception("Unknown kind of shape");
     }
 
+    bool Shape::isWithin(const Eigen::Vector3d &point, double distance) const
+    {
+        if (kind_ != Kind::MESH)
+            return signedDistance(point) <= distance;
+        // Any limit above the distance will do.
+        const double limit = 1.001 * distance + 1e-12;
+        return (dimension_ == 2 ? mesh_->getOutline().distance({point.x(), point.y(), 0.0}, limit)
+                                : mesh_->getTree().distance(point, limit)) <= distance;
+    }
+
     bool Shape::snapToPlane(Eigen::Isometry3d &pose) const
     {
         constexpr double rounding = 1e-12;

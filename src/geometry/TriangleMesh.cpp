@@ -69,6 +69,27 @@ namespace ompl_certificates
         return *tree_;
     }
 
+    const TriangleTree &TriangleMesh::getOutline() const
+    {
+        const auto makeOutline = [this]
+        {
+            auto outline = std::make_unique<TriangleTree>();
+            for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+            {
+                if (isDegenerate(i))
+                    continue;
+                TriangleTree::Corners corners = getCorners(i);
+                for (Eigen::Vector3d &corner : corners)
+                    corner.z() = 0.0;
+                outline->add(corners, i);
+            }
+            outline->build();
+            outline_ = std::move(outline);
+        };
+        std::call_once(outlineOnce_, makeOutline);
+        return *outline_;
+    }
+
     const MeshInside &TriangleMesh::getInside() const
     {
         std::call_once(insideOnce_, [this] { inside_ = std::make_unique<MeshInside>(getTree()); });

@@ -3,8 +3,6 @@
 #include "Fingerprint.h"
 #include "PointForest.h"
 
-#include "geometry/TriangleTree.h"
-
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -87,14 +85,6 @@ namespace ompl_certificates
 
     PointCloudObstacles::~PointCloudObstacles() = default;
 
-    bool PointCloudObstacles::hits(const Shape &shape, const Eigen::Vector3d &point, double radius) const
-    {
-        if (!shape.getMesh() || dimension_ == 2)
-            return shape.signedDistance(point) <= radius;
-        // Any limit above the radius will do.
-        return shape.getMesh()->getTree().distance(point, radius + tolerance_ + DISTANCE_ROUNDING) <= radius;
-    }
-
     ObstaclePart PointCloudObstacles::findHit(const Shape &shape, const Pose &pose, double within) const
     {
         const Pose toShape = pose.inverse();
@@ -104,14 +94,14 @@ namespace ompl_certificates
             bounds.min().z() = bounds.max().z() = toShape.translation().z();
         bounds.min().array() -= within;
         bounds.max().array() += within;
-        // No rounding may hide what hits() finds.
+        // No rounding may hide what isWithin() finds.
         const double slack =
             tolerance_ + DISTANCE_ROUNDING * (bounds.max().norm() + bounds.min().norm() + pose.translation().norm());
         const auto isHit = [&](const Eigen::Vector3d &center, double radius)
         {
             const Eigen::Vector3d point = toShape * center;
             const double reach = radius + slack;
-            return bounds.squaredExteriorDistance(point) <= reach * reach && hits(shape, point, radius + within);
+            return bounds.squaredExteriorDistance(point) <= reach * reach && shape.isWithin(point, radius + within);
         };
         const std::uint32_t hit = forest_->findNear(bounds, pose, isHit);
         return hit == PointTree::NONE ? NO_PART : hit;
@@ -154,7 +144,7 @@ namespace ompl_certificates
                            [&, &point = ball](const Body::Part &bodyPart)
                            {
                                const Pose toShape = (pose * bodyPart.pose).inverse();
-                               return hits(bodyPart.shape, toShape * point.center, point.radius);
+                               return bodyPart.shape.isWithin(toShape * point.center, point.radius);
                            });
     }
 

@@ -26,7 +26,7 @@ namespace ompl_certificates
             // Somewhat more, as the bounds are rounded
             if (part.bounds.squaredExteriorDistance(local) > 1.001 * distance * distance)
                 return false;
-            return part.shape->signedDistance(local) <= distance || (part.solid && part.solid->contains(local));
+            return part.shape->isWithin(local, distance) || (part.solid && part.solid->contains(local));
         }
 
         std::vector<PlacedPart> partsOf(const Team &team, const ompl::base::State *state)

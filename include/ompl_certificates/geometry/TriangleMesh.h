@@ -69,6 +69,10 @@ namespace ompl_certificates
             made when first asked for */
         const TriangleTree &getTree() const;
 
+        /** \brief The same of the triangles as seen from above, that is with z = 0: upright ones are segments. For the
+            library's own checks in the plane; made when first asked for */
+        const TriangleTree &getOutline() const;
+
         /** \brief Balls inside the mesh's closed pieces, for the library's own checks; made when first asked for */
         const MeshInside &getInside() const;
 
@@ -83,6 +87,8 @@ namespace ompl_certificates
         double leastHeight_{0.0};
         mutable std::once_flag once_;
         mutable std::unique_ptr<TriangleTree> tree_;
+        mutable std::once_flag outlineOnce_;
+        mutable std::unique_ptr<TriangleTree> outline_;
         mutable std::once_flag insideOnce_;
         mutable std::unique_ptr<MeshInside> inside_;
         mutable std::once_flag solidOnce_;

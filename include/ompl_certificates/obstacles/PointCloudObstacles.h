@@ -89,10 +89,6 @@ namespace ompl_certificates
         /** \brief The first point found that a shape touches, or is within some distance of; else NO_PART */
         ObstaclePart findHit(const Shape &shape, const Pose &pose, double within = 0.0) const;
 
-        /** \brief Whether a shape touches a point
-            \param point in the shape's frame */
-        bool hits(const Shape &shape, const Eigen::Vector3d &point, double radius) const;
-
         unsigned int dimension_;
         std::unique_ptr<const PointForest> forest_;
         double tolerance_;
