@@ -147,6 +147,9 @@ namespace ompl_certificates
                                       " robots: a team's space has one component for each robot, in their order");
         for (unsigned int i = 0; i < robots_.size(); ++i)
             addSpace(compound->getSubspace(i), *robots_[i]);
+        // A class derived from these may interpolate as it likes.
+        interpolatesRobots_ = interpolatesRobots_ && (typeid(*compound) == typeid(ob::CompoundStateSpace) ||
+                                                      typeid(*compound) == typeid(TeamStateSpace));
         teamSpace_ = dynamic_cast<const TeamStateSpace *>(compound);
         keepsReferences_ = teamSpace_ && teamSpace_->getRobots() == robots_;
     }

@@ -127,12 +127,22 @@ namespace ompl_certificates
 
     const ob::StateValidityChecker *CertificateMotionValidator::getFurtherChecker() const
     {
-        for (const ob::StateValidityChecker *checker :
-             {static_cast<const ob::StateValidityChecker *>(si_->getStateValidityChecker().get()),
-              static_cast<const ob::StateValidityChecker *>(checker_.get())})
-            if (checker && !isOfLibrary(*checker))
-                return checker;
-        return nullptr;
+        const ob::StateValidityChecker *set = si_->getStateValidityChecker().get();
+        if (set && set != checker_.get() && (!isOfLibrary(*set) || knowsOtherObstacles(*set)))
+            return set;
+        return isOfLibrary(*checker_) ? nullptr : checker_.get();
+    }
+
+    bool CertificateMotionValidator::knowsOtherObstacles(const ob::StateValidityChecker &checker) const
+    {
+        const auto *other = dynamic_cast<const TeamValidityChecker *>(&checker);
+        if (!other || other->getTeamCheck().shareObstacles() == checker_->getTeamCheck().shareObstacles())
+            return false;
+        if (!warnedOfOther_.exchange(true))
+            OMPL_WARN(
+                "CertificateMotionValidator: the space information has another validity checker, among other "
+                "obstacles. Both are asked; make a motion validator with that one, too.");
+        return true;
     }
 
     bool CertificateMotionValidator::areSamplesValid(const ob::State *s1, const ob::State *s2, double &until) const

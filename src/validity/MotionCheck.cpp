@@ -132,7 +132,8 @@ namespace ompl_certificates
 
     bool MotionCheck::isBounded()
     {
-        bool bounded = true;
+        // Bounds are of motions of the robots' own spaces.
+        bool bounded = check_.getTeam().interpolatesRobots();
         const auto look = [&](unsigned int robot)
         {
             computeMotionBounds(robot);

@@ -67,7 +67,7 @@ namespace ompl_certificates
         }
 
         /** \brief Whether all motion bounds are finite. Else nothing proves a stretch of the motion: one of its ends is
-            not finite, or a robot knows no bound. */
+            not finite, a robot knows no bound, or the space does not move robots as their own spaces do. */
         bool isBounded();
 
         /** \brief The number of segments between samples at the resolution of the space */

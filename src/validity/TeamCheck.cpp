@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <ompl/util/Exception.h>
 #include <type_traits>
@@ -25,6 +26,9 @@ namespace ompl_certificates
 
     namespace
     {
+        /** The clearance of a valid state for which no larger one is proved: some rounding of coordinates */
+        constexpr double LEAST_CLEARANCE = 1e-12;
+
         void requireObstacles(const ObstaclesPtr &obstacles, const Team &team)
         {
             if (!obstacles)
@@ -271,6 +275,13 @@ namespace ompl_certificates
     }
 
     double TeamCheck::clearance(const ob::State *state, CheckContext &context) const
+    {
+        const double bound = clearanceBound(state, context);
+        // Objectives take what is not positive for a collision.
+        return bound > 0.0 || std::isinf(bound) || !isFreeByStandard(state, context) ? bound : LEAST_CLEARANCE;
+    }
+
+    double TeamCheck::clearanceBound(const ob::State *state, CheckContext &context) const
     {
         double nearest = std::numeric_limits<double>::infinity();
         for (unsigned int robot = 0; robot < team_.getRobotCount(); ++robot)

@@ -179,6 +179,9 @@ namespace ompl_certificates
         /** \brief See TeamValidityChecker::clearance() */
         double clearance(const ompl::base::State *state, CheckContext &context) const;
 
+        /** \brief The same, but it may be negative where the team all but touches something */
+        double clearanceBound(const ompl::base::State *state, CheckContext &context) const;
+
         /** \brief See TeamValidityChecker::describeCollision() */
         std::string describeCollision(const ompl::base::State *state, CheckContext &context) const;
 

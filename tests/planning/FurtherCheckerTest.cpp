@@ -167,6 +167,44 @@ TEST(FurtherCheckers, AreAskedOnlyWhereCertificatesSayFree)
     EXPECT_EQ(invalid, 0U);
 }
 
+/** A program sets another checker of this library, as for another world, and leaves the motion validator. */
+TEST(FurtherCheckers, AreThoseOfOtherObstaclesToo)
+{
+    const Quiet quiet;
+    for (const Mode mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::disc("disc", 0.2, cubeBounds(2, 4.0)));
+        const auto open = std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2);
+        const auto wall = std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(0.5, 2.0)}}, 2);
+        TeamSetup setup(team, open, Method::SHARED_PROJECTION, mode);
+        const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
+        si->setup();
+        const auto &validator = dynamic_cast<const CertificateMotionValidator &>(*si->getMotionValidator());
+        ob::ScopedState<> from(team), to(team);
+        from = std::vector<double>{-2.0, 0.0};
+        to = std::vector<double>{2.0, 0.0};
+        EXPECT_TRUE(si->checkMotion(from.get(), to.get()));
+        setup.setStateValidityChecker(std::make_shared<SharedProjection>(si, open));
+        EXPECT_EQ(validator.getFurtherChecker(), nullptr);
+        EXPECT_TRUE(si->checkMotion(from.get(), to.get()));
+        const auto walled = std::make_shared<SharedProjection>(si, wall);
+        setup.setStateValidityChecker(walled);
+        EXPECT_EQ(validator.getFurtherChecker(), walled.get());
+        EXPECT_FALSE(si->checkMotion(from.get(), to.get()));
+        setup.setStartAndGoalStates(from, to);
+        setup.setPlanner(std::make_shared<DRRTstar>(si));
+        EXPECT_NE(messageOf([&] { setup.solve(1.0); }).find("another validity checker"), std::string::npos);
+        setup.setPlanner(nullptr);
+        ASSERT_EQ(setup.solve(5.0), ob::PlannerStatus::EXACT_SOLUTION);
+        og::PathGeometric path = setup.getSolutionPath();
+        EXPECT_TRUE(path.check());
+        EXPECT_GE(path.getStateCount(), 3U);
+        walled->changeObstacles(ObstacleChange::replacing(wall, open));
+        EXPECT_EQ(validator.getFurtherChecker(), nullptr);
+    }
+}
+
 TEST_P(FurtherChecker, IsHeededInPlansAndSimplerPaths)
 {
     ompl::RNG::setSeed(4);

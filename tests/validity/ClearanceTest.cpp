@@ -65,6 +65,7 @@ TEST_P(Clearance, IsALowerBoundAndPositiveOnlyIfTheStateIsValid)
             // For an invalid state only the sign is promised.
             const double nearest = sampledDistance(random, *team, *obstacles, state.get());
             ASSERT_LE(clearance, isValid ? nearest + 1e-9 : 0.0);
+            ASSERT_EQ(clearance > 0.0, isValid);
             positive += clearance > 0.0 ? 1 : 0;
             valid += isValid ? 1 : 0;
             for (const auto &setup : checkers.compared())
@@ -85,6 +86,36 @@ TEST_P(Clearance, IsDeclaredABoundedApproximation)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, Clearance, testing::Values(0U, 1U, 2U, 4U));
+
+/** What is left between a car and a wall may be less than what the car's sphere tree sticks out. */
+TEST(Clearances, ArePositiveWhereSphereTreesTouch)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::inSE2("car", Body::box(0.9, 0.4), cubeBounds(2, 5.0)));
+    team->addRobot(RigidRobot::inSE2("other", Body::box(0.9, 0.4), cubeBounds(2, 5.0)));
+    const auto wall =
+        std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(1.0, 10.0), planarPose(2.5, 0.0)}}, 2);
+    const TeamSetup setup(team, wall);
+    ob::ScopedState<> state(team);
+    const double tolerance = 2.0 * (wall->getTolerance() + exactCheckTolerance(1.0));
+    EXPECT_LT(tolerance, 1e-4);
+    for (const double gap : {0.1, 0.01, 0.001, 1e-5, 1e-7})
+    {
+        SCOPED_TRACE(gap);
+        state = std::vector<double>{1.55 - gap, 0.0, 0.0, -3.0, 0.0, 0.0};
+        const double toWall = setup.getTeamChecker()->clearance(state.get());
+        EXPECT_LE(toWall, gap + 1e-12);
+        EXPECT_GE(toWall, (gap > 0.05 ? 0.5 : 0.9) * gap - tolerance);
+        EXPECT_GT(toWall, 0.0);
+        state = std::vector<double>{-2.0, 1.0, 0.0, -2.0, 1.4 + gap, 0.0};
+        const double toOther = setup.getTeamChecker()->clearance(state.get());
+        EXPECT_LE(toOther, gap + 1e-12);
+        EXPECT_GE(toOther, (gap > 0.05 ? 0.5 : 0.9) * gap - tolerance);
+        EXPECT_GT(toOther, 0.0);
+    }
+    state = std::vector<double>{1.6, 0.0, 0.0, -3.0, 0.0, 0.0};
+    EXPECT_LT(setup.getTeamChecker()->clearance(state.get()), 0.0);
+}
 
 TEST(Clearances, OfDiscsAreExact)
 {

@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
+#include <atomic>
 #include <memory>
 #include <ompl/base/MotionValidator.h>
 
@@ -82,8 +83,9 @@ namespace ompl_certificates
             return *checker_;
         }
 
-        /** \brief The validity checker that knows more than this library: that of the space information, or the one this
-            validator was made with, if its class is not one of this library's. Null if neither is. Where a motion is
+        /** \brief The validity checker that knows more than this validator's certificates: that of the space information,
+            or the one this validator was made with, if its class is not one of this library's; or that of the space
+            information if it is another one, among other obstacles, which is warned of. Null if neither is. Where a motion is
             free, its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
             too. That costs what it costs, so let it look at what the certificates do not know, first.
 
@@ -110,9 +112,13 @@ namespace ompl_certificates
             that is not valid */
         bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &until) const;
 
+        /** \brief Whether a checker of this library, not the certificates' own, checks among other obstacles. Warns once. */
+        bool knowsOtherObstacles(const ompl::base::StateValidityChecker &checker) const;
+
         std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;
         bool isSampled_;
+        mutable std::atomic<bool> warnedOfOther_{false};
     };
 }
 

@@ -15,6 +15,9 @@ namespace ompl_certificates
             A motion has the index of the state that it starts at, a step its number. */
         std::vector<std::size_t> unproved;
 
+        /** \brief How many of these, the last ones, were not looked at, since the work had to end. */
+        std::size_t unseen{0};
+
         /** \brief The first invalid state that was found on these motions; null if none was */
         std::shared_ptr<const ompl::base::ScopedState<>> collision;
 
