@@ -8,14 +8,10 @@
 #include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
-#include "ompl_certificates/team/TeamPathLength.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -37,10 +33,6 @@ namespace ompl_certificates
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
         constexpr std::array<unsigned int, 5> TEAM_ITERATIONS{0, 0, 100, 10, 10};
-
-        /** How many goals each round takes from a goal region, and from how many samples at most: OMPL warns of each
-            sample that is not valid. */
-        constexpr unsigned int GOALS = 10, GOAL_SAMPLES = 30;
 
         /** A path by LazyConstraintSearch. The last robots to arrive are the hardest for it. Among few that move,
             priorities often succeed. */
@@ -85,30 +77,29 @@ namespace ompl_certificates
 
     DRRTstar::~DRRTstar() = default;
 
-    void DRRTstar::setup()
+    void DRRTstar::beginSearch()
     {
-        Planner::setup();
-        if (!dynamic_cast<const TeamStateSpace *>(si_->getStateSpace().get()))
-            throw ompl::Exception(getName(), "needs a TeamStateSpace");
-        checker_ = std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker());
-        if (!checker_)
-            throw ompl::Exception(getName(), "needs a TeamValidityChecker");
-        validator_ = std::dynamic_pointer_cast<const CertificateMotionValidator>(si_->getMotionValidator());
-        if (!validator_)
-            validator_ = std::make_shared<CertificateMotionValidator>(checker_);
-        if (validator_->getFurtherChecker())
-            throw ompl::Exception(getName(),
-                                  "asks robots and pairs of robots one by one, so it cannot heed a validity "
-                                  "checker of the team of your own");
-        if (!pdef_)
-        {
-            setup_ = false;  // solve() needs the objective.
-            return;
-        }
-        if (!pdef_->hasOptimizationObjective())
-            pdef_->setOptimizationObjective(std::make_shared<TeamPathLength>(si_));
-        objective_ = pdef_->getOptimizationObjective();
-        bestCost_ = objective_->infiniteCost().value();
+        auto roadmaps = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);
+        goals_ = std::make_unique<TeamGoals>(si_, checker_, *roadmaps);
+        tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps);
+        check_ = std::make_unique<RoadmapPathCheck>(si_, *checker_, *roadmaps, *tree_);
+        simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
+        treeCost_ = objective_->infiniteCost();
+        roadmaps_ = std::move(roadmaps);
+    }
+
+    void DRRTstar::setRoadmapSize(unsigned int vertices)
+    {
+        if (vertices == 0)
+            throw ompl::Exception(getName(), "roadmap_size must be positive, not 0");
+        roadmapSize_ = vertices;
+    }
+
+    void DRRTstar::setMaxRoadmapSize(unsigned int vertices)
+    {
+        if (vertices == 0)
+            throw ompl::Exception(getName(), "max_roadmap_size must be positive, not 0");
+        maxRoadmapSize_ = vertices;
     }
 
     void DRRTstar::clear()
@@ -130,64 +121,6 @@ namespace ompl_certificates
     std::uint64_t DRRTstar::effort(unsigned int first) const
     {
         return static_cast<std::uint64_t>(first) << std::min(rounds_, 30U);
-    }
-
-    ob::PlannerStatus DRRTstar::takeInput(const ob::PlannerTerminationCondition &condition)
-    {
-        while (const ob::State *start = pis_.nextStart())
-            starts_.push_back(roadmaps_->add(start));
-        if (starts_.empty())
-        {
-            OMPL_ERROR("%s: there are no valid start states%s", getName().c_str(),
-                       pdef_->getStartStateCount() == 0 ? ""
-                                                        : (": " + describeInvalid(pdef_->getStartState(0))).c_str());
-            return ob::PlannerStatus::INVALID_START;
-        }
-        if (!dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
-        {
-            OMPL_ERROR("%s: the goal cannot be sampled", getName().c_str());
-            return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-        }
-        if (goals_->size() == 0)
-            if (const ob::State *goal = pis_.nextGoal(condition))
-                goals_->add(goal);
-        if (goals_->size() == 0)
-        {
-            const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
-            const std::string why = goal ? describeInvalid(goal->getState()) : "";
-            OMPL_ERROR("%s: there are no valid goal states%s", getName().c_str(),
-                       why.empty() ? "" : (": " + why).c_str());
-            return ob::PlannerStatus::INVALID_GOAL;
-        }
-        return ob::PlannerStatus::UNKNOWN;
-    }
-
-    std::string DRRTstar::describeInvalid(const ob::State *state) const
-    {
-        const Team &team = checker_->getTeam();
-        std::vector<double> values;
-        for (unsigned int i = 0; i < team.getRobotCount(); ++i)
-        {
-            const ob::StateSpace &space = *team.getRobot(i).getStateSpace();
-            const std::string robot = "robot '" + team.getRobot(i).getName() + "'";
-            space.copyToReals(values, team.getRobotState(state, i));
-            if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-                return robot + " has a number that is not finite";
-            if (!space.satisfiesBounds(team.getRobotState(state, i)))
-                return robot + " is outside the bounds";
-        }
-        return checker_->describeCollision(state);
-    }
-
-    void DRRTstar::takeGoals()
-    {
-        unsigned int left = GOALS;
-        for (unsigned int samples = GOAL_SAMPLES; samples > 0 && left > 0 && pis_.haveMoreGoalStates(); --samples)
-            if (const ob::State *goal = pis_.nextGoal())
-            {
-                goals_->add(goal);
-                --left;
-            }
     }
 
     void DRRTstar::planTogether(const ob::PlannerTerminationCondition &condition)
@@ -336,16 +269,10 @@ namespace ompl_certificates
     ob::PlannerStatus DRRTstar::solve(const ob::PlannerTerminationCondition &condition)
     {
         checkValidity();
+        takeCheckers();
         stuckRobot_.clear();
         if (!roadmaps_)
-        {
-            roadmaps_ = std::make_unique<TeamRoadmaps>(*validator_, sharesRoadmaps_, threads_);
-            goals_ = std::make_unique<TeamGoals>(si_, checker_, *roadmaps_);
-            tree_ = std::make_unique<ProductTree>(si_, objective_, *roadmaps_);
-            check_ = std::make_unique<RoadmapPathCheck>(si_, *checker_, *roadmaps_, *tree_);
-            simplifier_ = std::make_unique<TeamPathSimplifier>(si_, objective_);
-            treeCost_ = objective_->infiniteCost();
-        }
+            beginSearch();
         if (const ob::PlannerStatus status = takeInput(condition); status != ob::PlannerStatus::UNKNOWN)
             return status;
         for (const Configuration &start : starts_)
@@ -404,8 +331,15 @@ namespace ompl_certificates
             return;
         // The team was planned for together, without the tree.
         const auto &states = best_->getStates();
+        const ob::State *last = states.front();
+        for (const ob::State *start : tree_->getStarts())
+            if (si_->equalStates(start, states.front()))
+                last = start;
         for (std::size_t i = 1; i < states.size(); ++i)
-            data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+        {
+            data.addEdge(ob::PlannerDataVertex(last), ob::PlannerDataVertex(states[i]));
+            last = states[i];
+        }
         data.addGoalVertex(ob::PlannerDataVertex(states.back()));
     }
 }

@@ -45,8 +45,17 @@ namespace ompl_certificates
 
     void ProductTree::addStart(const Configuration &start)
     {
-        if (numbers_.count(start) == 0)
-            add(start, NONE, objective_->infiniteCost());
+        const auto known = numbers_.find(start);
+        if (known == numbers_.end())
+        {
+            add(start, NONE);
+            return;
+        }
+        if (nodes_[known->second].parent == NONE)
+            return;
+        detach(known->second);
+        nodes_[known->second].cost = objective_->initialCost(nodes_[known->second].state);
+        lowerCosts(known->second);
     }
 
     void ProductTree::setGoals(std::vector<Goal> goals)
@@ -67,15 +76,20 @@ namespace ompl_certificates
         for (const Goal &goal : goals_)
             if (const auto entry = numbers_.find(goal.configuration);
                 entry != numbers_.end() &&
-                (best == NONE || objective_->isCostBetterThan(nodes_[entry->second].cost, nodes_[best].cost)))
+                (best == NONE || objective_->isCostBetterThan(costOfPathTo(entry->second), costOfPathTo(best))))
                 best = entry->second;
         return best;
+    }
+
+    ob::Cost ProductTree::costOfPathTo(Number node) const
+    {
+        return objective_->combineCosts(nodes_[node].cost, objective_->terminalCost(nodes_[node].state));
     }
 
     ob::Cost ProductTree::getCost() const
     {
         const Number best = bestGoal();
-        return best == NONE ? objective_->infiniteCost() : nodes_[best].cost;
+        return best == NONE ? objective_->infiniteCost() : costOfPathTo(best);
     }
 
     bool ProductTree::grow(std::uint64_t &iterations, ob::Cost bound, const ob::PlannerTerminationCondition &condition)
@@ -162,12 +176,14 @@ namespace ompl_certificates
         return std::any_of(goalStates_.begin(), goalStates_.end(),
                            [&](const ob::State *goal)
                            {
-                               const ob::Cost rest = objective_->motionCostHeuristic(state, goal);
+                               const ob::Cost rest = objective_->combineCosts(
+                                   objective_->motionCostHeuristic(state, goal), objective_->terminalCost(goal));
                                return objective_->isCostBetterThan(objective_->combineCosts(cost, rest), bound);
                            });
     }
 
-    ProductTree::Number ProductTree::add(const Configuration &configuration, Number parent, ob::Cost bound)
+    ProductTree::Number ProductTree::add(const Configuration &configuration, Number parent,
+                                         std::optional<ob::Cost> bound)
     {
         const auto known = numbers_.find(configuration);
         if (known != numbers_.end())
@@ -181,7 +197,7 @@ namespace ompl_certificates
         }
         ob::State *state = si_->allocState();
         roadmaps_.copyTo(configuration, state);
-        ob::Cost cost = parent == NONE ? objective_->identityCost() : costThrough(parent, state);
+        ob::Cost cost = parent == NONE ? objective_->initialCost(state) : costThrough(parent, state);
         std::vector<Number> around;
         if (parent != NONE)
         {
@@ -196,7 +212,7 @@ namespace ompl_certificates
                     cost = through;
                 }
         }
-        if (parent != NONE && !mayImprove(bound, cost, state))
+        if (parent != NONE && bound && !mayImprove(*bound, cost, state))
         {
             si_->freeState(state);
             return NONE;
@@ -218,15 +234,20 @@ namespace ompl_certificates
 
     void ProductTree::moveTo(Number node, Number parent, ob::Cost cost)
     {
-        if (nodes_[node].parent != NONE)
-        {
-            auto &siblings = nodes_[nodes_[node].parent].children;
-            siblings.erase(std::find(siblings.begin(), siblings.end(), node));
-        }
+        detach(node);
         nodes_[node].parent = parent;
         nodes_[node].cost = cost;
         nodes_[parent].children.push_back(node);
         lowerCosts(node);
+    }
+
+    void ProductTree::detach(Number node)
+    {
+        if (nodes_[node].parent == NONE)
+            return;
+        auto &siblings = nodes_[nodes_[node].parent].children;
+        siblings.erase(std::find(siblings.begin(), siblings.end(), node));
+        nodes_[node].parent = NONE;
     }
 
     void ProductTree::lowerCosts(Number node)
@@ -248,7 +269,7 @@ namespace ompl_certificates
     {
         addStart(path.front());
         for (std::size_t step = 1; step < path.size(); ++step)
-            add(path[step], numbers_.at(path[step - 1]), objective_->infiniteCost());
+            add(path[step], numbers_.at(path[step - 1]));
     }
 
     TeamRoadmaps::Path ProductTree::getPath() const
@@ -266,8 +287,7 @@ namespace ompl_certificates
         if (parent == numbers_.end() || child == numbers_.end() || nodes_[child->second].parent != parent->second)
             return;
         const Number node = child->second;
-        auto &siblings = nodes_[parent->second].children;
-        siblings.erase(std::find(siblings.begin(), siblings.end(), node));
+        detach(node);
         remove(node);
         last_ = NONE;
     }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/RandomNumbers.h>
+#include <optional>
 
 namespace ompl_certificates
 {
@@ -40,6 +41,7 @@ namespace ompl_certificates
         ProductTree(const ProductTree &) = delete;
         ProductTree &operator=(const ProductTree &) = delete;
 
+        /** \brief Add a root; a vertex that is there becomes one. */
         void addStart(const Configuration &start);
 
         /** \brief The goals from now on, with distances for roadmaps that have grown */
@@ -116,12 +118,17 @@ namespace ompl_certificates
         bool mayImprove(ompl::base::Cost bound, ompl::base::Cost cost, const ompl::base::State *state) const;
 
         /** \brief Add a vertex, or a better way to it
-            \return its number; NONE if it cannot lead to a path better than \e bound */
-        Number add(const Configuration &configuration, Number parent, ompl::base::Cost bound);
+            \return its number; NONE if there is a \e bound, and it cannot lead to a path better than that */
+        Number add(const Configuration &configuration, Number parent, std::optional<ompl::base::Cost> bound = {});
+
+        /** \brief Take a vertex from its parent, if it has one. */
+        void detach(Number node);
         void moveTo(Number node, Number parent, ompl::base::Cost cost);
         void lowerCosts(Number node);
         void remove(Number node);
         ompl::base::Cost costThrough(Number parent, const ompl::base::State *state) const;
+        /** \brief The cost of the path that ends at a vertex */
+        ompl::base::Cost costOfPathTo(Number node) const;
         /** \brief The goal with the best path, or NONE */
         Number bestGoal() const;
 

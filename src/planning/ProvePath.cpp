@@ -75,15 +75,17 @@ namespace ompl_certificates
         const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);
         PathProof proof;
         if (path.getStateCount() == 1 && !prover->isValid(path.getState(0)))
-            return {{0}, std::make_shared<ob::ScopedState<>>(space, path.getState(0))};
+            return {{0}, 0, std::make_shared<ob::ScopedState<>>(space, path.getState(0))};
         std::vector<double> proved;
         ob::ScopedState<> last(space);
         const auto state = [&path](std::size_t i) { return path.getState(static_cast<unsigned int>(i)); };
         for (std::size_t i = 0; i + 1 < path.getStateCount(); ++i)
         {
             std::pair<ob::State *, double> lastValid{last.get(), 0.0};
+            if (proof.unseen > 0 || condition)
+                ++proof.unseen;
             // A motion is valid only if its start is, which the validator takes for granted.
-            if (!condition && prover->isValid(state(i)) && validator.checkMotion(state(i), state(i + 1), lastValid))
+            else if (prover->isValid(state(i)) && validator.checkMotion(state(i), state(i + 1), lastValid))
                 continue;
             proof.unproved.push_back(i);
             proved.push_back(lastValid.second);

@@ -71,7 +71,9 @@ namespace ompl_certificates
     {
         if (const Edge *edge = knowledge == Knowledge::FREE ? findEdge(a, b) : nullptr)
         {
-            setFree(edge->motion, a, b);
+            // What the check of a whole path has refuted stays so.
+            if (motions_[edge->motion].knowledge == Knowledge::UNCHECKED)
+                setFree(edge->motion, a, b);
             return;
         }
         const double length = space_.distance(states_[a], states_[b]);

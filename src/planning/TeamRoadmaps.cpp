@@ -14,12 +14,16 @@ namespace ompl_certificates
         /** How many samples a roadmap draws before the condition is asked */
         constexpr unsigned int BATCH = 100;
 
+        /** How many samples may be drawn for each vertex by which a roadmap shall grow: a robot that is hardly ever free, or
+            has few states, must not keep others waiting. */
+        constexpr std::uint64_t SAMPLES_PER_VERTEX = 100;
+
         /** How many motions of two robots are remembered; they take some 700 MB */
         constexpr std::size_t MOST_PAIR_MOTIONS = 10'000'000;
     }
 
     TeamRoadmaps::TeamRoadmaps(const CertificateMotionValidator &validator, bool shares, unsigned int threads)
-      : validator_(validator), threads_(threads > 0 ? threads : std::thread::hardware_concurrency())
+      : validator_(validator), threads_(threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()))
     {
         const auto &robots = validator.getChecker().getTeam().getRobots();
         std::vector<unsigned int> owners;  // The first robot of each roadmap
@@ -52,12 +56,14 @@ namespace ompl_certificates
         {
             Roadmap *roadmap;
             Vertex most;
+            std::uint64_t samples;
         };
         std::vector<Growth> open;
         for (const auto &roadmap : roadmaps_)
-            open.push_back(
-                {roadmap.get(), static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most))});
-        const auto isDone = [](const Growth &growth) { return growth.roadmap->size() >= growth.most; };
+            open.push_back({roadmap.get(), static_cast<Vertex>(std::min<std::uint64_t>(roadmap->size() + count, most)),
+                            SAMPLES_PER_VERTEX * count});
+        const auto isDone = [](const Growth &growth)
+        { return growth.roadmap->size() >= growth.most || growth.samples == 0; };
         // The condition is asked between batches alone, and as often for any number of threads.
         for (;;)
         {
@@ -68,7 +74,10 @@ namespace ompl_certificates
             const auto growSome = [&open, threads](std::size_t first)
             {
                 for (std::size_t i = first; i < open.size(); i += threads)
+                {
                     open[i].roadmap->grow(BATCH, open[i].most);
+                    open[i].samples -= std::min<std::uint64_t>(BATCH, open[i].samples);
+                }
             };
             std::vector<std::future<void>> others;
             for (std::size_t i = 1; i < threads; ++i)

@@ -61,20 +61,22 @@ namespace ompl_certificates
         /** \brief Forget roadmaps, tree and solution */
         void clear() override;
 
+        /** \brief Set the problem; if it is another one than before, clear(). */
+        void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
+
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
-            search before, unless clear() was called. If a robot finds no way even alone, an error names it; then
-            planning also ends when the roadmaps have grown to their limit and all goals were taken. */
+            search before, unless clear() was called, or the validity checker, the motion validator or the objective is
+            another one. If a robot finds no way even alone, an error names it; then planning also ends when the roadmaps
+            have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
         void getPlannerData(ompl::base::PlannerData &data) const override;
 
         /** \brief The number of vertices by which each roadmap grows first; each later round doubles it. Parameter
-            roadmap_size. */
-        void setRoadmapSize(unsigned int vertices)
-        {
-            roadmapSize_ = vertices;
-        }
+            roadmap_size.
+            \throws ompl::Exception if it is 0 */
+        void setRoadmapSize(unsigned int vertices);
 
         /** \brief See setRoadmapSize() */
         unsigned int getRoadmapSize() const
@@ -82,11 +84,9 @@ namespace ompl_certificates
             return roadmapSize_;
         }
 
-        /** \brief The number of vertices at which a roadmap stops to grow. Parameter max_roadmap_size. */
-        void setMaxRoadmapSize(unsigned int vertices)
-        {
-            maxRoadmapSize_ = vertices;
-        }
+        /** \brief The number of vertices at which a roadmap stops to grow. Parameter max_roadmap_size.
+            \throws ompl::Exception if it is 0 */
+        void setMaxRoadmapSize(unsigned int vertices);
 
         /** \brief See setMaxRoadmapSize() */
         unsigned int getMaxRoadmapSize() const
@@ -151,6 +151,13 @@ namespace ompl_certificates
         using Configuration = std::vector<std::uint32_t>;
         using Path = std::vector<Configuration>;
 
+        /** \brief Take the checker, the motion validator and the objective that are set now. If they are others, what was
+            found with those before is of no use: clear(). */
+        void takeCheckers();
+
+        /** \brief Make the roadmaps and what searches them. */
+        void beginSearch();
+
         /** \brief Take the starts that are new, and a goal if there is none yet
             \return what is wrong, or UNKNOWN */
         ompl::base::PlannerStatus takeInput(const ompl::base::PlannerTerminationCondition &condition);
@@ -201,6 +208,8 @@ namespace ompl_certificates
 
         std::shared_ptr<TeamValidityChecker> checker_;
         std::shared_ptr<const CertificateMotionValidator> validator_;
+        /** \brief For a space information whose motion validator is another one */
+        std::shared_ptr<const CertificateMotionValidator> ownValidator_;
         std::unique_ptr<TeamRoadmaps> roadmaps_;
         std::unique_ptr<TeamGoals> goals_;
         std::unique_ptr<ProductTree> tree_;

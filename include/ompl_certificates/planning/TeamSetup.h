@@ -51,7 +51,8 @@ namespace ompl_certificates
         /** \brief Simplify the solution with OMPL's PathSimplifier, then robot by robot with a TeamPathSimplifier, for
             at most \e duration seconds (0: as long as it helps). The cost by the problem's objective never rises.
             Steps of ompl::geometric::SimpleSetup::simplifySolution() keep pieces of motions that were never checked by
-            themselves. This keeps the last path that the motion validator accepts. */
+            themselves. This keeps the last path that the motion validator accepts. It hides that function, which is not
+            virtual: whoever has a SimpleSetup &, such as ompl::tools::Benchmark, calls OMPL's. */
         void simplifySolution(double duration = 0.0);
 
         /** \brief The same, until \e condition becomes true */

@@ -150,7 +150,8 @@ namespace ompl_certificates
         }
 
         /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both
-            are free where one is. Such robots share a roadmap. False if in doubt, as here for all but the robot
+            are free where one is, and either may take the other's place beside a third robot: mayCollide() must not tell
+            them apart. Such robots share a roadmap. False if in doubt, as here for all but the robot
             itself. */
         virtual bool isLike(const Robot &other) const
         {

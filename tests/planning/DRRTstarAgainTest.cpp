@@ -1,0 +1,262 @@
+#include "support/CrowdProblem.h"
+#include "support/Quiet.h"
+
+#include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/team/TeamObjective.h"
+#include "ompl_certificates/team/TeamPathLength.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/util/RandomNumbers.h>
+
+using namespace ompl_certificates;
+using namespace ompl_certificates::test;
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace
+{
+    /** Discs that cross a room with one wall, and a planner for them */
+    struct Room
+    {
+        explicit Room(unsigned int robots, double wallHeight = 6.0) : team(std::make_shared<TeamStateSpace>())
+        {
+            ompl::RNG::setSeed(1);
+            for (unsigned int i = 0; i < robots; ++i)
+                team->addRobot(RigidRobot::disc("disc_" + std::to_string(i), 0.2, cubeBounds(2, 10.0)));
+            setup = std::make_unique<TeamSetup>(team, among({{Body::box(1.0, wallHeight)}}));
+            std::vector<double> from, to;
+            for (unsigned int i = 0; i < robots; ++i)
+            {
+                from.insert(from.end(), {-5.0, static_cast<double>(i)});
+                to.insert(to.end(), {5.0, static_cast<double>(i)});
+            }
+            ob::ScopedState<> start(team), goal(team);
+            start = from;
+            goal = to;
+            setup->setStartAndGoalStates(start, goal);
+            planner = std::make_shared<DRRTstar>(setup->getSpaceInformation());
+            setup->setPlanner(planner);
+        }
+
+        static ObstaclesPtr among(const std::vector<PlacedBody> &bodies)
+        {
+            return std::make_shared<FclObstacles>(bodies, 2);
+        }
+
+        ob::PlannerSolution solution() const
+        {
+            ob::PlannerSolution found(nullptr);
+            setup->getProblemDefinition()->getSolution(found);
+            return found;
+        }
+
+        TeamStateSpacePtr team;
+        std::unique_ptr<TeamSetup> setup;
+        std::shared_ptr<DRRTstar> planner;
+    };
+
+    /** The length of a path, where the first robot must not go above y = 2 */
+    class ForbiddenZone : public TeamPathLength
+    {
+    public:
+        using TeamPathLength::TeamPathLength;
+
+        ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+        {
+            return isForbidden(from) || isForbidden(to) ? infiniteCost() : TeamPathLength::motionCost(from, to);
+        }
+
+    private:
+        bool isForbidden(const ob::State *state) const
+        {
+            std::vector<double> values;
+            si_->getStateSpace()->copyToReals(values, state);
+            return values[1] > 2.0;
+        }
+    };
+
+    /** The length, and a price for where the path ends */
+    class PricedGoals : public TeamPathLength
+    {
+    public:
+        using TeamPathLength::TeamPathLength;
+
+        ob::Cost terminalCost(const ob::State *state) const override
+        {
+            std::vector<double> values;
+            si_->getStateSpace()->copyToReals(values, state);
+            return ob::Cost(values[1] > 0.0 ? 100.0 : 0.0);
+        }
+    };
+
+    class DRRTstarAgain : public testing::Test
+    {
+        const Quiet quiet_;
+    };
+}
+
+TEST_F(DRRTstarAgain, KeepsItsSearchWhenItIsSetUpAgain)
+{
+    for (const bool own : {false, true})
+    {
+        Room room(3);
+        const auto si = room.setup->getSpaceInformation();
+        if (!own)
+            si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+        ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+        const double before = room.planner->getBestCost().value();
+        room.planner->setup();
+        EXPECT_EQ(room.planner->getBestCost().value(), before);
+        ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_LE(room.planner->getBestCost().value(), before);
+        EXPECT_EQ(room.solution().cost_.value(), room.planner->getBestCost().value());
+        EXPECT_TRUE(room.setup->getSolutionPath().check());
+    }
+}
+
+/** The wall divides the room; then another checker knows of none. */
+TEST_F(DRRTstarAgain, TakesTheCheckerThatIsThere)
+{
+    for (const bool clears : {true, false})
+        for (const bool setsUp : {true, false})
+        {
+            SCOPED_TRACE(std::to_string(clears) + std::to_string(setsUp));
+            Room room(5, 30.0);
+            const auto si = room.setup->getSpaceInformation();
+            ASSERT_EQ(room.setup->solve(evaluations(500)), ob::PlannerStatus::TIMEOUT);
+            if (clears)
+                room.setup->clear();
+            const auto open = std::make_shared<TeamValidityChecker>(si, Room::among({}));
+            room.setup->setStateValidityChecker(open);
+            si->setMotionValidator(std::make_shared<CertificateMotionValidator>(open));
+            if (setsUp)
+                room.planner->setup();
+            ASSERT_EQ(room.setup->solve(evaluations(2000)), ob::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(room.setup->getSolutionPath().check());
+        }
+}
+
+TEST_F(DRRTstarAgain, TakesTheObjectiveThatIsThere)
+{
+    Room room(2);
+    const auto si = room.setup->getSpaceInformation();
+    ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+    for (const bool clears : {true, false})
+    {
+        if (clears)
+            room.setup->clear();
+        const auto objective =
+            std::make_shared<TeamObjective>(si, clears ? TeamObjective::MAKESPAN : TeamObjective::SUM_OF_LENGTHS);
+        room.setup->setOptimizationObjective(objective);
+        room.setup->getProblemDefinition()->clearSolutionPaths();
+        ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(room.solution().opt_, objective);
+        EXPECT_NEAR(room.solution().cost_.value(), room.setup->getSolutionPath().cost(objective).value(), 1e-9);
+    }
+}
+
+/** A problem that has another start, given to the planner without clear() */
+TEST_F(DRRTstarAgain, BeginsAnewWithAnotherProblem)
+{
+    Room room(2);
+    const auto si = room.setup->getSpaceInformation();
+    ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+    const double before = room.planner->getBestCost().value();
+    room.planner->setProblemDefinition(room.setup->getProblemDefinition());
+    EXPECT_EQ(room.planner->getBestCost().value(), before);
+    const auto problem = std::make_shared<ob::ProblemDefinition>(si);
+    ob::ScopedState<> start(room.team), goal(room.team);
+    start = std::vector<double>{5.0, 5.0, 5.0, 7.0};
+    goal = std::vector<double>{5.0, -5.0, 5.0, -7.0};
+    problem->setStartAndGoalStates(start, goal);
+    room.planner->setProblemDefinition(problem);
+    ASSERT_EQ(room.planner->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+    const auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+    EXPECT_TRUE(si->equalStates(path->getState(0), start.get()));
+    EXPECT_TRUE(si->equalStates(path->getStates().back(), goal.get()));
+}
+
+/** The first state but one of a path is in the tree, and becomes a start: the shorter way begins there. */
+TEST_F(DRRTstarAgain, BeginsWhereItWasBefore)
+{
+    Room room(1, 8.0);
+    room.planner->setSmoothing(false);
+    ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+    const og::PathGeometric path = room.setup->getSolutionPath();
+    ASSERT_GE(path.getStateCount(), 3U);
+    const ob::ScopedState<> start(room.team, path.getState(static_cast<unsigned int>(path.getStateCount()) - 2));
+    room.setup->getProblemDefinition()->addStartState(start);
+    ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(room.team->equalStates(room.setup->getSolutionPath().getState(0), start.get()));
+    EXPECT_LT(room.setup->getSolutionPath().length(), path.length());
+    ob::PlannerData data(room.setup->getSpaceInformation());
+    room.planner->getPlannerData(data);
+    EXPECT_EQ(data.numStartVertices(), 2U);
+}
+
+TEST_F(DRRTstarAgain, PlansWhereSomeWaysCostWithoutEnd)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(10); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Room room(5);
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        room.setup->setOptimizationObjective(std::make_shared<ForbiddenZone>(room.setup->getSpaceInformation()));
+        ASSERT_EQ(room.setup->solve(evaluations(1000)), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(room.setup->getSolutionPath().check());
+    }
+}
+
+TEST_F(DRRTstarAgain, CountsWhatItCostsToEndAtAGoal)
+{
+    Room room(1, 2.0);
+    ob::ScopedState<> dear(room.team), cheap(room.team);
+    dear = std::vector<double>{5.0, 0.5};
+    cheap = std::vector<double>{5.0, -9.0};
+    auto goals = std::make_shared<ob::GoalStates>(room.setup->getSpaceInformation());
+    goals->addState(dear);
+    goals->addState(cheap);
+    room.setup->setGoal(goals);
+    room.setup->setOptimizationObjective(std::make_shared<PricedGoals>(room.setup->getSpaceInformation()));
+    ASSERT_EQ(room.setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_LT(room.solution().cost_.value(), 50.0);
+}
+
+/** Two robots that RRTConnect plans for together, without the tree */
+TEST_F(DRRTstarAgain, TellsOfAPathFromStartToGoalInItsData)
+{
+    Room room(2, 2.0);
+    auto objective = std::make_shared<TeamPathLength>(room.setup->getSpaceInformation());
+    objective->setCostThreshold(objective->infiniteCost());
+    room.setup->setOptimizationObjective(objective);
+    ASSERT_EQ(room.setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+    ob::PlannerData data(room.setup->getSpaceInformation());
+    room.planner->getPlannerData(data);
+    ASSERT_EQ(data.numStartVertices(), 1U);
+    ASSERT_GE(data.numGoalVertices(), 1U);
+    std::vector<unsigned int> open{data.getStartIndex(0)}, next;
+    std::vector<bool> seen(data.numVertices());
+    while (!open.empty())
+    {
+        const unsigned int vertex = open.back();
+        open.pop_back();
+        seen[vertex] = true;
+        data.getEdges(vertex, next);
+        for (const unsigned int to : next)
+            if (!seen[to])
+                open.push_back(to);
+    }
+    EXPECT_TRUE(seen[data.getGoalIndex(0)]);
+}
+
+TEST_F(DRRTstarAgain, RefusesRoadmapsOfNothing)
+{
+    Room room(1);
+    EXPECT_THROW(room.planner->setRoadmapSize(0), ompl::Exception);
+    EXPECT_THROW(room.planner->setMaxRoadmapSize(0), ompl::Exception);
+    EXPECT_GT(room.planner->getRoadmapSize(), 0U);
+}
