@@ -19,15 +19,19 @@ namespace demos
     {
         if (report.unprovedMotions < 0)
             return;
-        if (report.unprovedMotions == 0)
+        if (report.unprovedMotions == 0 && report.unseenMotions == 0)
         {
             std::puts("  proved        free throughout");
             return;
         }
         std::printf("  not proved    %lld of %zu %s", static_cast<long long>(report.unprovedMotions), count, motions);
+        if (report.unseenMotions > 0)
+            std::printf("; %llu were not looked at in time", static_cast<unsigned long long>(report.unseenMotions));
         if (!report.collision.empty())
             std::printf("; between %s, %s", samples, report.collision.c_str());
-        if (!makesCertificates(methodOf(report.method)))
+        if (report.unprovedMotions == 0)
+            std::puts("");
+        else if (!makesCertificates(methodOf(report.method)))
             std::puts("; --method shared --motion continuous proves all of a path");
         else
             std::puts(report.motion == "continuous" ? "" : "; --motion continuous proves all of a path");

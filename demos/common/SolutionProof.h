@@ -27,7 +27,7 @@ namespace demos
             provePath(setup.getSolutionPath(), setup.getTeamChecker(),
                       ob::plannerOrTerminationCondition(ob::PlannerTerminationCondition(interrupted),
                                                         ob::timedPlannerTerminationCondition(options.seconds)));
-        report.unprovedMotions = static_cast<std::int64_t>(proof.unproved.size());
+        report.setProof(proof);
         if (proof.collision)
             report.collision = scene.describeCollision(
                 std::static_pointer_cast<ompl_certificates::TeamStateSpace>(setup.getStateSpace()),

@@ -17,7 +17,7 @@ namespace ompl_certificates_python
 
     Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found, const std::string &collision)
     {
-        plan.report.unprovedMotions = static_cast<std::int64_t>(found.unproved.size());
+        plan.report.setProof(found);
         plan.report.collision = collision;
         Proof proof{found.unproved, py::none(), py::none()};
         if (found.collision)

@@ -68,14 +68,17 @@ namespace ompl_certificates
         if (path.getStateCount() == 1 && !prover->isValid(path.getState(0)))
         {
             *state = path.getState(0);
-            return {{0}, state};
+            return {{0}, 0, state};
         }
         for (std::size_t i = 0; i < steps.size(); ++i)
         {
             const Step &step = steps[i];
-            if (condition || !step.arrives ||
-                !propagator.isStepFree(*prover, step.from.get(), step.control, step.duration, state->get()))
-                proof.unproved.push_back(i);
+            if (proof.unseen > 0 || condition)
+                ++proof.unseen;
+            else if (step.arrives &&
+                     propagator.isStepFree(*prover, step.from.get(), step.control, step.duration, state->get()))
+                continue;
+            proof.unproved.push_back(i);
         }
 
         unsigned int left = MOST_STATES;

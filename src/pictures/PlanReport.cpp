@@ -69,6 +69,12 @@ namespace ompl_certificates
         digest = treeDigest(data);
     }
 
+    void PlanReport::setProof(const PathProof &proof)
+    {
+        unseenMotions = proof.unseen;
+        unprovedMotions = static_cast<std::int64_t>(proof.unproved.size() - proof.unseen);
+    }
+
     std::string PlanReport::toJson() const
     {
         nlohmann::ordered_json json;
@@ -85,6 +91,7 @@ namespace ompl_certificates
         json["simplified_cost"] = knownOrNull(simplifiedCost);
         json["unproved_motions"] =
             unprovedMotions >= 0 ? nlohmann::ordered_json(unprovedMotions) : nlohmann::ordered_json(nullptr);
+        json["unseen_motions"] = unseenMotions;
         json["collision"] = textOrNull(collision);
         json["iterations"] = iterations;
         json["tree"] = {{"states", treeStates}, {"edges", treeEdges}, {"digest", digest}};

@@ -38,8 +38,8 @@ namespace ompl_certificates
     void requirePositionBounds(const std::string &robot, const ob::RealVectorBounds &bounds, std::size_t dimension)
     {
         if (bounds.low.size() != dimension || bounds.high.size() != dimension)
-            throw ompl::Exception(robot, "the bounds must have " + std::to_string(dimension) + " dimensions, not " +
-                                             std::to_string(bounds.low.size()));
+            throw ompl::Exception(robot, "the bounds must have " + std::to_string(dimension) +
+                                             " dimensions, as its bodies do, not " + std::to_string(bounds.low.size()));
         for (std::size_t i = 0; i < dimension; ++i)
         {
             const double low = bounds.low[i], high = bounds.high[i];

@@ -116,7 +116,7 @@ namespace ompl_certificates
         };
         EXPECT_EQ(keysOf(json),
                   "scene planner method motion objective seed solved approximate reason cost "
-                  "simplified_cost unproved_motions collision iterations tree checks seconds ");
+                  "simplified_cost unproved_motions unseen_motions collision iterations tree checks seconds ");
         EXPECT_TRUE(json["reason"].is_null());
         EXPECT_EQ(keysOf(json["tree"]), "states edges digest ");
         EXPECT_EQ(keysOf(json["checks"]),

@@ -23,7 +23,7 @@ namespace ompl_certificates
         that makes no certificates, by FCL or STANDARD, another checker is made, and forgotten. Cost: that of a step in
         continuous mode for each step, and of the states.
         \param path one of a TeamControlSetup, or of another space information whose controls a TeamPropagator takes
-        \param condition ends the work where it becomes true. Steps that were not looked at are not proved then.
+        \param condition ends the work where it becomes true. Steps that were not looked at are not proved then; their number is told.
         \throws ompl::Exception if \e checker is null or of another team, if the space information of \e path was not set up,
         and as TeamPropagator does */
     PathProof

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PICTURES_PLAN_REPORT_
 
 #include "ompl_certificates/certificates/CheckCounts.h"
+#include "ompl_certificates/validity/PathProof.h"
 
 #include <cstdint>
 #include <ompl/base/Planner.h>
@@ -46,9 +47,12 @@ namespace ompl_certificates
         /** \brief The cost of the solution after it was simplified; negative if it was not, which is null in JSON */
         double simplifiedCost{-1.0};
 
-        /** \brief How many motions of the solution are not proved free throughout; negative if nobody looked, which is
-            null in JSON. See provePath(). */
+        /** \brief How many motions of the solution were looked at and are not proved free throughout; negative if nobody
+            looked, which is null in JSON. See provePath(). */
         std::int64_t unprovedMotions{-1};
+
+        /** \brief How many motions were not looked at, as the work had to end */
+        std::uint64_t unseenMotions{0};
 
         /** \brief What collides on these motions, in a few words; empty, which is null in JSON, if no collision was
             found */
@@ -92,6 +96,9 @@ namespace ompl_certificates
 
         /** \brief Set the numbers of the tree, and its digest, from \e data */
         void setTree(const ompl::base::PlannerData &data);
+
+        /** \brief Set unprovedMotions and unseenMotions */
+        void setProof(const PathProof &proof);
 
         /** \brief The report as a JSON object, indented, with keys in a fixed order */
         std::string toJson() const;
