@@ -226,6 +226,16 @@ namespace ompl_certificates_python
         return boxes;
     }
 
+    Eigen::Vector3d toOrigin(const std::vector<double> &numbers, unsigned int dimension)
+    {
+        Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+        if (!numbers.empty() && numbers.size() != dimension)
+            throw ompl::Exception("origin", "must be " + std::to_string(dimension) + " numbers, not " +
+                                                std::to_string(numbers.size()));
+        std::copy(numbers.begin(), numbers.end(), origin.data());
+        return origin;
+    }
+
     Pose toPose(const py::object &object, unsigned int dimension)
     {
         if (object.is_none())

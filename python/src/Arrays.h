@@ -53,6 +53,10 @@ namespace ompl_certificates_python
     std::vector<ompl_certificates::CellBox> toCells(const py::object &object, const std::vector<std::int64_t> &first,
                                                     unsigned int dimension, bool occupied = true);
 
+    /** \brief Where a grid begins, from \e dimension numbers; zero if there are none
+        \throws ompl::Exception if there are others */
+    Eigen::Vector3d toOrigin(const std::vector<double> &numbers, unsigned int dimension);
+
     /** \brief A pose, from (x, y, angle), (x, y), (x, y, z), (x, y, z, qx, qy, qz, qw) or a 4 × 4 matrix; none is the
         identity. Three numbers are (x, y, angle) if \e dimension is 2.
         \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */

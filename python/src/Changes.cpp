@@ -192,11 +192,12 @@ namespace ompl_certificates_python
         }
 
         std::size_t addGrid(Checker &checker, const py::object &occupied, double size,
-                            const std::vector<std::int64_t> &first)
+                            const std::vector<std::int64_t> &first, const std::vector<double> &origin)
         {
             const auto cells = toCells(occupied, first, checker.getDimension());
+            const Eigen::Vector3d corner = toOrigin(origin, checker.getDimension());
             const py::gil_scoped_release release;
-            return checker.addGrid(cells, size);
+            return checker.addGrid(cells, size, corner);
         }
 
         void changeGrid(Checker &checker, std::size_t grid, const py::object &occupied,
@@ -212,7 +213,7 @@ namespace ompl_certificates_python
         {
             checker
                 .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
-                     py::arg("first") = std::vector<std::int64_t>(),
+                     py::arg("first") = std::vector<std::int64_t>(), py::arg("origin") = std::vector<double>(),
                      "Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number.")
                 .def(
                     "change_grid", &changeGrid, py::arg("grid"), py::arg("occupied"),

@@ -241,11 +241,11 @@ namespace ompl_certificates_python
         return world_.getPoints(cloud);
     }
 
-    std::size_t Checker::addGrid(const std::vector<CellBox> &occupied, double size)
+    std::size_t Checker::addGrid(const std::vector<CellBox> &occupied, double size, const Eigen::Vector3d &origin)
     {
         const std::lock_guard<std::mutex> lock(changing_);
         const std::size_t grid = world_.getSensedCount();
-        tell(world_.addGrid(occupied, size));
+        tell(world_.addGrid(occupied, size, origin));
         return grid;
     }
 

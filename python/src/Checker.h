@@ -68,7 +68,8 @@ namespace ompl_certificates_python
         std::vector<Eigen::Vector3d> getCloudPoints(std::size_t cloud) const;
 
         /** \brief Add a grid of occupied cells, and return its number. */
-        std::size_t addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size);
+        std::size_t addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size,
+                            const Eigen::Vector3d &origin);
 
         /** \brief Change cells of a grid. */
         void changeGrid(std::size_t grid, const std::vector<ompl_certificates::CellBox> &occupied,

@@ -12,6 +12,7 @@
 #include <ompl_certificates/pictures/ScenePicture.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/MoveItFiles.h>
+#include <ompl_certificates/scene/OccupancyMapFile.h>
 #include <ompl_certificates/scene/SceneFile.h>
 
 #include <cmath>
@@ -74,14 +75,19 @@ namespace ompl_certificates_python
         }
 
         std::size_t addGrid(Scene &scene, const py::object &occupied, double size,
-                            const std::vector<std::int64_t> &first)
+                            const std::vector<std::int64_t> &first, const std::vector<double> &origin)
         {
-            const auto cells = toCells(occupied, first, scene.getDimension());
+            const unsigned int dimension = scene.getDimension();
+            const auto cells = toCells(occupied, first, dimension);
+            const Eigen::Vector3d corner = toOrigin(origin, dimension);
             return addSensed(
-                scene,
-                [&, dimension = scene.getDimension()]
-                { return std::make_shared<CellObstacles>(size, cells, dimension); },
-                "grids");
+                scene, [&] { return std::make_shared<CellObstacles>(size, cells, dimension, corner); }, "grids");
+        }
+
+        std::size_t addOccupancyMapFile(Scene &scene, const std::filesystem::path &file, bool unknownOccupied)
+        {
+            return addSensed(
+                scene, [&] { return loadOccupancyMap(file.string(), unknownOccupied); }, "maps");
         }
 
         std::size_t addOctomapFile(Scene &scene, const std::filesystem::path &file, unsigned int depth,
@@ -191,11 +197,17 @@ namespace ompl_certificates_python
                     py::arg("file"), py::arg("radius"), py::arg("cell") = 0.0,
                     "The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv")
                 .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
-                     py::arg("first") = std::vector<std::int64_t>(),
+                     py::arg("first") = std::vector<std::int64_t>(), py::arg("origin") = std::vector<double>(),
                      "Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, "
                      "grids and octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in "
-                     "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size; first "
-                     "is the index of occupied[0, 0], by default 0.")
+                     "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from "
+                     "origin on, by default 0; first is the index of occupied[0, 0], by default 0.")
+                .def(
+                    "add_occupancy_map_file", &addOccupancyMapFile, py::arg("file"),
+                    py::arg("unknown_occupied") = false,
+                    "Add the occupied cells of a map of ROS's map_server, from its .yaml file and the .pgm image that "
+                    "this names, and return its number. For planar scenes. Unknown cells are free, or occupied; beyond "
+                    "the map all is free.")
                 .def("add_octomap_file", &addOctomapFile, py::arg("file"), py::arg("depth") = 16,
                      py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
                      "Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level "

@@ -112,9 +112,9 @@ namespace ompl_certificates_python
         return ofWorld(std::move(result));
     }
 
-    ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size)
+    ObstacleChange World::addGrid(const std::vector<CellBox> &occupied, double size, const Eigen::Vector3d &origin)
     {
-        CellSet cells(size, dimension_);
+        CellSet cells(size, dimension_, origin);
         cells.insert(occupied);
         ObstacleChange change = cells.takeChange();
         sensed_.push_back({change.after, "added grid " + std::to_string(sensed_.size()), {}, {}, std::move(cells)});
@@ -166,7 +166,7 @@ namespace ompl_certificates_python
         const auto *cells = dynamic_cast<const CellObstacles *>(sensed_[grid].obstacles.get());
         if (!cells)
             throw ompl::Exception("grid", "number " + std::to_string(grid) + " is a cloud of points, not of cells");
-        CellSet set(cells->getCellSize(), dimension_);
+        CellSet set(cells->getCellSize(), dimension_, cells->getOrigin());
         set.insert(cells->getBoxes());
         set.takeChange();
         return set;

@@ -93,8 +93,10 @@ namespace ompl_certificates_python
         std::vector<Eigen::Vector3d> getPoints(std::size_t cloud) const;
 
         /** \brief Add a grid of occupied cells.
+            \param origin where cell (0, 0, 0) has its lowest corner
             \throws ompl::Exception as CellSet does */
-        ompl_certificates::ObstacleChange addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size);
+        ompl_certificates::ObstacleChange addGrid(const std::vector<ompl_certificates::CellBox> &occupied, double size,
+                                                  const Eigen::Vector3d &origin);
 
         /** \brief Change cells of a grid. Cost: that of CellSet; the first change of a grid of the scene, in proportion
             to all of its cells.

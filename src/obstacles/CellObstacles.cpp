@@ -18,6 +18,9 @@ namespace ompl_certificates
 {
     namespace
     {
+        /** Pays for the rounding of coordinates far from the origin. */
+        constexpr double FAR_ROUNDING = 1e-14;
+
         /** After so many boxes that a body may just touch, the exact check decides. */
         constexpr unsigned int MOST_UNKNOWN_CELLS = 32;
 
@@ -27,49 +30,38 @@ namespace ompl_certificates
 
         /** A forest of one block */
         std::unique_ptr<const CellForest> forestOf(double cellSize, const std::vector<CellBox> &cells,
-                                                   unsigned int dimension)
+                                                   unsigned int dimension, const Eigen::Vector3d &origin)
         {
-            requireGrid(cellSize, dimension);
+            requireGrid(cellSize, dimension, origin);
             requireCells(cells, dimension);
             std::vector<CellBox> boxes = joinCells(dimension == 2 ? flattenCells(cells) : cells, MOST_CELLS);
             return std::make_unique<const CellForest>(std::vector<std::shared_ptr<const CellBlock>>{
                 std::make_shared<const CellBlock>(cellSize, std::move(boxes), dimension)});
         }
-
-        /** Whether a mesh, seen from above, touches a rectangle. \e pose is from the mesh's frame to the
-            rectangle's. */
-        Touching planarTouching(const TriangleTree &triangles, const Shape &rectangle, const Pose &pose, double margin)
-        {
-            Touching all = Touching::NO;
-            for (std::uint32_t i = 0; i < triangles.size(); ++i)
-            {
-                TriangleTree::Corners corners = triangles.getTriangle(i).corners;
-                for (Eigen::Vector3d &corner : corners)
-                {
-                    corner = pose * corner;
-                    corner.z() = 0.0;
-                }
-                const Touching answer = touching(rectangle, corners, margin);
-                if (answer == Touching::YES)
-                    return answer;
-                if (answer == Touching::UNKNOWN)
-                    all = answer;
-            }
-            return all;
-        }
     }
 
-    CellObstacles::CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension)
-      : CellObstacles(forestOf(cellSize, cells, dimension), cellSize, dimension)
+    CellObstacles::CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension,
+                                 const Eigen::Vector3d &origin)
+      : CellObstacles(forestOf(cellSize, cells, dimension, origin), cellSize, dimension, origin)
     {
     }
 
-    CellObstacles::CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension)
-      : cellSize_(cellSize), dimension_(dimension), forest_(std::move(forest)), tolerance_(forest_->getTolerance())
+    CellObstacles::CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension,
+                                 const Eigen::Vector3d &origin)
+      : cellSize_(cellSize)
+      , dimension_(dimension)
+      , origin_(origin.x(), origin.y(), dimension == 2 ? 0.0 : origin.z())
+      , forest_(std::move(forest))
+      , tolerance_(forest_->getTolerance() + FAR_ROUNDING * origin_.norm())
     {
     }
 
     CellObstacles::~CellObstacles() = default;
+
+    std::size_t CellObstacles::size() const
+    {
+        return forest_->size();
+    }
 
     std::vector<CellBox> CellObstacles::getBoxes() const
     {
@@ -82,8 +74,8 @@ namespace ompl_certificates
 
     Eigen::AlignedBox3d CellObstacles::boundsOf(const CellBox &box) const
     {
-        return {cellSize_ * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
-                cellSize_ * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
+        return {origin_ + cellSize_ * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
+                origin_ + cellSize_ * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
     }
 
     Eigen::AlignedBox3d CellObstacles::getBounds(ObstaclePart part) const
@@ -103,12 +95,12 @@ namespace ompl_certificates
         if (!(most > 0.0))
             return clearance(point);
         ObstaclePart part;
-        return cellSize_ * forest_->signedDistance(point / cellSize_, part, most / cellSize_);
+        return cellSize_ * forest_->signedDistance(toCells(point), part, most / cellSize_);
     }
 
     double CellObstacles::findNearest(const Eigen::Vector3d &point, ObstaclePart &part) const
     {
-        return cellSize_ * forest_->signedDistance(point / cellSize_, part);
+        return cellSize_ * forest_->signedDistance(toCells(point), part);
     }
 
     Touching CellObstacles::touchesBox(const Shape &shape, const Pose &pose, const Shape &box,
@@ -119,13 +111,15 @@ namespace ompl_certificates
         const TriangleMesh *mesh = shape.getMesh();
         if (!mesh)
             return touching(shape, box, toBox, margin);
-        return dimension_ == 2 ? planarTouching(mesh->getTree(), box, toBox, margin)
-                               : mesh->getTree().touches(box, toBox, margin);
+        if (dimension_ == 3)
+            return mesh->getTree().touches(box, toBox, margin);
+        toBox.translation().z() = 0.0;
+        return mesh->getOutline().touches(box, toBox, margin);
     }
 
     std::pair<Eigen::AlignedBox3d, Pose> CellObstacles::toCells(Eigen::AlignedBox3d bounds, Pose pose, bool flat) const
     {
-        pose.translation() /= cellSize_;
+        pose.translation() = toCells(pose.translation());
         if (flat)
             bounds.min().z() = bounds.max().z() = pose.translation().z() = 0.0;
         bounds.min() /= cellSize_;
@@ -275,6 +269,8 @@ namespace ompl_certificates
     std::uint64_t CellObstacles::getFingerprint() const
     {
         std::uint64_t sum = fingerprintOf({double(dimension_), cellSize_});
+        if (!origin_.isZero(0.0))
+            sum += fingerprintOf({origin_.x(), origin_.y(), origin_.z()});
         for (const auto &[low, high] : getBoxes())
             sum += fingerprintOf(
                 {double(low[0]), double(low[1]), double(low[2]), double(high[0]), double(high[1]), double(high[2])});

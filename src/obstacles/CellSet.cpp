@@ -79,10 +79,11 @@ namespace ompl_certificates
         }
     }
 
-    CellSet::CellSet(double cellSize, unsigned int dimension) : cellSize_(cellSize), dimension_(dimension)
+    CellSet::CellSet(double cellSize, unsigned int dimension, const Eigen::Vector3d &origin)
+      : cellSize_(cellSize), dimension_(dimension), origin_(origin)
     {
         static_assert(BLOCK == MOST_CELLS, "Blocks should take apart no more boxes than need be");
-        requireGrid(cellSize, dimension);
+        requireGrid(cellSize, dimension, origin);
     }
 
     CellSet::~CellSet() = default;
@@ -261,8 +262,8 @@ namespace ompl_certificates
             std::vector<std::shared_ptr<const CellBlock>> blocks;
             if (!boxes.empty())
                 blocks.push_back(std::make_shared<const CellBlock>(cellSize_, std::move(boxes), dimension_));
-            return ObstaclesPtr(
-                new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
+            return ObstaclesPtr(new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_,
+                                                  dimension_, origin_));
         };
         std::vector<std::shared_ptr<const CellBlock>> blocks;
         blocks.reserve(blocks_.size());
@@ -270,7 +271,7 @@ namespace ompl_certificates
             blocks.push_back(block.made);
         ObstacleChange change;
         change.after.reset(
-            new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_));
+            new CellObstacles(std::make_unique<const CellForest>(std::move(blocks)), cellSize_, dimension_, origin_));
         if (!added.empty())
             change.added = obstaclesOf(std::move(added));
         if (!removed.empty())

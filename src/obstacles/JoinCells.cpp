@@ -48,12 +48,14 @@ namespace ompl_certificates
         }
     }
 
-    void requireGrid(double cellSize, unsigned int dimension)
+    void requireGrid(double cellSize, unsigned int dimension, const Eigen::Vector3d &origin)
     {
         if (dimension != 2 && dimension != 3)
             throw ompl::Exception("A workspace has 2 or 3 dimensions, not " + std::to_string(dimension));
         if (!(cellSize > 0.0) || !std::isfinite(cellSize))
             throw ompl::Exception("The size of a cell must be positive and finite, not " + std::to_string(cellSize));
+        if (!origin.allFinite())
+            throw ompl::Exception("The origin of a grid must be finite");
     }
 
     void requireCells(const std::vector<CellBox> &cells, unsigned int dimension)

@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/obstacles/CellBox.h"
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace ompl_certificates
@@ -12,8 +13,9 @@ namespace ompl_certificates
     constexpr std::int32_t MOST_CELLS = 16;
 
     /** \brief Refuses a grid that makes no sense
-        \throws ompl::Exception if the size of a cell is not positive and finite, or the dimension is not 2 or 3 */
-    void requireGrid(double cellSize, unsigned int dimension);
+        \throws ompl::Exception if the size of a cell is not positive and finite, the dimension is not 2 or 3, or the
+        origin is not finite */
+    void requireGrid(double cellSize, unsigned int dimension, const Eigen::Vector3d &origin);
 
     /** \brief Refuses boxes that are empty or too far away, in the first \e dimension axes
         \throws ompl::Exception if there is one */

@@ -50,10 +50,10 @@ namespace ompl_certificates
             for (const auto &[low, high] : joinCells(flattenCells(seen), 2 * CellBox::FARTHEST))
             {
                 Eigen::AlignedBox3d rectangle(Eigen::Vector3d::Zero().eval(), Eigen::Vector3d::Zero().eval());
-                rectangle.min()[0] = size * low[0];
-                rectangle.max()[0] = size * high[0];
-                rectangle.min()[up] = size * low[1];
-                rectangle.max()[up] = size * high[1];
+                rectangle.min()[0] = cells.getOrigin()[0] + size * low[0];
+                rectangle.max()[0] = cells.getOrigin()[0] + size * high[0];
+                rectangle.min()[up] = cells.getOrigin()[up] + size * low[1];
+                rectangle.max()[up] = cells.getOrigin()[up] + size * high[1];
                 outlines.back().push_back(rectangle);
             }
         }

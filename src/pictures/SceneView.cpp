@@ -51,10 +51,8 @@ namespace ompl_certificates
         }
     }
 
-    void SceneView::addFaces(const CellBox &cell, double size, std::vector<std::array<Eigen::Vector3d, 3>> &seen) const
+    void SceneView::addFaces(const Eigen::AlignedBox3d &box, std::vector<std::array<Eigen::Vector3d, 3>> &seen) const
     {
-        const Eigen::AlignedBox3d box(size * Eigen::Vector3d(cell.low[0], cell.low[1], cell.low[2]),
-                                      size * Eigen::Vector3d(cell.high[0], cell.high[1], cell.high[2]));
         for (int axis = 0; axis < 3; ++axis)
         {
             // Of two opposite faces one looks at the viewer.
@@ -257,8 +255,8 @@ namespace ompl_certificates
         if (from_ == From::OBLIQUE)
         {
             std::vector<std::array<Eigen::Vector3d, 3>> seen;
-            for (const CellBox &cell : cells.getBoxes())
-                addFaces(cell, cells.getCellSize(), seen);
+            for (ObstaclePart part = 0; part < cells.size(); ++part)
+                addFaces(cells.getBounds(part), seen);
             return drawLevels(svg, outlinesOf(seen, levels));
         }
         const int up = from_ == From::ABOVE ? 1 : 2;

@@ -105,7 +105,7 @@ namespace ompl_certificates
                                                                int levels) const;
 
         /** \brief Add the faces of a cell that look at the viewer to \e seen */
-        void addFaces(const CellBox &cell, double size, std::vector<std::array<Eigen::Vector3d, 3>> &seen) const;
+        void addFaces(const Eigen::AlignedBox3d &box, std::vector<std::array<Eigen::Vector3d, 3>> &seen) const;
 
         /** \brief Draw the first of \e outlines, and lightly the others over it. */
         static void drawLevels(SvgWriter &svg, const std::vector<std::vector<MeshOutline::Loop>> &outlines);

@@ -39,14 +39,15 @@ namespace ompl_certificates
         }
 
         /** The cells of \e box that reach into the bounds; none if an end is not above its beginning */
-        CellBox within(const ompl::base::RealVectorBounds &bounds, CellBox box, double edge)
+        CellBox within(const ompl::base::RealVectorBounds &bounds, CellBox box, const CellObstacles &cells)
         {
             for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
             {
                 const auto bounded = [&box, axis](double index)
                 { return static_cast<std::int32_t>(std::clamp<double>(index, box.low[axis], box.high[axis])); };
-                const std::int32_t low = bounded(std::floor(bounds.low[axis] / edge)),
-                                   high = bounded(std::ceil(bounds.high[axis] / edge));
+                const double edge = cells.getCellSize(), first = cells.getOrigin()[static_cast<Eigen::Index>(axis)];
+                const std::int32_t low = bounded(std::floor((bounds.low[axis] - first) / edge)),
+                                   high = bounded(std::ceil((bounds.high[axis] - first) / edge));
                 box.low[axis] = low;
                 box.high[axis] = high;
             }
@@ -91,7 +92,7 @@ namespace ompl_certificates
                 std::vector<std::uint16_t> size;
                 for (const CellBox &all : cells->getBoxes())
                 {
-                    const CellBox box = within(scene_.getBounds(), all, cells->getCellSize());
+                    const CellBox box = within(scene_.getBounds(), all, *cells);
                     if (box.low[0] >= box.high[0] || box.low[1] >= box.high[1] || box.low[2] >= box.high[2])
                         continue;
                     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -100,7 +101,10 @@ namespace ompl_certificates
                         size.push_back(static_cast<std::uint16_t>(box.high[axis] - box.low[axis]));
                     }
                 }
-                result.push_back({{"edge", cells->getCellSize()}, {"low", packed(low)}, {"size", packed(size)}});
+                result.push_back({{"edge", cells->getCellSize()},
+                                  {"origin", toJson(cells->getOrigin() - origin_)},
+                                  {"low", packed(low)},
+                                  {"size", packed(size)}});
             }
         return result;
     }

@@ -24,13 +24,7 @@ namespace ompl_certificates
             OctomapOptions options;
             if (node.has("depth"))
                 options.depth = readDepth(node.at("depth"));
-            if (node.has("unknown"))
-            {
-                const std::string unknown = node.at("unknown").text();
-                if (unknown != "free" && unknown != "occupied")
-                    node.at("unknown").fail("must be free or occupied, not '" + unknown + "'");
-                options.unknownIsOccupied = unknown == "occupied";
-            }
+            options.unknownIsOccupied = readUnknownIsOccupied(node);
             if (dimension == 2)
             {
                 const auto ends = node.at("heights").numbers(2);

@@ -51,6 +51,8 @@ namespace ompl_certificates
                     scene.addSensedObstacles(readCloud(obstacle, dimension, source), obstacle.getKey());
                 else if (type == "octomap")
                     scene.addSensedObstacles(readOctomap(obstacle, dimension, source), obstacle.getKey());
+                else if (type == "occupancy_map")
+                    scene.addSensedObstacles(readOccupancyMap(obstacle, dimension, source), obstacle.getKey());
                 else
                     scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
             }

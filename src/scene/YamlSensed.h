@@ -14,6 +14,13 @@ namespace ompl_certificates
         was built without octomap.
         \param source as above */
     ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);
+
+    /** \brief The map of ROS's map_server that \e node describes: file and unknown
+        \param source as above */
+    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension, const std::string &source);
+
+    /** \brief The key \c unknown of a map, by default free */
+    bool readUnknownIsOccupied(const YamlNode &node);
 }
 
 #endif

@@ -136,8 +136,8 @@ namespace ompl_certificates
             const std::string known =
                 planar ? "box, disc, capsule, polygon, mesh" : "box, sphere, capsule, cylinder, polytope, mesh";
             typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") +
-                          (placed ? ", cloud, octomap" : "") + " in " + std::to_string(dimension) +
-                          " dimensions, not '" + type + "'");
+                          (placed ? planar ? ", cloud, octomap, occupancy_map" : ", cloud, octomap" : "") + " in " +
+                          std::to_string(dimension) + " dimensions, not '" + type + "'");
         }
     }
 

@@ -15,19 +15,26 @@ namespace
 {
     constexpr std::int32_t HALF = 8;
 
-    Eigen::AlignedBox3d boundsOf(const CellBox &box, double cellSize)
+    Eigen::AlignedBox3d boundsOf(const CellBox &box, double cellSize, const Eigen::Vector3d &origin)
     {
-        return {cellSize * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
-                cellSize * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
+        return {origin + cellSize * Eigen::Vector3d(box.low[0], box.low[1], box.low[2]),
+                origin + cellSize * Eigen::Vector3d(box.high[0], box.high[1], box.high[2])};
+    }
+
+    /** Where a grid begins: half of them at the origin, others up to some hundred cells from it */
+    Eigen::Vector3d originOf(Random &random, unsigned int dimension, double cellSize)
+    {
+        return random.chance(0.5) ? Eigen::Vector3d::Zero().eval() : random.point(dimension, 300.0 * cellSize);
     }
 
     /** The same boxes of cells, for FCL */
-    FclObstacles fclObstacles(const std::vector<CellBox> &boxes, double size, unsigned int dimension)
+    FclObstacles fclObstacles(const std::vector<CellBox> &boxes, double size, unsigned int dimension,
+                              const Eigen::Vector3d &origin)
     {
         std::vector<PlacedBody> bodies;
         for (const CellBox &box : boxes)
         {
-            const Eigen::AlignedBox3d bounds = boundsOf(box, size);
+            const Eigen::AlignedBox3d bounds = boundsOf(box, size, origin);
             const Eigen::Vector3d sizes = bounds.sizes();
             bodies.push_back(
                 {dimension == 2 ? Body::box(sizes.x(), sizes.y()) : Body::box(sizes.x(), sizes.y(), sizes.z()),
@@ -80,16 +87,18 @@ TEST_P(CellObstaclesTest, KnowsTheDistanceToTheNearestCell)
         Random random(seed);
         const double size = random.logUniform(0.01, 1.0);
         const auto cells = randomCells(random, GetParam(), HALF);
-        const CellObstacles obstacles(size, cells, GetParam());
+        const Eigen::Vector3d origin = originOf(random, GetParam(), size);
+        const CellObstacles obstacles(size, cells, GetParam(), origin);
+        EXPECT_EQ(obstacles.getOrigin(), origin);
         for (int i = 0; i < 100; ++i)
         {
-            const Eigen::Vector3d point = random.point(GetParam(), size * HALF *
-                                                                       (random.chance(0.1)    ? 1e3
-                                                                        : random.chance(0.01) ? 1e25
-                                                                                              : 1.2));
+            const Eigen::Vector3d point = origin + random.point(GetParam(), size * HALF *
+                                                                                (random.chance(0.1)    ? 1e3
+                                                                                 : random.chance(0.01) ? 1e25
+                                                                                                       : 1.2));
             double nearest = std::numeric_limits<double>::infinity();
             for (const CellBox &cell : cells)
-                nearest = std::min(nearest, boundsOf(cell, size).exteriorDistance(point));
+                nearest = std::min(nearest, boundsOf(cell, size, origin).exteriorDistance(point));
             ObstaclePart part;
             const double clearance = obstacles.findNearest(point, part);
             ASSERT_EQ(clearance, obstacles.clearance(point));
@@ -98,9 +107,10 @@ TEST_P(CellObstaclesTest, KnowsTheDistanceToTheNearestCell)
                 ASSERT_TRUE(std::isinf(clearance) && part == NO_PART);
                 continue;
             }
-            ASSERT_NEAR(std::max(clearance, 0.0), nearest, 1e-12 * (size * HALF + point.norm())) << point.transpose();
+            ASSERT_NEAR(std::max(clearance, 0.0), nearest, 1e-12 * (size * HALF + origin.norm() + point.norm()))
+                << point.transpose();
             ASSERT_NEAR(obstacles.getBounds(part).exteriorDistance(point), nearest,
-                        1e-12 * (size * HALF + point.norm()));
+                        1e-12 * (size * HALF + origin.norm() + point.norm()));
             ASSERT_LE(-clearance, 0.5 * size * 16);
         }
     }
@@ -114,18 +124,19 @@ TEST_P(CellObstaclesTest, KnowTheGapToABoxAlongTheirAxes)
         Random random(seed);
         const double size = random.logUniform(0.01, 1.0), extent = size * HALF;
         const auto cells = randomCells(random, GetParam(), HALF);
-        const CellObstacles obstacles(size, cells, GetParam());
+        const Eigen::Vector3d origin = originOf(random, GetParam(), size);
+        const CellObstacles obstacles(size, cells, GetParam(), origin);
         for (int i = 0; i < 20; ++i)
         {
             const Eigen::Vector3d sizes(random.uniform(0.1, 1.0) * extent, random.uniform(0.1, 1.0) * extent,
                                         random.uniform(0.1, 1.0) * extent);
             const bool flat = GetParam() == 2;
             const Body body = flat ? Body::box(sizes.x(), sizes.y()) : Body::box(sizes.x(), sizes.y(), sizes.z());
-            const Eigen::Vector3d center = random.point(GetParam(), 3.0 * extent);
+            const Eigen::Vector3d center = origin + random.point(GetParam(), 3.0 * extent);
             double nearest = std::numeric_limits<double>::infinity();
             for (const CellBox &cell : cells)
             {
-                const Eigen::AlignedBox3d bounds = boundsOf(cell, size);
+                const Eigen::AlignedBox3d bounds = boundsOf(cell, size, origin);
                 const Eigen::Vector3d apart = (bounds.center() - center).cwiseAbs() - 0.5 * (bounds.sizes() + sizes);
                 nearest = std::min(nearest, flat ? apart.head<2>().maxCoeff() : apart.maxCoeff());
             }
@@ -152,17 +163,19 @@ TEST_P(CellObstaclesTest, DecidesAsFclDoesOfEachCell)
         Random random(seed);
         const double size = random.logUniform(0.01, 1.0);
         const auto cells = randomCells(random, GetParam(), HALF);
-        const CellObstacles obstacles(size, cells, GetParam());
-        const FclObstacles reference = fclObstacles(cells, size, GetParam()),
-                           joined = fclObstacles(obstacles.getBoxes(), size, GetParam());
+        const Eigen::Vector3d origin = originOf(random, GetParam(), size);
+        const CellObstacles obstacles(size, cells, GetParam(), origin);
+        const FclObstacles reference = fclObstacles(cells, size, GetParam(), origin),
+                           joined = fclObstacles(obstacles.getBoxes(), size, GetParam(), origin);
         const Body body = bodyAmongCells(random, GetParam(), size);
         for (int i = 0; i < 30; ++i)
         {
             Pose pose = random.pose(GetParam(), size * HALF);
+            pose.translation() += origin;
             // Now and then the body just touches a cell, in a level pose, or is a few tolerances away.
             if (!cells.empty() && random.chance(0.5))
             {
-                const Eigen::AlignedBox3d bounds = boundsOf(cells[random.below(cells.size())], size);
+                const Eigen::AlignedBox3d bounds = boundsOf(cells[random.below(cells.size())], size, origin);
                 const Eigen::AlignedBox3d own =
                     body.getParts()[0].shape.getBounds().transformed(pose * body.getParts()[0].pose);
                 const Eigen::Index axis = random.below(GetParam());
@@ -201,11 +214,18 @@ TEST_P(CellObstaclesTest, FulfilsTheContract)
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const double size = random.logUniform(0.01, 1.0);
-        const CellObstacles obstacles(size, randomCells(random, GetParam(), HALF), GetParam());
+        const Eigen::Vector3d origin = originOf(random, GetParam(), size);
+        const CellObstacles obstacles(size, randomCells(random, GetParam(), HALF), GetParam(), origin);
         std::vector<Body> bodies;
         for (int i = 0; i < 4; ++i)
             bodies.push_back(bodyAmongCells(random, GetParam(), size));
-        EXPECT_NO_THROW(checkObstacles(obstacles, bodies, cubeBounds(GetParam(), 1.5 * size * HALF), 50));
+        ompl::base::RealVectorBounds bounds = cubeBounds(GetParam(), 1.5 * size * HALF);
+        for (unsigned int axis = 0; axis < GetParam(); ++axis)
+        {
+            bounds.low[axis] += origin[axis];
+            bounds.high[axis] += origin[axis];
+        }
+        EXPECT_NO_THROW(checkObstacles(obstacles, bodies, bounds, 50));
     }
 }
 
@@ -235,6 +255,9 @@ TEST(CellObstacles, AreKnownByTheirCells)
     EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, other).getFingerprint());
     EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.2, one).getFingerprint());
     EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, one, 2).getFingerprint());
+    EXPECT_NE(CellObstacles(0.1, one).getFingerprint(), CellObstacles(0.1, one, 3, {0.0, 0.1, 0.0}).getFingerprint());
+    EXPECT_EQ(CellObstacles(0.1, one, 2).getFingerprint(),
+              CellObstacles(0.1, one, 2, {0.0, 0.0, 0.1}).getFingerprint());
     EXPECT_NE(CellObstacles(0.1, {}).getFingerprint(), 0U);
 }
 
@@ -244,6 +267,7 @@ TEST(CellObstacles, RefuseWhatMakesNoSense)
     EXPECT_NE(messageOf([] { CellObstacles(0.0, {}); }), "");
     EXPECT_NE(messageOf([] { CellObstacles(std::numeric_limits<double>::quiet_NaN(), {}); }), "");
     EXPECT_NE(messageOf([] { CellObstacles(1.0, {}, 4); }), "");
+    EXPECT_NE(messageOf([] { CellObstacles(1.0, {}, 3, {0.0, 0.0, INFINITY}); }), "");
     EXPECT_NE(messageOf([] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, 0}}}); }), "");
     EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{0, 0, 0}, {1, 1, most + 1}}}); }), "");
     EXPECT_NE(messageOf([=] { CellObstacles(1.0, {{{-most - 1, 0, 0}, {1, 1, 1}}}); }), "");

@@ -16,6 +16,12 @@ namespace
     constexpr std::int32_t REACH = 20;
     constexpr double SIZE = 0.25;
 
+    /** Where the grids begin, in space or in the plane */
+    Eigen::Vector3d originOf(unsigned int dimension)
+    {
+        return {0.3, -0.7, dimension == 2 ? 0.0 : 0.11};
+    }
+
     using Cells = std::set<std::array<std::int32_t, 3>>;
 
     /** The cells of a box; in the plane, those at height 0 */
@@ -73,7 +79,7 @@ namespace
     struct Version
     {
         Version(ObstaclesPtr fromSet, const Cells &theCells, unsigned int dimension)
-          : made(std::move(fromSet)), cells(theCells), fresh(SIZE, boxesOf(theCells), dimension)
+          : made(std::move(fromSet)), cells(theCells), fresh(SIZE, boxesOf(theCells), dimension, originOf(dimension))
         {
         }
 
@@ -87,7 +93,8 @@ namespace
             ASSERT_EQ(found, cells);
             for (int i = 0; i < 20; ++i)
             {
-                const Eigen::Vector3d point = random.point(dimension, random.logUniform(0.1, 4.0) * SIZE * REACH);
+                const Eigen::Vector3d point =
+                    originOf(dimension) + random.point(dimension, random.logUniform(0.1, 4.0) * SIZE * REACH);
                 const double clearance = obstacles.clearance(point), expected = fresh.clearance(point);
                 // Within cells it depends on how they are joined.
                 ASSERT_EQ(std::max(clearance, 0.0), std::max(expected, 0.0));
@@ -129,7 +136,7 @@ TEST_P(CellSets, MakeTheObstaclesOfTheirCells)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        CellSet set(SIZE, GetParam());
+        CellSet set(SIZE, GetParam(), originOf(GetParam()));
         Cells mirror;
         std::deque<Version> versions;
         versions.emplace_back(set.takeChange().after, mirror, GetParam());
@@ -160,7 +167,7 @@ TEST_P(CellSets, RemoveBoxesFromPlanes)
         const std::size_t across = seed % GetParam();
         const auto anywhere = [&] { return static_cast<std::int32_t>(random.below(WIDTH)) - std::int32_t(WIDTH / 2); };
         const std::int32_t plane = anywhere();
-        CellSet set(SIZE, GetParam());
+        CellSet set(SIZE, GetParam(), originOf(GetParam()));
         Cells mirror;
         for (int round = 0; round < 30; ++round)
         {
@@ -210,7 +217,7 @@ TEST_P(CellSets, TellWhichClearancesMayChange)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        CellSet set(SIZE, GetParam());
+        CellSet set(SIZE, GetParam(), originOf(GetParam()));
         Cells mirror;
         for (int i = 0; i < 10; ++i)
             ASSERT_NO_FATAL_FAILURE(disturb(random, set, mirror, GetParam()));
@@ -219,16 +226,17 @@ TEST_P(CellSets, TellWhichClearancesMayChange)
         {
             ASSERT_NO_FATAL_FAILURE(disturb(random, set, mirror, GetParam()));
             const ObstacleChange change = set.takeChange();
-            const CellObstacles fresh(SIZE, boxesOf(mirror), GetParam());
+            const CellObstacles fresh(SIZE, boxesOf(mirror), GetParam(), originOf(GetParam()));
             for (int i = 0; i < 200; ++i)
             {
-                Eigen::Vector3d point = random.point(GetParam(), 1.2 * SIZE * REACH);
+                Eigen::Vector3d point = originOf(GetParam()) + random.point(GetParam(), 1.2 * SIZE * REACH);
                 if (const auto inside = dynamic_cast<const CellObstacles &>(*before).getBoxes();
                     !inside.empty() && i % 2 == 0)
                 {
                     const auto &[low, high] = inside[random.below(inside.size())];
                     for (std::size_t axis = 0; axis < GetParam(); ++axis)
-                        point[Eigen::Index(axis)] = SIZE * random.uniform(low[axis], high[axis]);
+                        point[Eigen::Index(axis)] =
+                            originOf(GetParam())[Eigen::Index(axis)] + SIZE * random.uniform(low[axis], high[axis]);
                 }
                 const double old = before->clearance(point), now = change.clearance(point, old);
                 ASSERT_EQ(now, change.after->clearance(point));
@@ -282,6 +290,7 @@ TEST(CellSet, RefusesWhatMakesNoSense)
 {
     EXPECT_THROW(CellSet(SIZE, 4), ompl::Exception);
     EXPECT_THROW(CellSet(0.0), ompl::Exception);
+    EXPECT_THROW(CellSet(SIZE, 3, {0.0, NAN, 0.0}), ompl::Exception);
     EXPECT_THROW(CellSet{std::numeric_limits<double>::infinity()}, ompl::Exception);
     CellSet set(SIZE);
     const CellBox good{{0, 0, 0}, {1, 1, 1}}, empty{{0, 0, 0}, {1, 0, 1}},

@@ -245,7 +245,7 @@ namespace ompl_certificates
             EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
             EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
         }
-        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 11u);
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 12u);
     }
 
     TEST(YamlFile, ReadsTheExamplesOfItsDocumentation)

@@ -5,7 +5,7 @@
 //   shapes        kind: ball (radius), box (size), capsule and cylinder (radius, length; along z), polygon (points: x, y,
 //                 ...), mesh (low, step, vertices: 16 bits each, triangles: indices of indexBytes bytes)
 //   obstacles     shape (an index), poses (floats)
-//   cells         edge (their length), low and size (16 bits, in cells)
+//   cells         edge (their length), origin (of cell 0, from that of the bounds), low and size (16 bits, in cells)
 //   clouds        points (floats), radius
 //   robots        name, color, bodies (for each its parts: [shape, pose]), traced (an index of a body), times (floats,
 //                 of the keys), poses (floats: for each key those of all bodies), goal (floats: those of all bodies),

@@ -92,13 +92,12 @@ export class Obstacles {
     this.add(mesh)
   }
 
-  addCells(plan, { edge, low, size }) {
+  addCells(plan, { edge, origin, low, size }) {
     const matrices = []
     const colors = []
-    const { origin } = plan.bounds
     for (let i = 0; i < low.length; i += 3) {
       const sizes = [0, 1, 2].map((axis) => edge * size[i + axis])
-      const middle = [0, 1, 2].map((axis) => edge * low[i + axis] + 0.5 * sizes[axis] - origin[axis])
+      const middle = [0, 1, 2].map((axis) => origin[axis] + edge * low[i + axis] + 0.5 * sizes[axis])
       if (!plan.spatial) middle[2] = 0
       // A little smaller than they are: so one sees where one ends
       matrices.push(new Matrix4().makeScale(...sizes.map((value) => 0.985 * value)).setPosition(...middle))

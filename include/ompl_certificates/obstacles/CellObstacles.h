@@ -27,10 +27,12 @@ namespace ompl_certificates
             \param cells boxes of occupied cells. In space they must not overlap. In the plane they may: their extents
             along z do not count, and a cell stands for an endless upright prism, also against meshes.
             \param dimension the dimension of the workspace, 2 or 3
-            \throws ompl::Exception if a number is not positive and finite, a box is empty, or an index is out of
-            range; see CellBox::FARTHEST
+            \param origin where cell (0, 0, 0) has its lowest corner; in the plane z does not count
+            \throws ompl::Exception if a size is not positive and finite, the origin is not finite, a box is empty, or an
+            index is out of range; see CellBox::FARTHEST
             Cost: n log n for n boxes, some 0.15 s for 400 000. */
-        CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension = 3);
+        CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension = 3,
+                      const Eigen::Vector3d &origin = Eigen::Vector3d::Zero());
 
         ~CellObstacles() override;
 
@@ -70,7 +72,7 @@ namespace ompl_certificates
             return true;
         }
 
-        /** \brief A checksum of the cells and their size. Cost: linear in the number of boxes. */
+        /** \brief A checksum of the cells, their size and their origin. Cost: linear in the number of boxes. */
         std::uint64_t getFingerprint() const override;
 
         /** \brief The edge length of a cell */
@@ -78,6 +80,15 @@ namespace ompl_certificates
         {
             return cellSize_;
         }
+
+        /** \brief Where cell (0, 0, 0) has its lowest corner; in the plane z is 0 */
+        const Eigen::Vector3d &getOrigin() const
+        {
+            return origin_;
+        }
+
+        /** \brief The number of boxes that the cells were joined into */
+        std::size_t size() const;
 
         /** \brief The boxes that the cells were joined into; an ObstaclePart is an index of one. Cost: linear. */
         std::vector<CellBox> getBoxes() const;
@@ -88,7 +99,8 @@ namespace ompl_certificates
     private:
         friend class CellSet;
 
-        CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension);
+        CellObstacles(std::unique_ptr<const CellForest> forest, double cellSize, unsigned int dimension,
+                      const Eigen::Vector3d &origin);
 
         /** \brief How near a contact must be for FCL to decide it */
         double marginOf(const Body &body) const
@@ -117,6 +129,12 @@ namespace ompl_certificates
         /** \brief See touches(), which cannot be compiled for wide registers itself */
         Touching findTouch(const Body &body, const Pose &pose, ObstaclePart *hit) const;
 
+        /** \brief A point of the workspace, in cells */
+        Eigen::Vector3d toCells(const Eigen::Vector3d &point) const
+        {
+            return (point - origin_) / cellSize_;
+        }
+
         /** \brief A box along the axes of a body's frame, and the pose of that, in cells
             \param flat whether it is seen from above */
         std::pair<Eigen::AlignedBox3d, Pose> toCells(Eigen::AlignedBox3d bounds, Pose pose, bool flat) const;
@@ -128,10 +146,12 @@ namespace ompl_certificates
         /** \brief FCL's verdict on a body and one box */
         bool fclCollides(const Body &body, const Pose &pose, ObstaclePart part) const;
 
+        /** \brief The box that cells take up in the workspace */
         Eigen::AlignedBox3d boundsOf(const CellBox &box) const;
 
         double cellSize_;
         unsigned int dimension_;
+        Eigen::Vector3d origin_;
         std::unique_ptr<const CellForest> forest_;
         double tolerance_{0.0};
     };

@@ -35,8 +35,11 @@ namespace ompl_certificates
     {
     public:
         /** \brief An empty set of cells with the edge length \e cellSize, in a workspace of \e dimension 2 or 3
-            \throws ompl::Exception for another dimension, or if the size is not positive and finite */
-        explicit CellSet(double cellSize, unsigned int dimension = 3);
+            \param origin where cell (0, 0, 0) has its lowest corner; in the plane z does not count
+            \throws ompl::Exception for another dimension, if the size is not positive and finite, or if the origin is not
+            finite */
+        explicit CellSet(double cellSize, unsigned int dimension = 3,
+                         const Eigen::Vector3d &origin = Eigen::Vector3d::Zero());
 
         ~CellSet();
 
@@ -104,6 +107,7 @@ namespace ompl_certificates
 
         double cellSize_;
         unsigned int dimension_;
+        Eigen::Vector3d origin_;
         /** \brief The blocks that are not empty, as they were at the last takeChange() */
         std::map<Place, Block> blocks_;
         /** \brief The cells now of those blocks in which one may have come or gone since */

@@ -1,0 +1,36 @@
+#include "YamlSensed.h"
+
+#include "ompl_certificates/scene/OccupancyMapFile.h"
+
+#include <filesystem>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    bool readUnknownIsOccupied(const YamlNode &node)
+    {
+        if (!node.has("unknown"))
+            return false;
+        const std::string unknown = node.at("unknown").text();
+        if (unknown != "free" && unknown != "occupied")
+            node.at("unknown").fail("must be free or occupied, not '" + unknown + "'");
+        return unknown == "occupied";
+    }
+
+    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension, const std::string &source)
+    {
+        node.allow({"type", "file", "unknown"});
+        if (dimension != 2)
+            node.at("type").fail("an occupancy_map is for the plane, but min and max have " +
+                                 std::to_string(dimension) + " coordinates");
+        const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
+        try
+        {
+            return loadOccupancyMap(file.lexically_normal().string(), readUnknownIsOccupied(node));
+        }
+        catch (const ompl::Exception &exception)
+        {
+            node.at("file").fail(exception.what());
+        }
+    }
+}
