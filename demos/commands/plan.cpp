@@ -245,6 +245,9 @@ namespace
             setup->getPlanner()->getPlannerData(tree);
             report.setTree(tree);
         }
+        if (options.simplify && report.solved && stopped && !options.quiet)
+            std::fprintf(stderr, "interrupted: now simplifying, for %g s at most; another interrupt ends that\n",
+                         options.seconds);
         if (options.simplify)
             simplify(*setup, scene, options, report);
         proveSolution(*setup, scene, options, report);

@@ -198,8 +198,8 @@ namespace demos
         if (root.has("resolution"))
         {
             resolution = root.at("resolution").positive();
-            if (resolution > 1.0)
-                root.at("resolution").failAsNo("at most 1");
+            if (resolution < ompl_certificates::Scene::FINEST_RESOLUTION || resolution >= 1.0)
+                root.at("resolution").failAsNo("at least 1e-6 and below 1");
         }
         if (root.has("nearest"))
             nearest = at(root.at("nearest"), [&] { return nearestStructureOf(root.at("nearest").text()); });

@@ -1,5 +1,6 @@
 #include "common/PlanTeamSummary.h"
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace ompl_certificates;
@@ -114,9 +115,14 @@ namespace demos
             std::printf("  steps         %s\n",
                         options.motion == "continuous" ? "proved free" : "checked at their ends");
         else
-            std::printf("  resolution    %g of each robot's space, motions %s\n",
-                        planner.getSpaceInformation()->getStateSpace()->getLongestValidSegmentFraction(),
-                        options.motion.c_str());
+        {
+            const double fraction = planner.getSpaceInformation()->getStateSpace()->getLongestValidSegmentFraction();
+            double farthest = 0.0;
+            for (const Scene::Member &member : scene.getMembers())
+                farthest = std::max(farthest, fraction * member.robot->getStateSpace()->getMaximumExtent());
+            std::printf("  resolution    %g of each robot's space, which is up to %g between samples, motions %s\n",
+                        fraction, farthest, options.motion.c_str());
+        }
         std::printf("  planner       %s, method %s, objective %s, seed %u\n", planner.getName().c_str(),
                     options.method.c_str(), options.objective.c_str(), options.seed);
         for (const auto &[key, parameter] : planner.params().getParams())

@@ -82,6 +82,17 @@ namespace demos
 
         bool collides(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose) const override;
         double clearance(const Eigen::Vector3d &point) const override;
+        double clearanceUpTo(const Eigen::Vector3d &point, double most) const override
+        {
+            return obstacles_->clearanceUpTo(point, most);
+        }
+
+        bool staysFree(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
+                       double distance) const override
+        {
+            return obstacles_->staysFree(body, pose, distance);
+        }
+
         double findNearest(const Eigen::Vector3d &point, ompl_certificates::ObstaclePart &part) const override;
         ompl_certificates::Touching touches(const ompl_certificates::Body &body, const ompl_certificates::Pose &pose,
                                             ompl_certificates::ObstaclePart *hit) const override;

@@ -90,9 +90,14 @@ namespace ompl_certificates_python
 
         /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
         std::map<std::string, Doubles> armStates(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                                                 const std::string &group)
+                                                 const std::string &group,
+                                                 const std::map<std::string, std::filesystem::path> &packages,
+                                                 bool visuals)
         {
-            const ArmFile file(urdf, srdf);
+            ArmFile::Options options;
+            options.useVisuals = visuals;
+            options.packages.insert(packages.begin(), packages.end());
+            const ArmFile file(urdf, srdf, options);
             const std::vector<std::string> &joints = file.getJoints(group);
             std::map<std::string, Doubles> states;
             for (const std::string &name : file.getStates(group))
@@ -211,9 +216,12 @@ namespace ompl_certificates_python
                 "geometry in place of that for collisions. may_touch_obstacles are links, and attached bodies, that are "
                 "not checked against obstacles, such as the foot of a robot that is bolted to a table. A state has the values of the group's joints, in radians "
                 "or meters. What was ignored in the files is told by warnings.")
-            .def_static("arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
-                        "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "
-                        "of the group's arm. Those that lack a joint of the group are left out.")
+            .def_static(
+                "arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
+                py::arg("packages") = std::map<std::string, std::filesystem::path>(), py::arg("visuals") = false,
+                "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "
+                "of the group's arm. Those that lack a joint of the group are left out. packages and visuals are "
+                "as for arm().")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")

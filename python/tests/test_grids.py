@@ -22,9 +22,9 @@ def hall(dimension: int) -> oc.Scene:
     return scene
 
 
-def free(states: NDArray[np.float64], occupied: Bools, first: Tuple[int, ...]) -> Bools:
+def free(states: NDArray[np.float64], occupied: Bools, first: Tuple[int, ...], origin: Tuple[float, ...]) -> Bools:
     """Whether a ball in each state touches no occupied cell"""
-    low = (np.argwhere(occupied) + first) * SIZE
+    low = origin + (np.argwhere(occupied) + first) * SIZE
     away = np.maximum(np.maximum(low[None] - states[:, None], states[:, None] - low[None] - SIZE), 0)
     nearest: Bools = np.linalg.norm(away, axis=2).min(axis=1, initial=np.inf) > RADIUS
     return nearest
@@ -37,13 +37,14 @@ def test_cells_that_change_give_the_verdicts_of_the_geometry(dimension: int, met
     rng = np.random.default_rng(seed)
     occupied = rng.random([24] * dimension) < 0.05
     first = (-2, -1, -2)[:dimension]
+    origin = (0.13, -0.27, 0.41)[:dimension]
     scene = hall(dimension)
     scene.add_cloud(np.zeros((0, dimension)), 0.1)
-    assert scene.add_grid(occupied, SIZE, first) == 1
+    assert scene.add_grid(occupied, SIZE, first, origin) == 1
     checker = oc.Checker(scene, method)
     states = rng.uniform(0, 10, (1000, dimension))
     for _ in range(5):
-        expected = free(states, occupied, first)
+        expected = free(states, occupied, first, origin)
         assert (checker.is_valid(states) == expected).all(), f"seed {seed}"
         assert 0 < expected.sum() < len(states)
         begin = rng.integers(0, 16, dimension)
@@ -52,10 +53,33 @@ def test_cells_that_change_give_the_verdicts_of_the_geometry(dimension: int, met
         checker.change_grid(1, block, begin + first)
 
     empty = oc.Checker(hall(dimension), method)
-    number = empty.add_grid(np.zeros([3] * dimension, dtype=bool), SIZE)
+    number = empty.add_grid(np.zeros([3] * dimension, dtype=bool), SIZE, origin=origin)
     assert empty.is_valid(states).all()
     empty.change_grid(number, occupied, first)
-    assert (empty.is_valid(states) == free(states, occupied, first)).all()
+    assert (empty.is_valid(states) == free(states, occupied, first, origin)).all()
+    with pytest.raises(oc.Error, match=f"origin: must be {dimension} numbers, not 1"):
+        empty.add_grid(occupied, SIZE, origin=[1.0])
+
+
+def test_a_map_of_ros_is_a_grid(tmp_path: pathlib.Path) -> None:
+    rng = np.random.default_rng(7)
+    pixels = rng.choice(np.array([0, 205, 254], dtype=np.uint8), (30, 24), p=[0.05, 0.05, 0.9])
+    (tmp_path / "map.pgm").write_bytes(b"P5\n24 30\n255\n" + pixels.tobytes())
+    file = tmp_path / "map.yaml"
+    file.write_text("image: map.pgm\nresolution: 0.5\norigin: [-1.2, -2.3, 0.0]\nnegate: 0\n"
+                    "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+    cells = pixels[::-1].T
+    states = rng.uniform(0, 10, (1000, 2))
+    for unknown in (False, True):
+        scene = hall(2)
+        assert scene.add_occupancy_map_file(file, unknown_occupied=unknown) == 0
+        expected = free(states, cells < 254 if unknown else cells == 0, (0, 0), (-1.2, -2.3))
+        assert (oc.Checker(scene).is_valid(states) == expected).all()
+        assert 0 < expected.sum() < len(states)
+    with pytest.raises(oc.Error, match="none.yaml"):
+        hall(2).add_occupancy_map_file(tmp_path / "none.yaml")
+    with pytest.raises(oc.Error, match="must have 3 dimensions, not 2"):
+        hall(3).add_occupancy_map_file(file)
 
 
 def test_grids_are_refused_by_name() -> None:

@@ -104,7 +104,9 @@ namespace ompl_certificates
 
     bool DynamicRobot::mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const
     {
-        return shape_->mayCollide(body, other, otherBody);
+        // Shapes know those of their own kind.
+        const auto *dynamic = dynamic_cast<const DynamicRobot *>(&other);
+        return shape_->mayCollide(body, dynamic ? *dynamic->shape_ : other, otherBody);
     }
 
     bool DynamicRobot::mayTouchObstacles(std::size_t body) const
@@ -120,8 +122,11 @@ namespace ompl_certificates
     bool DynamicRobot::isWithinLimits(const ob::State *state) const
     {
         // OMPL takes NaN to be within any bounds.
-        const double *velocities = velocitiesOf(state);
-        return std::all_of(velocities, velocities + velocityCount_, [](double v) { return std::isfinite(v); }) &&
-               getStateSpace()->satisfiesBounds(state);
+        const ob::StateSpace &space = *getStateSpace();
+        const auto &locations = space.getValueLocations();
+        return std::all_of(locations.begin(), locations.end(),
+                           [&](const auto &location)
+                           { return std::isfinite(*space.getValueAddressAtLocation(state, location)); }) &&
+               space.satisfiesBounds(state);
     }
 }

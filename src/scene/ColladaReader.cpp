@@ -353,8 +353,12 @@ namespace ompl_certificates
                                        std::to_string(count->second));
                     const Eigen::Vector3d first(numbers.data());
                     if (count->first == "matrix")
-                        transform =
-                            transform * Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
+                    {
+                        Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
+                        matrix.affine() =
+                            Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
+                        transform = transform * matrix;
+                    }
                     else if (count->first == "translate")
                         transform.translate(first);
                     else if (count->first == "scale")

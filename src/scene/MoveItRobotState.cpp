@@ -124,11 +124,13 @@ namespace ompl_certificates
         const KinematicTree &tree = robot.getTree();
         node.allow({"joint_state", "multi_dof_joint_state", "attached_collision_objects", "is_diff"});
         MoveItRobotState state;
-        state.isWhole = node.has("is_diff") && !node.at("is_diff").boolean();
+        const bool isDifference = !node.has("is_diff") || node.at("is_diff").boolean();
         if (node.has("joint_state"))
             readJointState(node.at("joint_state"), tree, state);
         if (node.has("multi_dof_joint_state"))
             readBase(node.at("multi_dof_joint_state"), robot, state);
+        // As in MoveIt, a message that names no joint changes nothing.
+        state.isWhole = !isDifference && (!state.joints.empty() || state.base);
         for (const YamlNode &item : moveItItems(node, "attached_collision_objects"))
             state.attached.push_back(readAttached(item, tree, folder, state.notes));
         return state;

@@ -25,9 +25,11 @@ namespace ompl_certificates
             double free{0.25};
             bool brightIsOccupied{false};
 
-            bool isObstacle(unsigned int pixel, bool unknownIsOccupied) const
+            bool isObstacle(const gil::rgb8c_pixel_t &pixel, bool unknownIsOccupied) const
             {
-                const double bright = pixel / 255.0, occupancy = brightIsOccupied ? bright : 1.0 - bright;
+                // The mean of the colors, as map_server takes it, not their luminance
+                const double bright = (pixel[0] + pixel[1] + pixel[2]) / (3.0 * 255.0);
+                const double occupancy = brightIsOccupied ? bright : 1.0 - bright;
                 return occupancy > occupied || (unknownIsOccupied && !(occupancy < free));
             }
         };
@@ -48,8 +50,12 @@ namespace ompl_certificates
             if (root.has("free_thresh"))
                 thresholds.free = readShare(root.at("free_thresh"));
             if (thresholds.free > thresholds.occupied)
+            {
+                if (!root.has("free_thresh"))
+                    root.at("occupied_thresh").fail("is below free_thresh, which is 0.25 if it is not given");
                 root.at("free_thresh")
                     .fail("must not be above occupied_thresh, not " + root.at("free_thresh").describe());
+            }
             // ROS 1 writes 0 or 1, ROS 2 may write false or true.
             if (root.has("negate"))
             {
@@ -73,8 +79,8 @@ namespace ompl_certificates
             return {numbers[0], numbers[1], 0.0};
         }
 
-        /** The brightness of an image's pixels, the highest row first */
-        gil::gray8_image_t readImage(const std::string &file)
+        /** The colors of an image's pixels, the highest row first */
+        gil::rgb8_image_t readImage(const std::string &file)
         {
             std::istringstream stream(readRegularFile(file, MOST_BYTES));
             try
@@ -89,7 +95,7 @@ namespace ompl_certificates
                     throw ompl::Exception("its brightest value must be 255, not " + std::to_string(info._max_value));
                 stream.clear();
                 stream.seekg(0);
-                gil::gray8_image_t image;
+                gil::rgb8_image_t image;
                 gil::read_and_convert_image(stream, image, gil::pnm_tag());
                 if (!stream)
                     throw ompl::Exception("it ends before its last pixel");
@@ -102,7 +108,7 @@ namespace ompl_certificates
         }
 
         /** The obstacles of an image: runs of pixels along its rows */
-        std::vector<CellBox> cellsOf(const gil::gray8c_view_t &image, const Thresholds &thresholds,
+        std::vector<CellBox> cellsOf(const gil::rgb8c_view_t &image, const Thresholds &thresholds,
                                      bool unknownIsOccupied)
         {
             std::vector<CellBox> cells;
@@ -134,7 +140,7 @@ namespace ompl_certificates
         const std::string imageFile = (fs::path(file).parent_path() / name.path()).lexically_normal().string();
         try
         {
-            const gil::gray8_image_t image = readImage(imageFile);
+            const gil::rgb8_image_t image = readImage(imageFile);
             return std::make_shared<CellObstacles>(
                 resolution, cellsOf(gil::const_view(image), thresholds, unknownIsOccupied), 2, origin);
         }

@@ -210,7 +210,8 @@ namespace ompl_certificates
         {
             const Names names = all.jointsOf(name);
             std::vector<std::string> &joints = groups[name];
-            if (virtualJoint && virtualJoint->type != KinematicTree::JointType::FIXED && names.count(virtualName) > 0)
+            if (virtualJoint && virtualJoint->type != KinematicTree::JointType::FIXED && names.count(virtualName) > 0 &&
+                passive.count(virtualName) == 0)
                 joints.push_back(virtualName);
             for (const KinematicTree::Link &link : tree.getLinks())
                 if (const std::string &joint = link.joint.name; names.count(joint) > 0 && passive.count(joint) == 0)

@@ -82,7 +82,11 @@ namespace ompl_certificates
                     if (hasOneValue(*joint))
                         state[i] = checkedJointValue(items[i], *joint, state[i]);
                     if (joint->type == JointType::PLANAR)
-                        state[i + 2] = std::remainder(state[i + 2], 2.0 * M_PI);
+                    {
+                        // pi itself is out of the bounds of OMPL's angles.
+                        const double angle = std::remainder(state[i + 2], 2.0 * M_PI);
+                        state[i + 2] = angle < M_PI ? angle : -M_PI;
+                    }
                     if (joint->type == JointType::FLOATING)
                     {
                         Eigen::Map<Eigen::Vector4d> turn(state.data() + i + 3);

@@ -83,7 +83,11 @@ namespace ompl_certificates
                 state.resize(count);
             if (layout == Layout::SE2 || layout == Layout::TRAILER)
                 for (std::size_t i = 2; i < count; ++i)
+                {
+                    if (std::abs(state[i]) > boost::math::constants::two_pi<double>())
+                        scene.addNote(node.getKey() + ": an angle is more than a whole turn; angles are in radians");
                     state[i] = wrapped(state[i]);
+                }
             if (layout == Layout::SE3)
             {
                 const double norm = Eigen::Map<const Eigen::Vector4d>(state.data() + 3).norm();

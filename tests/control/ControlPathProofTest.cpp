@@ -153,6 +153,7 @@ TEST_F(ControlPathProof, EndsWhereItIsToldTo)
     const PathProof proof =
         provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition([&asked] { return ++asked > 2; }));
     EXPECT_EQ(proof.unproved, (std::vector<std::size_t>{2, 3, 4}));
+    EXPECT_EQ(proof.unseen, 3U);
     EXPECT_FALSE(proof.collision);
 }
 

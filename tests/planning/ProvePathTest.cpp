@@ -133,6 +133,8 @@ TEST_F(ProvePathTest, EndsWhereItIsToldTo)
         provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition([&motions] { return ++motions > 1; }));
     EXPECT_EQ(first.unproved, (std::vector<std::size_t>{1, 2}));
     EXPECT_EQ(first.collision, nullptr);
+    EXPECT_EQ(first.unseen, 2U);
+    EXPECT_EQ(whole.unseen, 0U);
 }
 
 TEST_F(ProvePathTest, NeedsNoCheckerThatMakesCertificates)

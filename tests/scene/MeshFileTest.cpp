@@ -53,6 +53,17 @@ namespace ompl_certificates
         // As in Assimp and OMPL.app, a file whose z axis is up is turned to have the y axis up.
         const MeshFile turned(folder.write("b.dae", collada("<node>" + instance + "</node>", "Z_UP")));
         expectBox(turned, {0, 0, -2}, {1, 0, 0});
+        // The steps of a node are taken one after the other, matrices like others.
+        const std::string move = "<translate>10 0 0</translate>",
+                          same = "<matrix>1 0 0 10 0 1 0 0 0 0 1 0 0 0 0 1</matrix>",
+                          grow = "<matrix>2 0 0 1 0 2 0 2 0 0 2 3 0 0 0 1</matrix>";
+        for (const std::string &first : {move, same})
+        {
+            const MeshFile both(folder.write("c.dae", collada("<node>" + first + grow + instance + "</node>")));
+            expectBox(both, {11, 2, 3}, {13, 6, 3});
+            const MeshFile after(folder.write("d.dae", collada("<node>" + grow + first + instance + "</node>")));
+            expectBox(after, {21, 2, 3}, {23, 6, 3});
+        }
     }
 
     TEST(MeshFile, TakesOpenDuplicatedAndDegenerateTriangles)

@@ -32,6 +32,14 @@ namespace ompl_certificates
             const std::string scene = BALL + "robot_state: {" + attached("0.01") + "}\n";
             EXPECT_EQ(armOf(read(scene, start + "True}\n" + GOAL)).getBodies().size(), 5u);
             EXPECT_EQ(armOf(read(scene, start + "False}\n" + GOAL)).getBodies().size(), 4u);
+            // One that is printed whole, but names no joint, changes nothing.
+            EXPECT_EQ(armOf(read(scene,
+                                 "group_name: arm\nstart_state: {joint_state: {name: [], position: []}, "
+                                 "attached_collision_objects: [], is_diff: False}\n" +
+                                     GOAL))
+                          .getBodies()
+                          .size(),
+                      5u);
         }
 
         TEST_F(MoveItScene, WhatOneLinkCarriesMayTouch)

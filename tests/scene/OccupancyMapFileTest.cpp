@@ -73,6 +73,8 @@ namespace ompl_certificates
         EXPECT_EQ(drawn(MAP, std::string("P5\n3 2\n255\n\xCD\xFE\xFE\0\xFE\xFE", 17)), "#.....");
         EXPECT_EQ(drawn(MAP, "P1\n3 2\n0 0 1\n1 0 0\n"), "#....#");
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 0 0 9 9 9 255 255 255\n255 255 255 0 0 0 255 255 255\n"), ".#.##.");
+        // Colors count by their mean: green is two thirds dark, and red.
+        EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 255 0 255 0 0 255 255 255\n255 255 255 0 0 255 255 255 0\n"), ".#.##.");
     }
 
     TEST(OccupancyMapFile, HasEachPixelWhereItIs)
@@ -111,6 +113,9 @@ namespace ompl_certificates
         EXPECT_NE(errorOf(replaced(MAP, "0.65", "1.65"), IMAGE).find(":5: occupied_thresh: must be from 0 to 1"),
                   std::string::npos);
         EXPECT_NE(errorOf(replaced(MAP, "0.196", "0.7"), IMAGE).find(":6: free_thresh: must not be above"),
+                  std::string::npos);
+        EXPECT_NE(errorOf("image: map.pgm\nresolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.1\n", IMAGE)
+                      .find(":4: occupied_thresh: is below free_thresh"),
                   std::string::npos);
         EXPECT_NE(errorOf(replaced(MAP, "negate: 0", "negate: 2"), IMAGE).find(":4: negate: must be true or false"),
                   std::string::npos);

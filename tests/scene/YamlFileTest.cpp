@@ -164,6 +164,9 @@ namespace ompl_certificates
         EXPECT_NEAR(member.start[3], -10.0 + 4.0 * M_PI, 1e-14);
         EXPECT_EQ(member.goal[2], -M_PI);
         EXPECT_EQ(member.goal[3], 3.0);
+        EXPECT_EQ(scene.getNotes(),
+                  std::vector<std::string>{"robots[0].start: an angle is more than a whole turn; angles "
+                                           "are in radians"});
         scene.validate();
     }
 
