@@ -181,9 +181,11 @@ class Robot:
         A state has the values of the group's joints, in radians or meters. What was ignored in the files is told by
         warnings."""
     @staticmethod
-    def arm_states(urdf: Path, srdf: Path, group: str) -> Dict[str, NDArray[np.float64]]:
+    def arm_states(
+        urdf: Path, srdf: Path, group: str, packages: Mapping[str, Path] = ..., visuals: bool = False
+    ) -> Dict[str, NDArray[np.float64]]:
         """The states that the SRDF file names for a group, such as home: a dict of arrays, each a state of the group's
-        arm. Those that lack a joint of the group are left out."""
+        arm. Those that lack a joint of the group are left out. packages and visuals are as for arm()."""
     @property
     def name(self) -> str:
         """The robot's name, unique in its team"""
@@ -231,11 +233,14 @@ class Scene:
         first. Robots of other shapes reach all heights, so leave out the floor before."""
     def add_cloud_file(self, file: Path, radius: float, cell: float = 0.0) -> int:
         """The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv"""
-    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:
+    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, grids and
-        octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in the plane or (nx, ny, nz).
-        Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size; first is the index of occupied[0, 0], by default
-        0."""
+        maps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in the plane or (nx, ny, nz). Cell
+        (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from origin on, by default 0; first is the index of
+        occupied[0, 0], by default 0."""
+    def add_occupancy_map_file(self, file: Path, unknown_occupied: bool = False) -> int:
+        """Add the occupied cells of a map of ROS's map_server, from its .yaml file and the .pgm image that this names,
+        and return its number. For planar scenes. Unknown cells are free, or occupied; beyond the map all is free."""
     def add_octomap_file(
         self,
         file: Path,
@@ -344,13 +349,12 @@ class Checker:
         do not count, in insert and in remove."""
     def cloud_points(self, cloud: int) -> NDArray[np.float64]:
         """The points of a cloud now, of shape (n, dimension), in no order"""
-    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = ()) -> int:
+    def add_grid(self, occupied: ArrayLike, size: float, first: ArrayLike = (), origin: ArrayLike = ()) -> int:
         """Add obstacles that are cells of a grid, as Scene.add_grid does, and return its number."""
     def change_grid(self, grid: int, occupied: ArrayLike, first: ArrayLike = ()) -> None:
         """Set which cells of a grid are occupied, all at once: those that the array covers, whose first one has the
-        index first. Others stay. The scene's own grids and octomaps have the numbers that Scene.add_grid and
-        add_octomap_file returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has
-        changed."""
+        index first. Others stay. The scene's own grids and maps have the numbers that Scene.add_grid and the like
+        returned. Time goes with the cells that the array covers. Where it raises an Error, nothing has changed."""
     def without_robots(
         self, points: ArrayLike, state: ArrayLike, *, padding: float = 0.0
     ) -> NDArray[np.float64]:

@@ -219,8 +219,8 @@ namespace ompl_certificates_python
                     "change_grid", &changeGrid, py::arg("grid"), py::arg("occupied"),
                     py::arg("first") = std::vector<std::int64_t>(),
                     "Set which cells of a grid are occupied, all at once: those that the array covers, whose first one "
-                    "has the index first. Others stay. The scene's own grids and octomaps have the numbers that "
-                    "Scene.add_grid and add_octomap_file returned. Time goes with the cells that the array covers. "
+                    "has the index first. Others stay. The scene's own grids and maps have the numbers that "
+                    "Scene.add_grid and the like returned. Time goes with the cells that the array covers. "
                     "Where it raises an Error, nothing has changed.");
         }
     }

@@ -199,7 +199,7 @@ namespace ompl_certificates_python
                 .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
                      py::arg("first") = std::vector<std::int64_t>(), py::arg("origin") = std::vector<double>(),
                      "Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, "
-                     "grids and octomaps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in "
+                     "grids and maps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in "
                      "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from "
                      "origin on, by default 0; first is the index of occupied[0, 0], by default 0.")
                 .def(

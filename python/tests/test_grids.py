@@ -122,7 +122,7 @@ def test_unknown_cells_are_free_or_occupied(tmp_path: pathlib.Path) -> None:
         cells[1, 1, 1] = False
         scene = hall(3)
         scene.add_octomap_file(file, unknown_occupied=unknown)
-        assert (oc.Checker(scene).is_valid(states) == free(states, cells, (0, 0, 0))).all(), f"seed {seed}"
+        assert (oc.Checker(scene).is_valid(states) == free(states, cells, (0, 0, 0), (0, 0, 0))).all(), f"seed {seed}"
 
 
 def test_an_octomap_is_read_and_changed(scenes: pathlib.Path, tmp_path: pathlib.Path) -> None:

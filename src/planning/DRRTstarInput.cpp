@@ -46,9 +46,10 @@ namespace ompl_certificates
             validator = ownValidator_;
         }
         if (&validator->getChecker() != checker.get() && validator->getFurtherChecker() == checker.get())
-            throw ompl::Exception(getName(),
-                                  "the motion validator knows another validity checker, among other obstacles: make one "
-                                  "with the new checker, too");
+            throw ompl::Exception(
+                getName(),
+                "the motion validator knows another validity checker, among other obstacles: make one "
+                "with the new checker, too");
         if (validator->getFurtherChecker())
             throw ompl::Exception(getName(),
                                   "asks robots and pairs of robots one by one, so it cannot heed a validity "
