@@ -17,9 +17,27 @@ namespace ompl_certificates
 
         constexpr std::size_t MAX_CONSTRAINTS = 10000;
 
-        /** Up to which tolerance a turn by a rotation vector is taken, and how much of it turns one after another may
-            use: those are within it then. */
-        constexpr double MOST_OF_A_VECTOR = 0.5, SHARE_OF_A_VECTOR = 0.5;
+        /** Up to which tolerance a turn by a rotation vector is taken */
+        constexpr double MOST_OF_A_VECTOR = 0.5;
+
+        /** Tolerances of turns about x, y and z, one after another, whose rotation vectors are within \e tolerance. Two
+            turns add half of their product to the third number of the vector, and a little more of higher order: half of
+            that one's tolerance is left for it. */
+        Eigen::Vector3d turnsWithin(const Eigen::Vector3d &tolerance)
+        {
+            Eigen::Vector3d turns = 0.5 * tolerance;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+            {
+                double &first = turns[(axis + 1) % 3], &second = turns[(axis + 2) % 3];
+                const double most = 0.8 * tolerance[axis];
+                if (first * second <= most)
+                    continue;
+                const double factor = std::sqrt(most / (first * second));
+                first *= factor;
+                second *= factor;
+            }
+            return turns;
+        }
 
         /** The value of a joint of the group */
         double coordinateOf(const YamlNode &node, const KinematicTree &tree, const std::string &name,
@@ -146,8 +164,9 @@ namespace ompl_certificates
                     continue;
                 if (tolerance > MOST_OF_A_VECTOR)
                     node.at(key).fail("must be at most 0.5 with a rotation vector");
-                tolerance *= SHARE_OF_A_VECTOR;
             }
+            if (kind == "1")
+                pose.rotation->tolerance = turnsWithin(pose.rotation->tolerance);
         }
     }
 

@@ -33,13 +33,13 @@ namespace ompl_certificates
             EXPECT_EQ(armOf(read(scene, start + "True}\n" + GOAL)).getBodies().size(), 5u);
             EXPECT_EQ(armOf(read(scene, start + "False}\n" + GOAL)).getBodies().size(), 4u);
             // One that is printed whole, but names no joint, changes nothing.
-            EXPECT_EQ(armOf(read(scene,
-                                 "group_name: arm\nstart_state: {joint_state: {name: [], position: []}, "
-                                 "attached_collision_objects: [], is_diff: False}\n" +
-                                     GOAL))
-                          .getBodies()
-                          .size(),
-                      5u);
+            const std::string moved =
+                BALL + "robot_state: {joint_state: {name: [turn, bend, slide], position: [1, 0.5, 0.1]}, " +
+                attached("0.01") + "}\n";
+            const std::string printed =
+                "group_name: arm\nstart_state: {joint_state: {name: [], position: []}, "
+                "attached_collision_objects: [], is_diff: False}\n";
+            EXPECT_EQ(armOf(read(moved, printed + GOAL)).getBodies().size(), 5u);
         }
 
         TEST_F(MoveItScene, WhatOneLinkCarriesMayTouch)

@@ -306,6 +306,42 @@ namespace ompl_certificates
             EXPECT_EQ(other.rotation->tolerance, Eigen::Vector3d(0.05, 0.05, 0.25));
         }
 
+        /** Two turns one after another turn about the third axis, too. */
+        TEST_F(MoveItScene, TurnsStayWithinTheTolerancesOfARotationVector)
+        {
+            Random random(1);
+            for (unsigned int i = 0; i < scaled(30); ++i)
+            {
+                Eigen::Vector3d asked;
+                std::string request = "group_name: arm\n" + START +
+                                      "goal_constraints: [{orientation_constraints: [{orientation: [0, 0, 0, 1], "
+                                      "link_name: tip, parameterization: 1";
+                for (Eigen::Index axis = 0; axis < 3; ++axis)
+                {
+                    asked[axis] = i == 0 && axis < 2 ? 0.5 : random.logUniform(0.001, 0.5);
+                    request +=
+                        std::string(", absolute_") + "xyz"[axis] + "_axis_tolerance: " + std::to_string(asked[axis]);
+                }
+                const SceneFile file = read(BALL, request + "}]}]\n");
+                const Eigen::Vector3d turns =
+                    dynamic_cast<const LinkPoseGoal &>(*file.scene.getMembers().front().region)
+                        .getLinkPose()
+                        .rotation->tolerance;
+                EXPECT_GE(turns.minCoeff(), 0.2 * asked.minCoeff());
+                for (int k = 0; k < 200; ++k)
+                {
+                    Eigen::Vector3d angles;
+                    for (Eigen::Index axis = 0; axis < 3; ++axis)
+                        angles[axis] = random.chance(0.5) ? random.sign() * turns[axis]
+                                                          : random.uniform(-turns[axis], turns[axis]);
+                    const Eigen::AngleAxisd turn(Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
+                                                 Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
+                                                 Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()));
+                    ASSERT_LE(((turn.angle() * turn.axis()).cwiseAbs() - asked).maxCoeff(), 1e-6) << asked.transpose();
+                }
+            }
+        }
+
         TEST_F(MoveItScene, JointsThatTheGroupDoesNotMoveKeepTheirValues)
         {
             const std::string state =
