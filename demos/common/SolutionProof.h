@@ -13,8 +13,8 @@
 
 namespace demos
 {
-    /** \brief Tell in \e report whether the solution of \e setup, if there is one, is free between its samples or within
-        its steps, too. Ends with an interrupt, or after as much time as there was for planning. Whoever calls it
+    /** \brief Tell in \e report whether the solution of \e setup, if there is one, is free between its samples or
+        within its steps, too. Ends with an interrupt, or after as much time as there was for planning. Whoever calls it
         includes the provePath() of such paths. */
     template <typename Setup>
     void proveSolution(const Setup &setup, const ompl_certificates::Scene &scene, const PlanTeamOptions &options,

@@ -49,8 +49,8 @@ namespace ompl_certificates_python
         std::vector<ompl_certificates::ObstacleSet::Id> removed;
     };
 
-    /** \brief The obstacles of a scene, which may change: bodies, clouds of points, and grids of cells. Clouds and grids
-        are numbered together.
+    /** \brief The obstacles of a scene, which may change: bodies, clouds of points, and grids of cells. Clouds and
+        grids are numbered together.
 
         Each change returns what a TeamValidityChecker has to be told. Not for several threads at once. */
     class World

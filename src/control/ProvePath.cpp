@@ -29,8 +29,8 @@ namespace ompl_certificates
             bool arrives;
         };
 
-        /** The steps of a path. PathControl::interpolate() would ask its own propagator, whose steps end in no state if it
-            proves them and an obstacle has come. */
+        /** The steps of a path. PathControl::interpolate() would ask its own propagator, whose steps end in no state if
+            it proves them and an obstacle has come. */
         std::vector<Step> stepsOf(const oc::PathControl &path, const TeamPropagator &propagator, double length)
         {
             const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();

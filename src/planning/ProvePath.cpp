@@ -35,8 +35,8 @@ namespace ompl_certificates
             {
             }
 
-            /** The first invalid state of a motion after \e proved, the time up to which it is proved free; null without
-                one */
+            /** The first invalid state of a motion after \e proved, the time up to which it is proved free; null
+                without one */
             std::shared_ptr<ob::ScopedState<>> find(const ob::State *from, const ob::State *to, double proved)
             {
                 const unsigned int samples =

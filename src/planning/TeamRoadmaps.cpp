@@ -14,8 +14,8 @@ namespace ompl_certificates
         /** How many samples a roadmap draws before the condition is asked */
         constexpr unsigned int BATCH = 100;
 
-        /** How many samples may be drawn for each vertex by which a roadmap shall grow: a robot that is hardly ever free, or
-            has few states, must not keep others waiting. */
+        /** How many samples may be drawn for each vertex by which a roadmap shall grow: a robot that is hardly ever
+            free, or has few states, must not keep others waiting. */
         constexpr std::uint64_t SAMPLES_PER_VERTEX = 100;
 
         /** How many motions of two robots are remembered; they take some 700 MB */

@@ -21,8 +21,8 @@ namespace ompl_certificates
         constexpr double MOST_OF_A_VECTOR = 0.5;
 
         /** Tolerances of turns about x, y and z, one after another, whose rotation vectors are within \e tolerance. Two
-            turns add half of their product to the third number of the vector, and a little more of higher order: half of
-            that one's tolerance is left for it. */
+            turns add half of their product to the third number of the vector, and a little more of higher order: half
+            of that one's tolerance is left for it. */
         Eigen::Vector3d turnsWithin(const Eigen::Vector3d &tolerance)
         {
             Eigen::Vector3d turns = 0.5 * tolerance;

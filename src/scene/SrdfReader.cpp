@@ -22,8 +22,8 @@ namespace ompl_certificates
 
         constexpr std::size_t MAX_GROUPS = 1000;
 
-        /** Finds the joints of groups, which may hold each other. What the robot does not have is left out and noted, as
-            MoveIt does: one SRDF file often serves several variants of a robot. */
+        /** Finds the joints of groups, which may hold each other. What the robot does not have is left out and noted,
+            as MoveIt does: one SRDF file often serves several variants of a robot. */
         class Groups
         {
         public:

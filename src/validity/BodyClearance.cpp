@@ -38,7 +38,8 @@ namespace ompl_certificates
             }
         }
 
-        /** The largest distance, but for a sixteenth, up to which the body is proved to stay free; 0 if there is none */
+        /** The largest distance, but for a sixteenth, up to which the body is proved to stay free; 0 if there is none
+            */
         double provenDistance(const Obstacles &obstacles, const Body &body, const Pose &pose)
         {
             constexpr double least = 1e-9;

@@ -103,8 +103,8 @@ namespace ompl_certificates
             linear in the faces of a polytope and in the triangles of a mesh. */
         double signedDistance(const Eigen::Vector3d &point) const;
 
-        /** \brief Whether signedDistance() is at most \e distance, which is not negative. Cost: as signedDistance(), but
-            logarithmic in the triangles of a mesh. */
+        /** \brief Whether signedDistance() is at most \e distance, which is not negative. Cost: as signedDistance(),
+            but logarithmic in the triangles of a mesh. */
         bool isWithin(const Eigen::Vector3d &point, double distance) const;
 
         /** \brief Whether a planar shape at \e pose stays in the plane, but for rounding of at most 1e-12. It must be

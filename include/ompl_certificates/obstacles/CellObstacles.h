@@ -28,8 +28,8 @@ namespace ompl_certificates
             along z do not count, and a cell stands for an endless upright prism, also against meshes.
             \param dimension the dimension of the workspace, 2 or 3
             \param origin where cell (0, 0, 0) has its lowest corner; in the plane z does not count
-            \throws ompl::Exception if a size is not positive and finite, the origin is not finite, a box is empty, or an
-            index is out of range; see CellBox::FARTHEST
+            \throws ompl::Exception if a size is not positive and finite, the origin is not finite, a box is empty, or
+            an index is out of range; see CellBox::FARTHEST
             Cost: n log n for n boxes, some 0.15 s for 400 000. */
         CellObstacles(double cellSize, const std::vector<CellBox> &cells, unsigned int dimension = 3,
                       const Eigen::Vector3d &origin = Eigen::Vector3d::Zero());

@@ -36,8 +36,8 @@ namespace ompl_certificates
     public:
         /** \brief An empty set of cells with the edge length \e cellSize, in a workspace of \e dimension 2 or 3
             \param origin where cell (0, 0, 0) has its lowest corner; in the plane z does not count
-            \throws ompl::Exception for another dimension, if the size is not positive and finite, or if the origin is not
-            finite */
+            \throws ompl::Exception for another dimension, if the size is not positive and finite, or if the origin is
+            not finite */
         explicit CellSet(double cellSize, unsigned int dimension = 3,
                          const Eigen::Vector3d &origin = Eigen::Vector3d::Zero());
 

@@ -47,8 +47,8 @@ namespace ompl_certificates
         /** \brief The cost of the solution after it was simplified; negative if it was not, which is null in JSON */
         double simplifiedCost{-1.0};
 
-        /** \brief How many motions of the solution were looked at and are not proved free throughout; negative if nobody
-            looked, which is null in JSON. See provePath(). */
+        /** \brief How many motions of the solution were looked at and are not proved free throughout; negative if
+            nobody looked, which is null in JSON. See provePath(). */
         std::int64_t unprovedMotions{-1};
 
         /** \brief How many motions were not looked at, as the work had to end */

@@ -66,8 +66,8 @@ namespace ompl_certificates
 
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
             search before, unless clear() was called, or the validity checker, the motion validator or the objective is
-            another one. If a robot finds no way even alone, an error names it; then planning also ends when the roadmaps
-            have grown to their limit and all goals were taken. */
+            another one. If a robot finds no way even alone, an error names it; then planning also ends when the
+            roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
         /** \brief The tree in the tensor product, with starts and goals */
@@ -151,8 +151,8 @@ namespace ompl_certificates
         using Configuration = std::vector<std::uint32_t>;
         using Path = std::vector<Configuration>;
 
-        /** \brief Take the checker, the motion validator and the objective that are set now. If they are others, what was
-            found with those before is of no use: clear(). */
+        /** \brief Take the checker, the motion validator and the objective that are set now. If they are others, what
+            was found with those before is of no use: clear(). */
         void takeCheckers();
 
         /** \brief Make the roadmaps and what searches them. */

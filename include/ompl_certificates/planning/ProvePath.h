@@ -19,7 +19,8 @@ namespace ompl_certificates
         Among the obstacles as they are now. The path need not be valid. What is learned is kept in \e checker, and
         counted in its statistics. For one that makes no certificates, by FCL or STANDARD, another checker is made, and
         forgotten. Cost: that of a motion in continuous mode for each motion, and of the samples.
-        \param condition ends the work where it becomes true. Motions that were not looked at are not proved then; their number is told.
+        \param condition ends the work where it becomes true. Motions that were not looked at are not proved then; their
+        number is told.
         \throws ompl::Exception if the space has no continuous mode; see CertificateMotionValidator. Also if the path is
         one of another space, such as that of a robot alone. */
     PathProof

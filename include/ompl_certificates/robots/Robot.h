@@ -70,9 +70,9 @@ namespace ompl_certificates
             return true;
         }
 
-        /** \brief Whether a body may touch the obstacles: then it is not checked against them, but in its pairs alone, such
-            as the foot of an arm that is bolted to a table. False by default. Called when a checker is made, and never
-            later. */
+        /** \brief Whether a body may touch the obstacles: then it is not checked against them, but in its pairs alone,
+            such as the foot of an arm that is bolted to a table. False by default. Called when a checker is made, and
+            never later. */
         virtual bool mayTouchObstacles(std::size_t /*body*/) const
         {
             return false;
@@ -150,8 +150,8 @@ namespace ompl_certificates
         }
 
         /** \brief Whether \e other moves equal bodies in an equal space and checks the same pairs of them, so that both
-            are free where one is, and either may take the other's place beside a third robot: mayCollide() must not tell
-            them apart. Such robots share a roadmap. False if in doubt, as here for all but the robot
+            are free where one is, and either may take the other's place beside a third robot: mayCollide() must not
+            tell them apart. Such robots share a roadmap. False if in doubt, as here for all but the robot
             itself. */
         virtual bool isLike(const Robot &other) const
         {

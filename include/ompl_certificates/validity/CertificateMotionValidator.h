@@ -83,11 +83,11 @@ namespace ompl_certificates
             return *checker_;
         }
 
-        /** \brief The validity checker that knows more than this validator's certificates: that of the space information,
-            or the one this validator was made with, if its class is not one of this library's; or that of the space
-            information if it is another one, among other obstacles, which is warned of. Null if neither is. Where a motion is
-            free, its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in continuous mode
-            too. That costs what it costs, so let it look at what the certificates do not know, first.
+        /** \brief The validity checker that knows more than this validator's certificates: that of the space
+            information, or the one this validator was made with, if its class is not one of this library's; or that of
+            the space information if it is another one, among other obstacles, which is warned of. Null if neither is.
+            Where a motion is free, its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in
+            continuous mode too. That costs what it costs, so let it look at what the certificates do not know, first.
 
             Nothing is locked while it is asked: it may wait for other threads, hold the obstacles and change them. If
             they change meanwhile, the certificates' verdict is about the world before, and it decides about each sample
@@ -101,7 +101,8 @@ namespace ompl_certificates
         }
 
     private:
-        /** \brief Whether a motion is free as far as the certificates' checker knows. Its lock is released afterwards. */
+        /** \brief Whether a motion is free as far as the certificates' checker knows. Its lock is released afterwards.
+            */
         bool isFree(const ompl::base::State *s1, const ompl::base::State *s2) const;
 
         /** \brief The same; if it is not, \e freeUntil is set to the time up to which it is */
@@ -112,7 +113,8 @@ namespace ompl_certificates
             that is not valid */
         bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &until) const;
 
-        /** \brief Whether a checker of this library, not the certificates' own, checks among other obstacles. Warns once. */
+        /** \brief Whether a checker of this library, not the certificates' own, checks among other obstacles. Warns
+            once. */
         bool knowsOtherObstacles(const ompl::base::StateValidityChecker &checker) const;
 
         std::shared_ptr<const TeamValidityChecker> checker_;

@@ -11,8 +11,8 @@ namespace ompl_certificates
     /** \brief What is known of a path between the states at which it was checked; see provePath() */
     struct PathProof
     {
-        /** \brief The motions, or with controls the steps, that are not proved free throughout, in the order of the path.
-            A motion has the index of the state that it starts at, a step its number. */
+        /** \brief The motions, or with controls the steps, that are not proved free throughout, in the order of the
+            path. A motion has the index of the state that it starts at, a step its number. */
         std::vector<std::size_t> unproved;
 
         /** \brief How many of these, the last ones, were not looked at, since the work had to end. */

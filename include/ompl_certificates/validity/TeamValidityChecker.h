@@ -59,12 +59,12 @@ namespace ompl_certificates
         bool isPairFree(unsigned int first, const ompl::base::State *firstState, unsigned int second,
                         const ompl::base::State *secondState) const;
 
-        /** \brief Whether a robot touches neither an obstacle nor itself along its motion from \e from, which must be free,
-            to \e to. Checks samples at the team's resolution for this robot, \e to included. */
+        /** \brief Whether a robot touches neither an obstacle nor itself along its motion from \e from, which must be
+            free, to \e to. Checks samples at the team's resolution for this robot, \e to included. */
         bool isRobotMotionFree(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
-        /** \brief Whether two robots that move at the same time do not touch each other, if they do not where they begin.
-            Checks samples at the finer of the team's resolutions for them, the end included.
+        /** \brief Whether two robots that move at the same time do not touch each other, if they do not where they
+            begin. Checks samples at the finer of the team's resolutions for them, the end included.
             \throws ompl::Exception if both are the same robot */
         bool isPairMotionFree(unsigned int first, const ompl::base::State *firstFrom, const ompl::base::State *firstTo,
                               unsigned int second, const ompl::base::State *secondFrom,
@@ -72,7 +72,8 @@ namespace ompl_certificates
 
         /** \brief A lower bound of the distance from the team to the nearest contact: with an obstacle, between
             robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within
-            the leaves of the sphere trees, and nearer than these are large to within a sixteenth. Positive if and only if
+            the leaves of the sphere trees, and nearer than these are large to within a sixteenth. Positive if and only
+            if
             \e state is valid: 1e-12 where nothing more is proved. Cost: some microseconds for each robot and for each
             pair of robots, near contacts up to a hundred; at first milliseconds, if there are meshes. */
         double clearance(const ompl::base::State *state) const override;
@@ -110,10 +111,10 @@ namespace ompl_certificates
             the obstacles are MixedObstacles and the change is that of one member's set, and if called within a check. */
         void changeObstacles(const ObstacleChange &change);
 
-        /** \brief Returns a lock that blocks changeObstacles(), so that several calls see the same obstacles, also a plan
-            with threads of its own. Release it in the thread that took it, before the checker is destroyed. Threads that
-            lock several checkers must do so in the same order, and who locks one must not wait for another thread that
-            does; otherwise they may deadlock. */
+        /** \brief Returns a lock that blocks changeObstacles(), so that several calls see the same obstacles, also a
+            plan with threads of its own. Release it in the thread that took it, before the checker is destroyed.
+            Threads that lock several checkers must do so in the same order, and who locks one must not wait for another
+            thread that does; otherwise they may deadlock. */
         WorldLock::Check holdObstacles() const;
 
         /** \brief Counts and times of this checker and of its motion validator */
@@ -164,8 +165,8 @@ namespace ompl_certificates
 
         /** \brief Adds certificates of these obstacles, for example from another run. They must be true: they are not
             checked. Partial gives them to each robot. At the limit of setMaxCertificates() no more are added.
-            \throws ompl::Exception if the method keeps no single certificates: FCL, STANDARD and BASIC. Also if a point is
-            not finite, or not in the plane of a planar team, or a clearance is not a number or minus infinity; those
+            \throws ompl::Exception if the method keeps no single certificates: FCL, STANDARD and BASIC. Also if a point
+            is not finite, or not in the plane of a planar team, or a clearance is not a number or minus infinity; those
             before it are then added. */
         void addCertificates(const std::vector<Certificate> &certificates);
 
