@@ -115,7 +115,8 @@ namespace ompl_certificates
         /** \brief Whether the space moves each robot as its own space does, so that motion bounds hold. Not so for
             constrained spaces, for classes derived from CompoundStateSpace or TeamStateSpace, and for components of
             classes derived from the robots' spaces, such as DubinsStateSpace. A component of any class but those of
-            R^n, SO(2), SO(3), SE(2), SE(3) and compounds of them must be the robot's own space: two may have different parameters. */
+            R^n, SO(2), SO(3), SE(2), SE(3) and compounds of them must be the robot's own space: two may have different
+            parameters. */
         bool interpolatesRobots() const
         {
             return interpolatesRobots_;
