@@ -135,6 +135,9 @@ namespace ompl_certificates
 
     bool CertificateMotionValidator::knowsOtherObstacles(const ob::StateValidityChecker &checker) const
     {
+        // Others, as of a proof or of a change, are made to look at a world of their own.
+        if (si_->getMotionValidator().get() != this)
+            return false;
         const auto *other = dynamic_cast<const TeamValidityChecker *>(&checker);
         if (!other || other->getTeamCheck().shareObstacles() == checker_->getTeamCheck().shareObstacles())
             return false;

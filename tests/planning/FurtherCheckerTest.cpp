@@ -3,6 +3,7 @@
 #include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/ProvePath.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 #include "ompl_certificates/validity/SharedProjection.h"
 
@@ -192,6 +193,11 @@ TEST(FurtherCheckers, AreThoseOfOtherObstaclesToo)
         setup.setStateValidityChecker(walled);
         EXPECT_EQ(validator.getFurtherChecker(), walled.get());
         EXPECT_FALSE(si->checkMotion(from.get(), to.get()));
+        // A proof is about the world of its checker.
+        EXPECT_EQ(CertificateMotionValidator(setup.getTeamChecker(), mode).getFurtherChecker(), nullptr);
+        og::PathGeometric straight(si, from.get(), to.get());
+        EXPECT_TRUE(provePath(straight, setup.getTeamChecker()).isProved());
+        EXPECT_FALSE(provePath(straight, walled).isProved());
         setup.setStartAndGoalStates(from, to);
         setup.setPlanner(std::make_shared<DRRTstar>(si));
         EXPECT_NE(messageOf([&] { setup.solve(1.0); }).find("another validity checker"), std::string::npos);

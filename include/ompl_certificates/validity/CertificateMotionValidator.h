@@ -85,9 +85,10 @@ namespace ompl_certificates
 
         /** \brief The validity checker that knows more than this validator's certificates: that of the space
             information, or the one this validator was made with, if its class is not one of this library's; or that of
-            the space information if it is another one, among other obstacles, which is warned of. Null if neither is.
-            Where a motion is free, its samples are asked of it as well, as ompl::base::DiscreteMotionValidator does, in
-            continuous mode too. That costs what it costs, so let it look at what the certificates do not know, first.
+            the space information if it checks among other obstacles, and this is the motion validator there, which is
+            warned of. Null if neither is. Where a motion is free, its samples are asked of it as well, as
+            ompl::base::DiscreteMotionValidator does, in continuous mode too. That costs what it costs, so let it look
+            at what the certificates do not know, first.
 
             Nothing is locked while it is asked: it may wait for other threads, hold the obstacles and change them. If
             they change meanwhile, the certificates' verdict is about the world before, and it decides about each sample
@@ -113,8 +114,8 @@ namespace ompl_certificates
             that is not valid */
         bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &until) const;
 
-        /** \brief Whether a checker of this library, not the certificates' own, checks among other obstacles. Warns
-            once. */
+        /** \brief Whether the space information's checker is another one of this library, among other obstacles, while
+            this is its motion validator. Warns once. */
         bool knowsOtherObstacles(const ompl::base::StateValidityChecker &checker) const;
 
         std::shared_ptr<const TeamValidityChecker> checker_;
