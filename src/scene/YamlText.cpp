@@ -1,5 +1,7 @@
 #include "YamlText.h"
 
+#include <algorithm>
+#include <cctype>
 #include <ompl/util/Exception.h>
 #include <sstream>
 #include <yaml-cpp/eventhandler.h>
@@ -71,7 +73,11 @@ namespace ompl_certificates
         catch (const YAML::Exception &exception)
         {
             const std::string line = exception.mark.is_null() ? "" : ":" + std::to_string(exception.mark.line + 1);
-            throw ompl::Exception(source + line, "not valid YAML: " + exception.msg);
+            // Some messages quote a character of the text.
+            std::string message = exception.msg;
+            std::replace_if(
+                message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+            throw ompl::Exception(source + line, "not valid YAML: " + message);
         }
     }
 }

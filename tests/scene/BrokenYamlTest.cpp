@@ -25,6 +25,7 @@ namespace ompl_certificates
             {"Empty", "", "f.yaml: is empty"},
             {"Syntax", "environment: {min: [0, 0}\nrobots: []", "f.yaml:1: not valid YAML"},
             {"SyntaxLater", "name: x\nenvironment:\n  min: [0, 0]\n max: [1, 1]\n", "f.yaml:4: not valid YAML"},
+            {"SyntaxOfAByte", "name: \"\\\x01\"", "f.yaml:1: not valid YAML: unknown escape character:  "},
             {"Documents", "name: x\n---\nname: y\n", "f.yaml: must hold one YAML document"},
             {"DocumentBehindNone", "name: x\n---\n---\nname: y\n", "f.yaml: must hold one YAML document"},
             {"DocumentsForEver", " ,x: 1", "f.yaml: must hold one YAML document"},
