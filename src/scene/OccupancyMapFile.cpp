@@ -85,7 +85,9 @@ namespace ompl_certificates
             std::istringstream stream(readRegularFile(file, MOST_BYTES));
             try
             {
-                const auto &info = gil::read_image_info(stream, gil::pnm_tag())._info;
+                const auto info = gil::read_image_info(stream, gil::pnm_tag())._info;
+                if (std::min(info._width, info._height) < 1)
+                    throw ompl::Exception("it has no pixels");
                 if (std::max(info._width, info._height) > gil::point_t::value_type(CellBox::FARTHEST))
                     throw ompl::Exception("it has " + std::to_string(info._width) + " x " +
                                           std::to_string(info._height) + " pixels, more than " +
