@@ -2,6 +2,7 @@
 
 #include "FclConvex.h"
 #include "TriangleDistance.h"
+#include "TriangleTree.h"
 
 #include "ompl_certificates/geometry/Pose.h"
 
