@@ -1,3 +1,4 @@
+#include "planning/ProductTree.h"
 #include "support/CrowdProblem.h"
 #include "support/Quiet.h"
 
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/goals/GoalStates.h>
 #include <ompl/util/RandomNumbers.h>
 
 using namespace ompl_certificates;
@@ -211,19 +211,27 @@ TEST_F(DRRTstarAgain, PlansWhereSomeWaysCostWithoutEnd)
     }
 }
 
+/** The tree knows a short way to a dear goal, and a longer one to another. */
 TEST_F(DRRTstarAgain, CountsWhatItCostsToEndAtAGoal)
 {
     Room room(1, 2.0);
-    ob::ScopedState<> dear(room.team), cheap(room.team);
-    dear = std::vector<double>{5.0, 0.5};
-    cheap = std::vector<double>{5.0, -9.0};
-    auto goals = std::make_shared<ob::GoalStates>(room.setup->getSpaceInformation());
-    goals->addState(dear);
-    goals->addState(cheap);
-    room.setup->setGoal(goals);
-    room.setup->setOptimizationObjective(std::make_shared<PricedGoals>(room.setup->getSpaceInformation()));
-    ASSERT_EQ(room.setup->solve(evaluations(3000)), ob::PlannerStatus::EXACT_SOLUTION);
-    EXPECT_LT(room.solution().cost_.value(), 50.0);
+    room.setup->setup();
+    const ob::SpaceInformationPtr si = room.setup->getSpaceInformation();
+    const auto &validator = dynamic_cast<const CertificateMotionValidator &>(*si->getMotionValidator());
+    TeamRoadmaps roadmaps(validator, true, 1);
+    ProductTree tree(si, std::make_shared<PricedGoals>(si), roadmaps);
+    ob::ScopedState<> start(room.team), dear(room.team), cheap(room.team);
+    start = std::vector<double>{5.0, 4.0};
+    dear = std::vector<double>{5.0, 2.0};
+    cheap = std::vector<double>{5.0, -4.0};
+    const auto from = roadmaps.add(start.get()), near = roadmaps.add(dear.get()), far = roadmaps.add(cheap.get());
+    tree.setGoals(
+        {{near, {roadmaps.getRoadmap(0).distancesTo(near[0])}}, {far, {roadmaps.getRoadmap(0).distancesTo(far[0])}}});
+    tree.insert({from, near});
+    EXPECT_EQ(tree.getCost().value(), 102.0);
+    tree.insert({from, far});
+    EXPECT_EQ(tree.getCost().value(), 8.0);
+    EXPECT_EQ(tree.getPath().back(), far);
 }
 
 /** Two robots that RRTConnect plans for together, without the tree */
