@@ -122,6 +122,9 @@ namespace
                 report.reason = reasonOf(status, *setup.getPlanner());
         }
         report.totalSeconds = setup.getLastPlanComputationTime();
+        // A planner that ends before its time, and told of no solution until then, ends with its first one.
+        if (report.solved && report.firstSolutionSeconds < 0.0 && limit.getFraction() < 1.0 && !demos::interrupted())
+            report.firstSolutionSeconds = report.totalSeconds;
         report.checkingSeconds = setup.getStatistics().getCheckingSeconds();
         if (timed)
             report.nearestSeconds = clock->getSeconds();

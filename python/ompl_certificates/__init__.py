@@ -120,10 +120,11 @@ def plan(
     method: shared, partial, basic, standard or fcl; by default shared. A Checker has its own.
     motion: discrete or continuous; by default discrete. A Checker has its own.
     time: how long to plan at most, in seconds
-    seed: of OMPL's random numbers; the same seed grows the same tree. They are one for the whole process.
+    seed: of OMPL's random numbers, at least 1; the same seed grows the same tree, but for planners that go by the
+        clock or use threads, such as PRM, PRMstar, CForest and pRRT. They are one for the whole process.
     callback: called some 20 times in a second with the seconds so far and the best cost, which is infinite if
         the planner does not tell it. The plan ends when it returns what Python takes for true; what it raises is
-        raised by plan().
+        raised by plan(), with what was found by then as its attribute plan.
     objective: length, sum, makespan or arrival
     iterations: end after that many evaluations of the termination condition, too; at least 1
     first: end with the first solution, also if the planner could lower its cost
@@ -134,7 +135,8 @@ def plan(
         or to their coordinates; robots that it does not name keep their goals.
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
-    condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states.
+    condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states. What was found
+    by then is not lost: it is the exception's attribute plan.
     """
     _require_options(time, iterations, seed, parameters)
     if isinstance(scene, Checker):

@@ -313,6 +313,8 @@ class Checker:
         """What collides in a state, in one line that names the obstacle and the link; empty if it is valid. Obstacles
         of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,
         by their numbers."""
+    def prove(self, path: ArrayLike) -> Proof:
+        """"""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
     def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:

@@ -89,9 +89,10 @@ namespace ompl_certificates_python
 
     void bindBodies(py::module_ &module)
     {
-        py::class_<Body>(module, "Body",
-                         "A rigid body: one or more shapes in its own frame. Lengths are in the scene's unit.")
-            .def_static("disc", &Body::disc, py::arg("radius"), "A disc, in the plane; radius 0 is a point")
+        py::class_<Body> bodies(module, "Body",
+                                "A rigid body: one or more shapes in its own frame. Lengths are in the scene's unit.");
+        forbidNew(bodies, "Body.disc(), Body.box() and other functions of the class make bodies");
+        bodies.def_static("disc", &Body::disc, py::arg("radius"), "A disc, in the plane; radius 0 is a point")
             .def_static("sphere", &Body::sphere, py::arg("radius"), "A sphere, in space; radius 0 is a point")
             .def_static("box", &makeBox, py::arg("x"), py::arg("y"), py::arg("z") = py::none(),
                         "A rectangle about the origin, or with z a box, with these extents")
@@ -108,7 +109,8 @@ namespace ompl_certificates_python
             .def_static("mesh", &makeMesh, py::arg("vertices"), py::arg("faces"), py::arg("dimension") = 3,
                         "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
                         "a planar scene: it keeps its z, and moves in x and y.")
-            .def_static("mesh_file", &readMesh, py::arg("file"), py::arg("dimension") = 3, py::arg("keep_axes") = false,
+            .def_static("mesh_file", &readMesh, py::call_guard<py::gil_scoped_release>(), py::arg("file"),
+                        py::arg("dimension") = 3, py::arg("keep_axes") = false,
                         "The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in "
                         "OMPL.app, unless keep_axes is true, as in ROS.")
             .def_static("join", &join, py::arg("members"),

@@ -169,6 +169,23 @@ namespace ompl_certificates_python
         return row.get();
     }
 
+    ompl::geometric::PathGeometric Checker::toPath(const Doubles &states, const char *what) const
+    {
+        const std::size_t rows = countRows(states, what);
+        if (rows == 0)
+            throw ompl::Exception(what, "must have a state at least");
+        ompl::geometric::PathGeometric path(setup_->getSpaceInformation());
+        Row row(*this);
+        for (std::size_t i = 0; i < rows; ++i)
+        {
+            const ob::State *state = row.read(states.data() + i * rotations_.count);
+            if (!state || !row.isFinite())
+                throw ompl::Exception(what, "row " + std::to_string(i) + ": all numbers must be finite");
+            path.append(state);
+        }
+        return path;
+    }
+
     std::string Checker::describeCollision(const Doubles &state) const
     {
         requireState(state, "state");

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <ompl/geometric/PathGeometric.h>
 
 namespace ompl_certificates_python
 {
@@ -78,6 +79,10 @@ namespace ompl_certificates_python
         /** \brief A state of the team, from its numbers
             \throws ompl::Exception that names \e what as isValid() does, and if a number is not finite */
         ompl::base::ScopedState<> toState(const Doubles &values, const char *what) const;
+
+        /** \brief A path of the team, from a row of numbers for each of its states
+            \throws ompl::Exception as toState() does, and if there is no row */
+        ompl::geometric::PathGeometric toPath(const Doubles &states, const char *what) const;
 
         /** \brief The scene with the obstacles there are now, and a goal
             \param goal a state of the team; null for the scene's own */

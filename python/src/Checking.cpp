@@ -1,7 +1,9 @@
 #include "Bindings.h"
 #include "Changes.h"
+#include "Proof.h"
 #include "Reports.h"
 
+#include <ompl_certificates/planning/ProvePath.h>
 #include <ompl_certificates/validity/CertificateFile.h>
 
 #include <algorithm>
@@ -68,13 +70,27 @@ namespace ompl_certificates_python
                 .def(
                     "describe_collision",
                     [](const Checker &self, const py::object &state)
-                    { return self.describeCollision(toDoubles(state, "state")); },
+                    {
+                        const Doubles numbers = toDoubles(state, "state");
+                        const py::gil_scoped_release release;
+                        return self.describeCollision(numbers);
+                    },
                     py::arg("state"),
                     "What collides in a state, in one line that names the obstacle and the link; empty if it is valid. "
                     "Obstacles of the scene are called as Scene.validate() calls them, others added obstacle 3, "
-                    "added cloud 1 or added grid 2, by their numbers.");
+                    "added cloud 1 or added grid 2, by their numbers.")
+                .def(
+                    "prove",
+                    [](const Checker &self, const py::object &path)
+                    {
+                        return toProof(findProof(
+                            self.toPath(toDoubles(path, "path"), "path"), self.getSetup().getTeamChecker(),
+                            [&self](const ompl::base::State *state) { return self.describeCollision(state); }));
+                    },
+                    py::arg("path"),
+                    "Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also "
+                    "between its states, as Plan.prove() does for a plan's. Its ends are looked at, too.");
         }
-
     }
 
     void bindChecker(py::module_ &module)
@@ -83,8 +99,9 @@ namespace ompl_certificates_python
             module, "Checker",
             "Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of "
             "the scene do not reach it. Threads may share it.");
-        checker.def(py::init<const Scene &, const std::string &, const std::string &>(), py::arg("scene"),
-                    py::arg("method") = "shared", py::arg("motion") = "discrete",
+        checker.def(py::init<const Scene &, const std::string &, const std::string &>(),
+                    py::call_guard<py::gil_scoped_release>(), py::arg("scene"), py::arg("method") = "shared",
+                    py::arg("motion") = "discrete",
                     "method: shared, partial, basic, standard or fcl. motion: discrete or continuous.");
         checker.def("__repr__",
                     [](const Checker &self)

@@ -1,5 +1,6 @@
 #include "ControlPlan.h"
-#include "Proof.h"
+
+#include "Bindings.h"
 
 #include <ompl_certificates/control/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
@@ -52,6 +53,14 @@ namespace ompl_certificates_python
         }
     }
 
+    Proof prove(ControlPlan &plan)
+    {
+        const auto team = std::static_pointer_cast<TeamStateSpace>(plan.setup->getStateSpace());
+        return reportProof(plan, findProof(solutionOf(plan), plan.setup->getTeamChecker(),
+                                           [&](const ob::State *state)
+                                           { return plan.scene->describeCollision(team, state); }));
+    }
+
     void setSolution(ControlPlan &plan, const control::PathControl &solution)
     {
         const auto path = std::make_shared<control::PathControl>(solution);
@@ -72,6 +81,7 @@ namespace ompl_certificates_python
     void bindControlPlan(py::module_ &module)
     {
         py::class_<ControlPlan> plan(module, "ControlPlan", "What came of a plan by controls");
+        forbidNew(plan, "plan_controls() makes plans by controls");
         bindOutcome(plan);
         plan.def("__repr__", &describe)
             .def_property_readonly("cost", &durationOf,
@@ -84,13 +94,7 @@ namespace ompl_certificates_python
             .def_readonly("control_names", &ControlPlan::controlNames,
                           "The names of the columns of controls, such as cart.linear")
             .def(
-                "prove",
-                [](ControlPlan &self)
-                {
-                    const auto team = std::static_pointer_cast<TeamStateSpace>(self.setup->getStateSpace());
-                    return prove(self, self.setup->getTeamChecker(),
-                                 [&](const ob::State *state) { return self.scene->describeCollision(team, state); });
-                },
+                "prove", py::overload_cast<ControlPlan &>(&prove),
                 "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
                 "mode looks. In a step that is not proved a hundred states are looked at until one collides. Raises "
                 "Error if there is no path.")

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_PYTHON_CONTROL_PLAN_
 
 #include "Outcome.h"
+#include "Proof.h"
 
 #include <ompl_certificates/control/TeamControlSetup.h>
 
@@ -24,6 +25,10 @@ namespace ompl_certificates_python
         /** \brief What the planner needs to live */
         ompl_certificates::TeamControlSetupPtr setup;
     };
+
+    /** \brief Prove the solution, and report what is found.
+        \throws ompl::Exception if there is no path */
+    Proof prove(ControlPlan &plan);
 
     /** \brief Fill in the solution, step by step, with states, times and controls. */
     void setSolution(ControlPlan &plan, const ompl::control::PathControl &solution);

@@ -105,11 +105,11 @@ namespace ompl_certificates_python
             return setup;
         }
 
-        /** Plan, and fill in the report. */
-        void solve(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
+        /** Plan, and fill in the report; returns what Python threw meanwhile. */
+        std::exception_ptr solve(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
         {
             Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
-            progress.run(
+            const std::exception_ptr interrupt = progress.run(
                 [&]
                 {
                     setup.setup();
@@ -126,6 +126,7 @@ namespace ompl_certificates_python
             setCounts(report, setup, progress.getEvaluations());
             if (report.solved)
                 report.cost = setup.getSolutionPath().length();  // its duration
+            return interrupt;
         }
 
         ControlPlan planControls(const Scene &original, const ControlOptions &options, const py::object &start,
@@ -150,10 +151,11 @@ namespace ompl_certificates_python
             setNames(plan, *plan.setup->getStateSpace());
             plan.controlNames = controlNames(*plan.setup->getStateSpace());
             plan.controls = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(plan.controlNames.size())});
-            solve(*plan.setup, options, plan.report);
+            const std::exception_ptr interrupt = solve(*plan.setup, options, plan.report);
             if (plan.report.solved)
                 setSolution(plan, plan.setup->getSolutionPath());
             plan.certificates = plan.setup->getTeamChecker()->getCertificates();
+            rethrowWith(interrupt, [&plan] { return py::cast(plan); });
             return plan;
         }
 

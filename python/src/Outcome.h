@@ -41,6 +41,9 @@ namespace ompl_certificates_python
         /** \brief The planner, and its tree once takeTree() has copied it. The tree's states are the planner's. */
         ompl::base::PlannerPtr planner;
         std::shared_ptr<const ompl::base::PlannerData> tree;
+
+        /** \brief Whether the report tells what a proof found */
+        bool isProofReported{false};
     };
 
     /** \brief The names of the coordinates, and no rows until there is a solution */
@@ -57,6 +60,16 @@ namespace ompl_certificates_python
     /** \brief Copy the planner's tree and report it, unless that was done before: it may take longer than the plan.
         With Python's lock. */
     void takeTree(Outcome &outcome);
+
+    /** \brief Add to the report what is known once somebody asks for it: the tree, and a proof of the solution. With
+        Python's lock. */
+    template <typename Kind>
+    void completeReport(Kind &plan)
+    {
+        takeTree(plan);
+        if (plan.solution && !plan.isProofReported)
+            prove(plan);
+    }
 
     /** \brief Refuse a file that is no picture by its name.
         \throws ompl::Exception if it does not end in .svg */
@@ -97,7 +110,7 @@ namespace ompl_certificates_python
     py::object view(Kind &plan, const py::object &path)
     {
         std::string html;
-        takeTree(plan);
+        completeReport(plan);
         {
             const py::gil_scoped_release release;
             ompl_certificates::PlanViewer viewer(*plan.scene);
@@ -135,16 +148,17 @@ namespace ompl_certificates_python
                 "report",
                 [](Kind &self)
                 {
-                    takeTree(self);
+                    completeReport(self);
                     return toDict(self.report);
                 },
                 "Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree "
-                "copies the planner's tree: some seconds for a hundred thousand states.")
+                "copies the planner's tree: some seconds for a hundred thousand states. The first report or page also "
+                "calls prove(), unless that was done before.")
             .def(
                 "save_report",
                 [](Kind &self, const std::filesystem::path &file)
                 {
-                    takeTree(self);
+                    completeReport(self);
                     self.report.write(file);
                 },
                 py::arg("file"), "Write the report as JSON.")

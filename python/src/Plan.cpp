@@ -1,5 +1,6 @@
 #include "Plan.h"
-#include "Proof.h"
+
+#include "Bindings.h"
 
 #include <ompl_certificates/planning/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
@@ -51,6 +52,13 @@ namespace ompl_certificates_python
         }
     }
 
+    Proof prove(Plan &plan)
+    {
+        return reportProof(plan,
+                           findProof(solutionOf(plan), plan.checker->getSetup().getTeamChecker(),
+                                     [&](const ob::State *state) { return plan.checker->describeCollision(state); }));
+    }
+
     void setSolution(Plan &plan, const ompl::geometric::PathGeometric &path)
     {
         plan.path = readOnly(toRows(*path.getSpaceInformation()->getStateSpace(),
@@ -63,6 +71,7 @@ namespace ompl_certificates_python
     void bindPlan(py::module_ &module)
     {
         py::class_<Plan> plan(module, "Plan", "What came of a plan");
+        forbidNew(plan, "plan() makes plans");
         bindOutcome(plan);
         plan.def("__repr__", py::overload_cast<const Plan &>(&describe))
             .def_property_readonly("cost", py::overload_cast<const Plan &>(&costOf),
@@ -70,16 +79,10 @@ namespace ompl_certificates_python
             .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
             .def_readonly("times", &Plan::times,
                           "When the team is at each state if no robot is faster than 1, of shape (n,)")
-            .def(
-                "prove",
-                [](Plan &self)
-                {
-                    return prove(self, self.checker->getSetup().getTeamChecker(),
-                                 [&self](const ob::State *state) { return self.checker->describeCollision(state); });
-                },
-                "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
-                "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
-                "times as dense are looked at until one collides. Raises Error if there is no path.")
+            .def("prove", py::overload_cast<Plan &>(&prove),
+                 "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
+                 "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
+                 "times as dense are looked at until one collides. Raises Error if there is no path.")
             .def("save", &savePath<Plan>, py::arg("file"),
                  "Write the path as a table of comma-separated values (docs/plan-team.md).")
             .def(

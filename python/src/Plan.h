@@ -3,6 +3,7 @@
 
 #include "Checker.h"
 #include "Outcome.h"
+#include "Proof.h"
 
 #include <memory>
 #include <ompl/geometric/PathGeometric.h>
@@ -18,6 +19,10 @@ namespace ompl_certificates_python
         /** \brief What the planner needs to live */
         std::shared_ptr<const Checker> checker;
     };
+
+    /** \brief Prove the solution among the checker's obstacles as they are now, and report what is found.
+        \throws ompl::Exception if there is no path */
+    Proof prove(Plan &plan);
 
     /** \brief Fill in the solution, its states and their times. */
     void setSolution(Plan &plan, const ompl::geometric::PathGeometric &solution);

@@ -137,7 +137,11 @@ namespace ompl_certificates_python
                     throw ompl::Exception(checker.getSceneName(),
                                           what + " robot '" + robot.getName() + "' is outside the bounds");
             }
-            const std::string collision = checker.describeCollision(state);
+            const std::string collision = [&]
+            {
+                const py::gil_scoped_release release;
+                return checker.describeCollision(state);
+            }();
             if (!collision.empty())
                 throw ompl::Exception(checker.getSceneName(), what + " " + collision);
         }
@@ -156,10 +160,14 @@ namespace ompl_certificates_python
                 throw ompl::Exception("objective", "arrival needs one state as the goal of each robot");
             requireFree(setup, checker, "start:", begin.get());
             // What was chosen for the last plan still serves, if the world has not changed there.
-            if (start.is_none() && goal.is_none() && setup.getStateValidityChecker()->isValid(goalOf(setup).get()))
-                problem.setProblem(setup);
-            else
-                problem.chooseGoals(setup);
+            {
+                const bool isLast = start.is_none() && goal.is_none();
+                const py::gil_scoped_release release;
+                if (isLast && setup.getStateValidityChecker()->isValid(goalOf(setup).get()))
+                    problem.setProblem(setup);
+                else
+                    problem.chooseGoals(setup);
+            }
             const ob::ScopedState<> end = goalOf(setup);
             try
             {
@@ -188,11 +196,11 @@ namespace ompl_certificates_python
                 .value();
         }
 
-        /** Plan, and fill in the report. */
-        void solve(TeamSetup &setup, const Options &options, PlanReport &report)
+        /** Plan, and fill in the report; returns what Python threw meanwhile. */
+        std::exception_ptr solve(TeamSetup &setup, const Options &options, PlanReport &report)
         {
             Progress progress(options.seconds, options.iterations, options.callback, *setup.getPlanner());
-            progress.run(
+            const std::exception_ptr interrupt = progress.run(
                 [&]
                 {
                     setup.setup();
@@ -209,17 +217,22 @@ namespace ompl_certificates_python
                         report.reason = reasonOf(status, *setup.getPlanner());
                 });
             setCounts(report, setup, progress.getEvaluations());
+            // A planner that ends before its time, and told of no solution until then, ends with its first one.
+            if (report.solved && report.firstSolutionSeconds < 0.0 && !progress.wasOver())
+                report.firstSolutionSeconds = report.totalSeconds;
             if (report.solved)
                 report.cost = costOf(setup, options);
+            return interrupt;
         }
 
-        /** Shorten the solution, for as long as it was planned for at most. */
-        void simplify(TeamSetup &setup, const Options &options, PlanReport &report)
+        /** Shorten the solution, for as long as it was planned for at most; returns what Python threw meanwhile. */
+        std::exception_ptr simplify(TeamSetup &setup, const Options &options, PlanReport &report)
         {
             Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
-            progress.run([&] { setup.simplifySolution(progress.condition()); });
+            const std::exception_ptr interrupt = progress.run([&] { setup.simplifySolution(progress.condition()); });
             report.simplifiedCost = costOf(setup, options);
             report.simplifyingSeconds = setup.getLastSimplificationTime();
+            return interrupt;
         }
 
         /** Keep what a page shows of all this. */
@@ -265,13 +278,14 @@ namespace ompl_certificates_python
             plan.report.objective = options.objective;
             plan.report.seed = options.seed;
             setNames(plan, *setup.getStateSpace());
-            solve(setup, options, plan.report);
+            std::exception_ptr interrupt = solve(setup, options, plan.report);
             // An approximate path would be taken for a solution.
-            if (plan.report.solved && options.simplify)
-                simplify(setup, options, plan.report);
+            if (plan.report.solved && options.simplify && !interrupt)
+                interrupt = simplify(setup, options, plan.report);
             if (plan.report.solved)
                 setSolution(plan, setup.getSolutionPath());
             keepAll(plan, owner);
+            rethrowWith(interrupt, [&plan] { return py::cast(plan); });
             return plan;
         }
 

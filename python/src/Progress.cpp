@@ -36,7 +36,7 @@ namespace ompl_certificates_python
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    void Progress::run(const std::function<void()> &work)
+    std::exception_ptr Progress::run(const std::function<void()> &work)
     {
         std::exception_ptr exception;
         {
@@ -66,8 +66,7 @@ namespace ompl_certificates_python
             }
             end.get();
         }
-        if (exception)
-            std::rethrow_exception(exception);
+        return exception;
     }
 
     bool Progress::isOver()
@@ -114,5 +113,20 @@ namespace ompl_certificates_python
                 if (std::from_chars(text.data(), text.data() + text.size(), cost).ec == std::errc())
                     cost_ = cost;
             }
+    }
+
+    void rethrowWith(const std::exception_ptr &exception, const std::function<py::object()> &plan)
+    {
+        if (!exception)
+            return;
+        try
+        {
+            std::rethrow_exception(exception);
+        }
+        catch (const py::error_already_set &error)
+        {
+            py::setattr(error.value(), "plan", plan());
+            throw;
+        }
     }
 }

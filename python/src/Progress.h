@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <ompl/base/Planner.h>
@@ -32,13 +33,21 @@ namespace ompl_certificates_python
 
         /** \brief Call \e work in another thread, and return when it has ended. Call it with Python's lock, which is
             released meanwhile.
-            \throws what \e work, the callback or the handler of a signal throws */
-        void run(const std::function<void()> &work);
+            \return what the callback or the handler of a signal threw, such as KeyboardInterrupt, which made \e work
+            end before its time; null if neither did. See rethrowWith().
+            \throws what \e work throws */
+        [[nodiscard]] std::exception_ptr run(const std::function<void()> &work);
 
         /** \brief How often the planner asked and was to go on */
         std::uint64_t getEvaluations() const
         {
             return evaluations_;
+        }
+
+        /** \brief Whether the planner was told to end; if not, it ended by itself */
+        bool wasOver() const
+        {
+            return over_;
         }
 
         /** \brief The seconds since construction */
@@ -65,6 +74,10 @@ namespace ompl_certificates_python
         std::atomic<std::uint64_t> evaluations_{0};
         std::atomic<bool> over_{false};
     };
+
+    /** \brief Throw \e exception, unless it is null. If it is one of Python, then \e plan is its attribute of that
+        name: what had been found by then is not lost. */
+    void rethrowWith(const std::exception_ptr &exception, const std::function<pybind11::object()> &plan);
 }
 
 #endif

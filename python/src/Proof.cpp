@@ -15,23 +15,31 @@ namespace ompl_certificates_python
         }
     }
 
-    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found, const std::string &collision)
+    Proof toProof(const FoundProof &found)
     {
-        plan.report.setProof(found);
-        plan.report.collision = collision;
-        Proof proof{found.unproved, py::none(), py::none()};
-        if (found.collision)
+        Proof proof{found.proof.unproved, py::none(), py::none()};
+        if (found.proof.collision)
         {
-            const std::vector<double> row = found.collision->reals();
+            const std::vector<double> row = found.proof.collision->reals();
             proof.collision = Doubles(static_cast<py::ssize_t>(row.size()), row.data());
-            proof.reason = py::str(collision);
+            proof.reason = py::str(found.collision);
         }
         return proof;
     }
 
+    Proof reportProof(Outcome &plan, const FoundProof &found)
+    {
+        plan.report.setProof(found.proof);
+        plan.report.collision = found.collision;
+        plan.isProofReported = true;
+        return toProof(found);
+    }
+
     void bindProof(py::module_ &module)
     {
-        py::class_<Proof>(module, "Proof", "What is known of a path between the states at which it was checked")
+        py::class_<Proof> proofs(module, "Proof", "What is known of a path between the states at which it was checked");
+        forbidNew(proofs, "Plan.prove() and Checker.prove() make proofs");
+        proofs
             .def_property_readonly(
                 "proved", [](const Proof &proof) { return proof.unproved.empty(); },
                 "Whether all of the path is proved free")

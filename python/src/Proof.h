@@ -19,35 +19,48 @@ namespace ompl_certificates_python
         py::object collision, reason;
     };
 
-    /** \brief Add what is found to the report of a plan. With Python's lock.
-        \param collision what collides, in words; empty if nothing */
-    Proof reportProof(Outcome &plan, const ompl_certificates::PathProof &found, const std::string &collision);
+    /** \brief A PathProof, and what collides, in words; empty if nothing was found */
+    struct FoundProof
+    {
+        ompl_certificates::PathProof proof;
+        std::string collision;
+    };
 
-    /** \brief The proof of a plan's solution by \e checker, which Ctrl-C ends
-        \param describe tells what collides in a state, without Python's lock
-        \throws ompl::Exception if there is no path */
+    /** \brief The same for Python. With its lock. */
+    Proof toProof(const FoundProof &found);
+
+    /** \brief Add what is found to the report of a plan, and return it for Python. With its lock. */
+    Proof reportProof(Outcome &plan, const FoundProof &found);
+
+    /** \brief The proof of a path by \e checker, which Ctrl-C ends. Python's lock is released meanwhile.
+        \param describe tells what collides in a state, without Python's lock */
+    template <typename Path>
+    FoundProof findProof(const Path &path, const std::shared_ptr<ompl_certificates::TeamValidityChecker> &checker,
+                         const std::function<std::string(const ompl::base::State *)> &describe)
+    {
+        const py::gil_scoped_release release;
+        Signals signals;
+        FoundProof found{provePath(path, checker,
+                                   ompl::base::PlannerTerminationCondition(
+                                       [&signals]
+                                       {
+                                           signals.handle();
+                                           return false;
+                                       })),
+                         ""};
+        if (found.proof.collision)
+            found.collision = describe(found.proof.collision->get());
+        return found;
+    }
+
+    /** \brief The solution of a plan
+        \throws ompl::Exception if there is none */
     template <typename Kind>
-    Proof prove(Kind &plan, const std::shared_ptr<ompl_certificates::TeamValidityChecker> &checker,
-                const std::function<std::string(const ompl::base::State *)> &describe)
+    const auto &solutionOf(const Kind &plan)
     {
         if (!plan.solution)
             throw ompl::Exception("prove", "there is no path");
-        ompl_certificates::PathProof found;
-        std::string collision;
-        {
-            const py::gil_scoped_release release;
-            Signals signals;
-            found = provePath(*plan.solution, checker,
-                              ompl::base::PlannerTerminationCondition(
-                                  [&signals]
-                                  {
-                                      signals.handle();
-                                      return false;
-                                  }));
-            if (found.collision)
-                collision = describe(found.collision->get());
-        }
-        return reportProof(plan, found, collision);
+        return *plan.solution;
     }
 }
 

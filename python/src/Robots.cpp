@@ -189,6 +189,7 @@ namespace ompl_certificates_python
         py::class_<Robot, RobotHolder> robots(module, "Robot",
                                               "One member of a team: a rigid body, a car with a trailer, an arm, or a "
                                               "robot that moves by controls");
+        forbidNew(robots, "Robot.rigid(), Robot.arm() and other functions of the class make robots");
         robots
             .def_static("rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
                         py::arg("turns") = true,

@@ -300,14 +300,15 @@ namespace ompl_certificates_python
 
         module.def(
             "load_scene", [](const std::filesystem::path &file, bool dynamics) { return loadScene(file, dynamics); },
-            py::arg("file"), py::kw_only(), py::arg("dynamics") = false,
+            py::call_guard<py::gil_scoped_release>(), py::arg("file"), py::kw_only(), py::arg("dynamics") = false,
             "The scene in a YAML file (docs/scene-format.md) or a .cfg file of OMPL.app. With dynamics robots of "
             "db-CBS move by controls, and their velocities count; there may be no others.");
         module.def(
             "scene_from_yaml",
             [](const std::string &text, const std::string &source, bool dynamics)
             { return sceneFromYaml(text, source, dynamics); },
-            py::arg("text"), py::arg("source") = "scene.yaml", py::kw_only(), py::arg("dynamics") = false,
+            py::call_guard<py::gil_scoped_release>(), py::arg("text"), py::arg("source") = "scene.yaml", py::kw_only(),
+            py::arg("dynamics") = false,
             "The scene in a text, as load_scene() reads it. Errors name source, and meshes are looked for in its "
             "folder.");
         module.def(
@@ -334,8 +335,8 @@ namespace ompl_certificates_python
                 options.packages.insert(packages.begin(), packages.end());
                 return readMoveItFiles(file, request, ArmFile(urdf, srdf, options)).scene;
             },
-            py::arg("scene"), py::arg("request"), py::arg("urdf"), py::arg("srdf"),
-            py::arg("packages") = std::map<std::string, std::filesystem::path>(),
+            py::call_guard<py::gil_scoped_release>(), py::arg("scene"), py::arg("request"), py::arg("urdf"),
+            py::arg("srdf"), py::arg("packages") = std::map<std::string, std::filesystem::path>(),
             "The scene in MoveIt's planning scene and motion plan request (YAML). packages are as for Robot.arm().");
     }
 }

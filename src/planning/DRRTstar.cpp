@@ -301,10 +301,10 @@ namespace ompl_certificates
         if (!best_)
         {
             if (!stuckRobot_.empty())
-                OMPL_ERROR("%s: robot '%s' found no way from its start to %s even alone, among %llu vertices",
-                           getName().c_str(), stuckRobot_.c_str(),
-                           goals_->size() == 1 ? "its goal" : "any of the goals sampled",
-                           static_cast<unsigned long long>(vertices_));
+                OMPL_INFORM("%s: robot '%s' found no way from its start to %s even alone, among %llu vertices",
+                            getName().c_str(), stuckRobot_.c_str(),
+                            goals_->size() == 1 ? "its goal" : "any of the goals sampled",
+                            static_cast<unsigned long long>(vertices_));
             return ob::PlannerStatus::TIMEOUT;
         }
         // A copy, which its owner may change

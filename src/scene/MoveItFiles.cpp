@@ -33,25 +33,31 @@ namespace ompl_certificates
                 if (const auto parent = frames.find(tree.getLinks()[link.parent].name);
                     parent != frames.end() && link.joint.type == KinematicTree::JointType::FIXED)
                     frames.emplace(link.name, parent->second * link.joint.origin);
-            if (const auto joint = robot.getVirtualJoint())
-                frames.emplace(joint->parentFrame, Pose::Identity());
-            std::string planningFrame;
+            // Without a virtual joint the scene itself names the frame that MoveIt plans in.
+            const auto joint = robot.getVirtualJoint();
+            std::string planningFrame = joint ? joint->parentFrame : "";
+            std::set<std::string> seen;
             for (const YamlNode &item : moveItItems(root, "fixed_frame_transforms"))
             {
                 item.allow({"header", "child_frame_id", "transform"});
-                // All are relative to the one frame that MoveIt plans in.
-                const std::string frame = moveItFrame(item), child = item.at("child_frame_id").text();
+                // Unlike tf, MoveIt takes the transform to the child: it is where the header's frame is there.
+                const std::string frame = moveItFrame(item), child = moveItFrameName(item, "child_frame_id");
                 if (planningFrame.empty())
-                    planningFrame = frame;
-                if (!frame.empty() && frame != planningFrame)
-                    item.at("header").fail("must name the frame of the other transforms, '" + planningFrame +
-                                           "', not '" + frame + "'");
-                frames.emplace(frame, Pose::Identity());
-                // Where links are is what the robot's state says.
+                    planningFrame = child;
+                if (child != planningFrame)
+                    item.at("child_frame_id")
+                        .fail("must be the frame that MoveIt plans in, '" + planningFrame + "', not '" + child +
+                              "'; the header names the frame whose pose in it the transform is");
+                if (!seen.insert(frame).second)
+                    item.fail("there is a transform of the frame '" + frame + "' already");
                 const Pose pose = readMoveItTransform(item.at("transform"));
-                if (!tree.hasLink(child))
-                    frames[child] = pose;
+                if (frame == planningFrame && !pose.isApprox(Pose::Identity()))
+                    item.at("transform").fail("must be the identity for the frame that MoveIt plans in");
+                // Where links are is what the robot's state says.
+                if (!frame.empty() && !tree.hasLink(frame))
+                    frames[frame] = pose;
             }
+            frames.emplace(planningFrame, Pose::Identity());
             return frames;
         }
 

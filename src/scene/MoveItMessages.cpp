@@ -212,14 +212,19 @@ namespace ompl_certificates
         return node.has(key) && !node.at(key).isEmpty() ? node.at(key).text() : "";
     }
 
+    std::string moveItFrameName(const YamlNode &node, const std::string &key)
+    {
+        // Frames had a slash at first.
+        const std::string frame = moveItText(node, key);
+        return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame;
+    }
+
     std::string moveItFrame(const YamlNode &node)
     {
         if (!node.has("header"))
             return "";
         node.at("header").allow({"seq", "stamp", "frame_id"});
-        // Frames had a slash at first.
-        const std::string frame = moveItText(node.at("header"), "frame_id");
-        return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame;
+        return moveItFrameName(node.at("header"), "frame_id");
     }
 
     void refuse(const YamlNode &node, const std::vector<std::string> &keys)

@@ -39,6 +39,9 @@ namespace ompl_certificates
     /** \brief The text of \e key of \e node; empty if it is not there */
     std::string moveItText(const YamlNode &node, const std::string &key);
 
+    /** \brief The name of a frame that is the text of \e key of \e node; empty if it is not there */
+    std::string moveItFrameName(const YamlNode &node, const std::string &key);
+
     /** \brief The frame_id in the header of \e node; empty if there is none */
     std::string moveItFrame(const YamlNode &node);
 

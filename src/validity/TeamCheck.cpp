@@ -29,6 +29,13 @@ namespace ompl_certificates
         /** The clearance of a valid state for which no larger one is proved: some rounding of coordinates */
         constexpr double LEAST_CLEARANCE = 1e-12;
 
+        /** Whether obstacles, or some of mixed ones, are still the same object, but stand for others now */
+        bool replacesItself(const ObstacleChange &change)
+        {
+            return (change.removed && change.removed == change.after) ||
+                   std::any_of(change.members.begin(), change.members.end(), replacesItself);
+        }
+
         void requireObstacles(const ObstaclesPtr &obstacles, const Team &team)
         {
             if (!obstacles)
@@ -350,7 +357,7 @@ namespace ompl_certificates
         checkMethod_->setObstacles(obstacles_);
         standardMethod_.setObstacles(obstacles_);
         // Obstacles that replace themselves are others now, and nobody knows what they were.
-        if (whole.removed && whole.removed == whole.after)
+        if (replacesItself(whole))
             checkMethod_->clear();
         else
             while (repeat([&] { return repair.repair(REPAIR_STEP); }))

@@ -56,6 +56,10 @@ namespace ompl_certificates
             if (!waits)
                 lock_.waiting_.fetch_add(1);
             waits = true;
+            // The change that was seen may have ended without waiting for this check. The next one may wait for a hold,
+            // which may wait for this check: it must not sleep then.
+            if (!lock_.barsChecks_.load())
+                continue;
             const std::lock_guard<std::mutex> untilThisStep(lock_.mutex_);
         }
         if (waits)
@@ -103,7 +107,8 @@ namespace ompl_certificates
 
     WorldLock::Change::~Change()
     {
-        lock_.barsChecks_.store(false);
+        if (checks_.owns_lock())
+            open();
         lock_.barsHolds_.store(false);
     }
 

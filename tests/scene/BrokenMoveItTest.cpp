@@ -104,10 +104,16 @@ namespace ompl_certificates
                  "scene.yaml:4: allowed_collision_matrix: must have as many default_entry_values as "
                  "default_entry_names, 1, not 0"},
                 {BALL +
-                     "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: camera_stand, transform: {}}, "
-                     "{header: {frame_id: camera_stand}, child_frame_id: marker, transform: {}}]\n",
-                 "scene.yaml:4: fixed_frame_transforms[1].header: must name the frame of the other transforms, 'world', "
-                 "not 'camera_stand'"},
+                     "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: camera_stand, transform: {}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[0].child_frame_id: must be the frame that MoveIt plans in, "
+                 "'world', not 'camera_stand'; the header names"},
+                {BALL + "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: world, transform: "
+                        "{translation: [1, 0, 0], rotation: [0, 0, 0, 1]}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[0].transform: must be the identity for the frame that MoveIt "
+                 "plans in"},
+                {BALL + "fixed_frame_transforms: [{header: {frame_id: a}, child_frame_id: world, transform: {}}, "
+                        "{header: {frame_id: /a}, child_frame_id: world, transform: {}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[1]: there is a transform of the frame 'a' already"},
             };
             for (const BrokenProblem &broken : all)
             {

@@ -18,8 +18,9 @@ namespace ompl_certificates
         {
             const SceneFile file = read(
                 "fixed_frame_transforms:\n"
-                "  - header: {frame_id: world}\n"
-                "    child_frame_id: table\n"
+                "  - {header: {frame_id: world}, child_frame_id: world, transform: {rotation: [0, 0, 0, 1]}}\n"
+                "  - header: {frame_id: /table}\n"
+                "    child_frame_id: /world\n"
                 "    transform: {translation: [0, 0, 1], rotation: [0, 0, 0.7071067811865476, 0.7071067811865476]}\n" +
                 OBJECTS +
                 "    - id: stack\n"
@@ -254,7 +255,7 @@ namespace ompl_certificates
         {
             const std::string frames =
                 "fixed_frame_transforms:\n"
-                "  - {header: {frame_id: world}, child_frame_id: table, transform: {translation: [0.3, 0, 0.3], "
+                "  - {header: {frame_id: table}, child_frame_id: world, transform: {translation: [0.3, 0, 0.3], "
                 "rotation: [0, 0, 1, 1]}}\n";
             const SceneFile file =
                 read(frames + BALL,
@@ -370,8 +371,8 @@ namespace ompl_certificates
         TEST_F(MoveItScene, LinksAreWhereTheRobotsStateSays)
         {
             const SceneFile file = read(
-                "fixed_frame_transforms: [{child_frame_id: base, transform: {translation: [5, 0, 0], "
-                "rotation: [0, 0, 0, 1]}}]\n" +
+                "fixed_frame_transforms: [{header: {frame_id: base}, child_frame_id: world, transform: {translation: "
+                "[5, 0, 0], rotation: [0, 0, 0, 1]}}]\n" +
                 OBJECTS +
                 "    - {id: ball, header: {frame_id: base}, primitives: [{type: sphere, dimensions: "
                 "[0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n");

@@ -113,6 +113,19 @@ TEST(ReplacedObstacles, MayReplaceThemselves)
     checker->changeObstacles(ObstacleChange::replacing(moving, moving));
     expectTruth(team, *checker, others, states);
     learn(*checker, states);
+
+    // As one of several, also where that is one of several itself
+    const auto still = makeObstacles<FclObstacles>(worldOf(3));
+    const auto inner = std::make_shared<MixedObstacles>(std::vector<ObstaclesPtr>{moving});
+    const auto outer = std::make_shared<MixedObstacles>(std::vector<ObstaclesPtr>{still, inner});
+    TeamSetup other(team, outer);
+    other.getSpaceInformation()->setup();
+    states.clear();
+    learn(*other.getTeamChecker(), states);
+    moving->become(makeObstacles<FclObstacles>(worldOf(4)));
+    other.getTeamChecker()->changeObstacles(mixedChange(
+        {ObstacleChange{still, nullptr, nullptr}, mixedChange({ObstacleChange::replacing(moving, moving)})}));
+    expectTruth(team, *other.getTeamChecker(), outer, states);
 }
 
 /** A checker that a set's change has passed by gives up what it knows of that set. */

@@ -1,5 +1,6 @@
 #include "ompl_certificates/validity/WorldLock.h"
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <gtest/gtest.h>
@@ -148,4 +149,50 @@ TEST(WorldLock, IsLeftInAnyOrder)
     // A finished check leaves nothing behind: the next one holds the lock again.
     const Hold again = hold(*first);
     EXPECT_FALSE(isDone(change(first), A_MOMENT));
+}
+
+/** A change may be followed by the next one at once, and that wait for a hold which waits for a check. */
+TEST(WorldLock, LetsChecksInBetweenChangesForWhoHoldsIt)
+{
+    struct Shared
+    {
+        WorldLock lock;
+        std::atomic<unsigned int> checks{0};
+        std::atomic<bool> end{false};
+        std::promise<void> held;
+    };
+    const auto shared = std::make_shared<Shared>();
+    std::future<void> isHeld = shared->held.get_future();
+    const auto repeat = [shared](const auto &work)
+    {
+        std::thread(
+            [shared, work]
+            {
+                while (!shared->end)
+                    work();
+            })
+            .detach();
+    };
+    for (int thread = 0; thread < 2; ++thread)
+        repeat(
+            [shared]
+            {
+                const WorldLock::Check check(shared->lock);
+                ++shared->checks;
+            });
+    repeat([shared] { const WorldLock::Change change(shared->lock); });
+    std::thread(
+        [shared]
+        {
+            for (int i = 0; i < 200; ++i)
+            {
+                const WorldLock::Check check(shared->lock, WorldLock::Check::HELD);
+                for (const unsigned int enough = shared->checks + 3; shared->checks < enough;)
+                    std::this_thread::yield();
+            }
+            shared->held.set_value();
+        })
+        .detach();
+    EXPECT_TRUE(isDone(isHeld, VERY_LONG)) << "a check waits for a change that waits for who waits for the check";
+    shared->end = true;
 }

@@ -86,8 +86,8 @@ namespace ompl_certificates
             in JSON. See timeNearest(). */
         double nearestSeconds{-1.0};
 
-        /** \brief The time until the first solution, in seconds; negative if the planner did not tell, which is null
-            in JSON */
+        /** \brief The time until the first solution, in seconds; negative if the planner did not tell and went on
+            until its time was over, which is null in JSON */
         double firstSolutionSeconds{-1.0};
 
         /** \brief The time of simplifying the solution, which is not part of totalSeconds, in seconds; negative if it
