@@ -314,7 +314,8 @@ class Checker:
         of the scene are called as Scene.validate() calls them, others added obstacle 3, added cloud 1 or added grid 2,
         by their numbers."""
     def prove(self, path: ArrayLike) -> Proof:
-        """"""
+        """Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also between its
+        states, as Plan.prove() does for a plan's. Its ends are looked at, too."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
     def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:
@@ -426,7 +427,8 @@ class Plan:
     @property
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
-        the planner's tree: some seconds for a hundred thousand states."""
+        the planner's tree: some seconds for a hundred thousand states. The first report or page also calls prove(),
+        unless that was done before."""
     def prove(self) -> Proof:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
@@ -476,7 +478,8 @@ class ControlPlan:
     @property
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
-        the planner's tree: some seconds for a hundred thousand states."""
+        the planner's tree: some seconds for a hundred thousand states. The first report or page also calls prove(),
+        unless that was done before."""
     def prove(self) -> Proof:
         """Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete mode
         looks. In a step that is not proved a hundred states are looked at until one collides. Raises Error if there is

@@ -53,9 +53,11 @@ def turns_during() -> TurnsDuring:
         done = threading.Event()
         thread = threading.Thread(target=work)
         thread.start()
-        call()
-        done.set()
-        thread.join()
+        try:
+            call()
+        finally:
+            done.set()
+            thread.join()
         return turns
 
     return count

@@ -1,8 +1,11 @@
 """When plans end, and what is kept of them"""
 
 import gc
+import os
 import pathlib
+import signal
 import time
+from typing import Any, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
@@ -82,7 +85,9 @@ def test_a_plan_tells_what_happens_between_its_samples() -> None:
         return scene
 
     plan = oc.plan(floor(), planner="RRTConnect", time=5.0, seed=1)
-    assert plan.report["unproved_motions"] is None and plan.report["collision"] is None
+    # The report proves the path; nobody needs to ask for that first.
+    assert plan.report["unproved_motions"] == 0 and plan.report["collision"] is None
+    assert plan.report["seconds"]["first_solution"] == plan.report["seconds"]["total"]
     proof = plan.prove()
     assert proof and proof.proved and proof.unproved == [] and proof.collision is None and proof.reason is None
     assert repr(proof) == "<Proof: free throughout>"
@@ -100,7 +105,60 @@ def test_a_plan_tells_what_happens_between_its_samples() -> None:
     assert proof.reason and proof.reason.startswith("robot 'disc' ")
     assert repr(proof) == f"<Proof: {len(proof.unproved)} motions are not proved, {proof.reason}>"
     assert plan.report["unproved_motions"] == len(proof.unproved) and plan.report["collision"] == proof.reason
+    again = oc.plan(walled, planner="RRTConnect", time=5.0, seed=1)
+    assert again.report["unproved_motions"] == len(proof.unproved) and again.report["collision"] == proof.reason
 
     with pytest.raises(oc.Error, match="^prove: there is no path$"):
         oc.plan(walled, planner="RRTConnect", motion="continuous", time=0.1).prove()
     assert oc.plan(floor(), planner="RRTConnect", method="fcl", time=5.0).prove()
+
+
+def test_an_interrupt_keeps_the_plan(room: oc.Scene, closed: oc.Scene) -> None:
+    def interrupt(seconds: float, cost: float) -> None:
+        if seconds > 0.3:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt) as end:
+        oc.plan(room, "DRRTstar", time=60, callback=interrupt)
+    plan = end.value.plan  # type: ignore[attr-defined]
+    assert isinstance(plan, oc.Plan) and plan.solved and plan.cost < 100
+    assert plan.report["seconds"]["total"] < 20 and plan.prove().unproved is not None
+    with pytest.raises(ZeroDivisionError) as end_of_callback:
+        oc.plan(closed, "RRTConnect", time=60, callback=lambda *_: 1 / 0)
+    assert not end_of_callback.value.plan.solved  # type: ignore[attr-defined]
+
+    pushed = oc.Scene([0, 0], [10, 4], "pushed")
+    pushed.add_obstacle(oc.Body.box(1, 4.2), (5, 2))
+    puck = oc.Robot.integrator("puck", oc.Body.disc(0.3), [0, 0], [10, 4], velocity=1.0)
+    pushed.add_robot(puck, [1, 2], [9, 2])
+    with pytest.raises(KeyboardInterrupt) as end:
+        oc.plan_controls(pushed, "RRT", time=60, callback=interrupt)
+    controlled = end.value.plan  # type: ignore[attr-defined]
+    assert isinstance(controlled, oc.ControlPlan) and not controlled.solved
+    assert controlled.report["tree"]["states"] > 1
+
+
+def test_a_path_of_ones_own_is_proved(closed: oc.Scene) -> None:
+    checker = oc.Checker(closed)
+    assert checker.prove([[1, 2], [4, 2], [4, 3]])
+    assert checker.prove([[1, 2]])
+    proof = checker.prove([[1, 2], [4, 2], [6, 2], [7, 2]])
+    assert proof.unproved == [1] and proof.collision is not None and 4 < proof.collision[0] < 6
+    assert proof.reason == "robot 'disc' touches environment.obstacles[0]"
+    checker.remove_obstacle(0)
+    assert checker.prove([[1, 2], [4, 2], [6, 2], [7, 2]])
+    cases: List[Tuple[Any, str]] = [
+        (np.zeros((0, 2)), "path: must have a state at least"),
+        ([[1, 2], [np.nan, 2]], "path: row 1: all numbers must be finite"),
+        ([[1, 2, 3]], r"path: must be an array of shape \(n, 2\)"),
+    ]
+    for path, message in cases:
+        with pytest.raises(oc.Error, match=message):
+            checker.prove(path)
+
+
+@pytest.mark.parametrize("kind", [oc.Body, oc.Robot, oc.Plan, oc.ControlPlan, oc.Proof])
+def test_nothing_is_made_of_nothing(kind: Any) -> None:
+    for make in (kind, lambda: kind.__new__(kind), lambda: object.__new__(kind)):
+        with pytest.raises(TypeError):
+            make()

@@ -8,6 +8,7 @@ from typing import Any, Callable, List, Tuple
 import numpy as np
 import ompl_certificates as oc
 import pytest
+from conftest import TurnsDuring
 
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
 FACES = np.array(
@@ -325,3 +326,11 @@ def test_bodies_and_checkers_print_what_they_are(room: oc.Scene) -> None:
     pair = oc.Body.join([(oc.Body.sphere(1), None), (oc.Body.sphere(1), (2, 0, 0))])
     assert repr(pair) == "<Body of 2 shapes in space, bounding radius 3>"
     assert repr(oc.Checker(room, "partial", "continuous")) == "<Checker of 'room': partial, continuous>"
+
+
+def test_python_runs_while_a_scene_is_read(turns_during: TurnsDuring) -> None:
+    obstacles = "\n".join(
+        f"    - {{type: disc, radius: 0.1, center: [{i % 100}, {i // 100}]}}" for i in range(10000)
+    )
+    text = f"environment:\n  min: [0, 0]\n  max: [100, 100]\n  obstacles:\n{obstacles}\nrobots: []\n"
+    assert turns_during(lambda: oc.scene_from_yaml(text)) > 20

@@ -167,7 +167,7 @@ TEST(CheckRobot, FindsNoFaultInTheLibrarysOwn)
 
 TEST(CheckRobot, FindsNoFaultInTrueBoundsOfBodyPairs)
 {
-    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    for (unsigned int seed = 0; seed < scaled(30); ++seed)
     {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
