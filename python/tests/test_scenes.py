@@ -332,5 +332,6 @@ def test_python_runs_while_a_scene_is_read(turns_during: TurnsDuring) -> None:
     obstacles = "\n".join(
         f"    - {{type: disc, radius: 0.1, center: [{i % 100}, {i // 100}]}}" for i in range(10000)
     )
-    text = f"environment:\n  min: [0, 0]\n  max: [100, 100]\n  obstacles:\n{obstacles}\nrobots: []\n"
+    robot = "  - {name: disc, type: rigid, space: R2, shape: {type: disc, radius: 1}, start: [-5, 0], goal: [-5, 9]}"
+    text = f"environment:\n  min: [-9, -9]\n  max: [99, 99]\n  obstacles:\n{obstacles}\nrobots:\n{robot}\n"
     assert turns_during(lambda: oc.scene_from_yaml(text)) > 20

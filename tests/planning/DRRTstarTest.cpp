@@ -86,7 +86,7 @@ namespace
     public:
         Messages()
         {
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+            ompl::msg::setLogLevel(ompl::msg::LOG_INFO);
             ompl::msg::useOutputHandler(this);
         }
 
@@ -97,7 +97,7 @@ namespace
 
         void log(const std::string &text, ompl::msg::LogLevel level, const char * /*file*/, int /*line*/) override
         {
-            if (level >= ompl::msg::LOG_WARN)
+            if (level >= ompl::msg::LOG_INFO)
                 text_ += text + "\n";
         }
 
