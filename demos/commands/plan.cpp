@@ -122,7 +122,7 @@ namespace
                 report.reason = reasonOf(status, *setup.getPlanner());
         }
         report.totalSeconds = setup.getLastPlanComputationTime();
-        // A planner that ends before its time, and told of no solution until then, ends with its first one.
+        // A planner that ends before its time, and told of no solution until then, is taken to end with its first one.
         if (report.solved && report.firstSolutionSeconds < 0.0 && limit.getFraction() < 1.0 && !demos::interrupted())
             report.firstSolutionSeconds = report.totalSeconds;
         report.checkingSeconds = setup.getStatistics().getCheckingSeconds();

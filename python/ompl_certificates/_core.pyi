@@ -427,8 +427,8 @@ class Plan:
     @property
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
-        the planner's tree: some seconds for a hundred thousand states. The first report or page also calls prove(),
-        unless that was done before."""
+        the planner's tree: some seconds for a hundred thousand states. The first report or page of a solution also
+        calls prove(), unless that was done before."""
     def prove(self) -> Proof:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
@@ -478,8 +478,8 @@ class ControlPlan:
     @property
     def report(self) -> Dict[str, Any]:
         """Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree copies
-        the planner's tree: some seconds for a hundred thousand states. The first report or page also calls prove(),
-        unless that was done before."""
+        the planner's tree: some seconds for a hundred thousand states. The first report or page of a solution also
+        calls prove(), unless that was done before."""
     def prove(self) -> Proof:
         """Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete mode
         looks. In a step that is not proved a hundred states are looked at until one collides. Raises Error if there is

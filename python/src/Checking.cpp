@@ -99,9 +99,15 @@ namespace ompl_certificates_python
             module, "Checker",
             "Checks states and motions of a scene's team, and keeps what is known of the obstacles. Later changes of "
             "the scene do not reach it. Threads may share it.");
-        checker.def(py::init<const Scene &, const std::string &, const std::string &>(),
-                    py::call_guard<py::gil_scoped_release>(), py::arg("scene"), py::arg("method") = "shared",
-                    py::arg("motion") = "discrete",
+        checker.def(py::init(
+                        [](const Scene &scene, const std::string &method, const std::string &motion)
+                        {
+                            // Another thread may add to the scene once it runs.
+                            const Scene own = scene;
+                            const py::gil_scoped_release release;
+                            return std::make_shared<Checker>(own, method, motion);
+                        }),
+                    py::arg("scene"), py::arg("method") = "shared", py::arg("motion") = "discrete",
                     "method: shared, partial, basic, standard or fcl. motion: discrete or continuous.");
         checker.def("__repr__",
                     [](const Checker &self)

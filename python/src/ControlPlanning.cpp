@@ -155,7 +155,7 @@ namespace ompl_certificates_python
             if (plan.report.solved)
                 setSolution(plan, plan.setup->getSolutionPath());
             plan.certificates = plan.setup->getTeamChecker()->getCertificates();
-            rethrowWith(interrupt, [&plan] { return py::cast(plan); });
+            rethrowWith(interrupt, [&plan] { return py::cast(std::move(plan)); });
             return plan;
         }
 

@@ -112,13 +112,15 @@ namespace ompl_certificates_python
         std::string html;
         completeReport(plan);
         {
+            // Another thread may prove the plan meanwhile.
+            const ompl_certificates::PlanReport report = plan.report;
             const py::gil_scoped_release release;
             ompl_certificates::PlanViewer viewer(*plan.scene);
             if (plan.solution)
                 viewer.setPath(*plan.solution);
             viewer.setTree(*plan.tree);
             viewer.setCertificates(plan.certificates);
-            viewer.setReport(plan.report);
+            viewer.setReport(report);
             html = viewer.toHtml();
         }
         return toView(html, path);
@@ -152,8 +154,8 @@ namespace ompl_certificates_python
                     return toDict(self.report);
                 },
                 "Costs, counts and times (docs/plan-team.md), as a dict. The first report, page or picture of the tree "
-                "copies the planner's tree: some seconds for a hundred thousand states. The first report or page also "
-                "calls prove(), unless that was done before.")
+                "copies the planner's tree: some seconds for a hundred thousand states. The first report or page of a "
+                "solution also calls prove(), unless that was done before.")
             .def(
                 "save_report",
                 [](Kind &self, const std::filesystem::path &file)

@@ -217,7 +217,7 @@ namespace ompl_certificates_python
                         report.reason = reasonOf(status, *setup.getPlanner());
                 });
             setCounts(report, setup, progress.getEvaluations());
-            // A planner that ends before its time, and told of no solution until then, ends with its first one.
+            // A planner that ends before its time, and told of no solution until then, is taken to end with its first one.
             if (report.solved && report.firstSolutionSeconds < 0.0 && !progress.wasOver())
                 report.firstSolutionSeconds = report.totalSeconds;
             if (report.solved)
@@ -285,7 +285,7 @@ namespace ompl_certificates_python
             if (plan.report.solved)
                 setSolution(plan, setup.getSolutionPath());
             keepAll(plan, owner);
-            rethrowWith(interrupt, [&plan] { return py::cast(plan); });
+            rethrowWith(interrupt, [&plan] { return py::cast(std::move(plan)); });
             return plan;
         }
 

@@ -125,7 +125,9 @@ namespace ompl_certificates_python
         }
         catch (const py::error_already_set &error)
         {
-            py::setattr(error.value(), "plan", plan());
+            // A class of exceptions may refuse attributes; what it tells matters more.
+            if (PyObject_SetAttrString(error.value().ptr(), "plan", plan().ptr()) != 0)
+                PyErr_Clear();
             throw;
         }
     }

@@ -76,7 +76,7 @@ namespace ompl_certificates_python
     };
 
     /** \brief Throw \e exception, unless it is null. If it is one of Python, then \e plan is its attribute of that
-        name: what had been found by then is not lost. */
+        name, if it takes attributes: what had been found by then is not lost. */
     void rethrowWith(const std::exception_ptr &exception, const std::function<pybind11::object()> &plan);
 }
 

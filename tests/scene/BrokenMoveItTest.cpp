@@ -109,8 +109,17 @@ namespace ompl_certificates
                  "'world', not 'camera_stand'; the header names"},
                 {BALL + "fixed_frame_transforms: [{header: {frame_id: world}, child_frame_id: world, transform: "
                         "{translation: [1, 0, 0], rotation: [0, 0, 0, 1]}}]\n",
-                 "scene.yaml:4: fixed_frame_transforms[0].transform: must be the identity for the frame that MoveIt "
-                 "plans in"},
+                 "scene.yaml:4: fixed_frame_transforms[0].transform: must be the identity: MoveIt plans in the frame "
+                 "'world'"},
+                {BALL + "fixed_frame_transforms: [{header: {frame_id: a}, child_frame_id: base, transform: {}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[0].child_frame_id: must be the frame that MoveIt plans in, "
+                 "'world', not 'base'"},
+                {BALL +
+                     "fixed_frame_transforms: [{child_frame_id: world, transform: {translation: [1, 0, 0], rotation: "
+                     "[0, 0, 0, 1]}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[0].transform: must be the identity: the header names no frame"},
+                {BALL + "fixed_frame_transforms: [{header: {frame_id: a}, transform: {}}]\n",
+                 "scene.yaml:4: fixed_frame_transforms[0].child_frame_id: missing"},
                 {BALL + "fixed_frame_transforms: [{header: {frame_id: a}, child_frame_id: world, transform: {}}, "
                         "{header: {frame_id: /a}, child_frame_id: world, transform: {}}]\n",
                  "scene.yaml:4: fixed_frame_transforms[1]: there is a transform of the frame 'a' already"},

@@ -379,6 +379,46 @@ namespace ompl_certificates
             EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
         }
 
+        /** MoveIt plans in the root link unless a virtual joint moves. */
+        TEST_F(MoveItScene, FixedFramesAreInTheFrameThatMoveItPlansIn)
+        {
+            const std::string joint =
+                "  <virtual_joint name=\"world_joint\" type=\"floating\" parent_frame=\"world\" "
+                "child_link=\"base\"/>\n";
+            std::string none = TWO_LINKS_SRDF;
+            ASSERT_NE(none.find(joint), std::string::npos);
+            none.erase(none.find(joint), joint.size());
+            std::string fixed = TWO_LINKS_SRDF;
+            fixed.replace(fixed.find("floating"), 8, "fixed");
+            const auto transform = [](const std::string &frame, const std::string &child, int x)
+            {
+                return "  - {header: {frame_id: " + frame + "}, child_frame_id: " + child +
+                       ", transform: {translation: [" + std::to_string(x) + ", 0, 0], rotation: [0, 0, 0, 1]}}\n";
+            };
+            const std::string ball =
+                "    - {id: ball, header: {frame_id: table}, primitives: [{type: sphere, "
+                "dimensions: [0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n";
+            const auto poseOf = [&](const std::string &srdf, const std::string &transforms)
+            {
+                robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", TWO_LINKS_URDF),
+                                                         folder_.write("arm.srdf", srdf));
+                const SceneFile file = read("fixed_frame_transforms:\n" + transforms + OBJECTS + ball);
+                return Eigen::Vector3d(file.scene.getObstacles().at(0).pose.translation());
+            };
+            for (const std::string &srdf : {fixed, none})
+                EXPECT_EQ(poseOf(srdf, transform("base", "base", 0) + transform("table", "base", 1)),
+                          Eigen::Vector3d(1, 2, 0));
+            EXPECT_EQ(poseOf(fixed, transform("table", "world", 1)), Eigen::Vector3d(1, 2, 0));
+            // The file names the parent of a virtual joint that the SRDF file lacks.
+            EXPECT_EQ(poseOf(none, transform("table", "world", 1) + transform("world", "world", 0)),
+                      Eigen::Vector3d(1, 2, 0));
+            // As of tf
+            const std::string asOfTf = transform("world", "table", 1);
+            EXPECT_EQ(messageOf("fixed_frame_transforms:\n" + asOfTf + OBJECTS + ball),
+                      "scene.yaml:2: fixed_frame_transforms[0].child_frame_id: must be the frame that MoveIt plans in, "
+                      "'base', not 'table'; the header names the frame whose pose there the transform is");
+        }
+
         TEST_F(MoveItScene, MayBeAsProgramsPrintThem)
         {
             // The frame that MoveIt plans in is that of the virtual joint, also with a slash; Python writes True, and

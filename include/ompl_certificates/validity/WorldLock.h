@@ -15,7 +15,8 @@ namespace ompl_certificates
 
         A thread may also hold the world for several checks. While it does, checks of all threads may begin: they may be
         what the holder waits for, as a planner with threads of its own. Other holds wait for the change, from when it
-        waits for the first until all its steps are done: what holds the world may do so for seconds. */
+        waits for the first until all its steps are done: what holds the world may do so for seconds. Changes one right
+        after the other leave few gaps for holds. */
     class WorldLock
     {
     public:
@@ -28,7 +29,8 @@ namespace ompl_certificates
         class Check
         {
         public:
-            /** \brief Why a check lasts */
+            /** \brief Why a check lasts. The first check of a thread and lock decides: a HELD one within a SINGLE one
+                is as that, and may not wait for others. */
             enum Kind
             {
                 /// It waits for no other check.
