@@ -4,6 +4,8 @@
 
 #include "ompl_certificates/control/TeamPropagator.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ompl/util/Exception.h>
 #include <vector>
 
@@ -16,8 +18,8 @@ namespace ompl_certificates
     {
         constexpr unsigned int STATES_OF_A_STEP = 100, MOST_STATES = 100000;
 
-        /** A path leads from state to state up to such a part of the space's extent, which rounding explains. */
-        constexpr double ROUNDING = 1e-6;
+        /** A path leads from state to state up to such a part of its numbers, which rounding explains. */
+        constexpr double ROUNDING = 1e-9;
 
         struct Step
         {
@@ -28,6 +30,30 @@ namespace ompl_certificates
             /** False if it is the last one of its control, and ends elsewhere than where the path goes on */
             bool arrives;
         };
+
+        /** Whether a control that leads from one state to \e reached leads to \e end: for each robot, by its own distance.
+            Weights of a team may be small, and bounds far apart. */
+        bool arrivesAt(const ob::CompoundStateSpace &team, const ob::State *from, const ob::State *reached,
+                       const ob::State *end)
+        {
+            const auto partOf = [](const ob::State *state, unsigned int robot)
+            { return state->as<ob::CompoundState>()->components[robot]; };
+            std::vector<double> numbers;
+            for (unsigned int robot = 0; robot < team.getSubspaceCount(); ++robot)
+            {
+                const ob::StateSpacePtr &space = team.getSubspace(robot);
+                double size = 0.0;
+                for (const ob::State *state : {from, reached, end})
+                {
+                    space->copyToReals(numbers, partOf(state, robot));
+                    for (const double number : numbers)
+                        size = std::max(size, std::abs(number));
+                }
+                if (!(space->distance(partOf(reached, robot), partOf(end, robot)) <= ROUNDING * size))
+                    return false;
+            }
+            return true;
+        }
 
         /** The steps of a path. PathControl::interpolate() would ask its own propagator, whose steps end in no state if
             it proves them and an obstacle has come. */
@@ -44,8 +70,8 @@ namespace ompl_certificates
                     steps.push_back({state, path.getControl(i), durations[k], true});
                     propagator.propagate(state.get(), path.getControl(i), durations[k], state.get());
                 }
-                steps.back().arrives =
-                    space->distance(state.get(), path.getState(i + 1)) <= ROUNDING * space->getMaximumExtent();
+                steps.back().arrives = arrivesAt(*space->as<ob::CompoundStateSpace>(), path.getState(i), state.get(),
+                                                 path.getState(i + 1));
             }
             return steps;
         }

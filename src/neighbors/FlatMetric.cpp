@@ -195,6 +195,12 @@ namespace ompl_certificates
         return true;
     }
 
+    double FlatMetric::roundingOfTinySquares() const
+    {
+        // Squares that are denormal numbers are rounded by up to half of the smallest one, whatever their size.
+        return 4.0 * (dimension_ + 1) * static_cast<double>(std::numeric_limits<float>::denorm_min());
+    }
+
     float FlatMetric::threshold(double distance, double magnitude) const
     {
         // Each coordinate of each row was rounded once; a distance changes by at most the sum of that. Its own terms
@@ -202,14 +208,14 @@ namespace ompl_certificates
         const double absolute = 8.0 * dimension_ * FLOAT_UNIT * magnitude;
         const double relative = 4.0 * (dimension_ + 32) * FLOAT_UNIT;
         const double most = (distance + absolute) * (1.0 + relative);
-        return static_cast<float>(most * most * (1.0 + relative));
+        return static_cast<float>(most * most * (1.0 + relative) + roundingOfTinySquares());
     }
 
     double FlatMetric::largest(float square, double magnitude) const
     {
         const double absolute = 8.0 * dimension_ * FLOAT_UNIT * magnitude;
         const double relative = 4.0 * (dimension_ + 32) * FLOAT_UNIT;
-        return std::sqrt(static_cast<double>(square)) * (1.0 + relative) + absolute;
+        return std::sqrt(square + roundingOfTinySquares()) * (1.0 + relative) + absolute;
     }
 
     float FlatMetric::boxBound(const Part &part, const float *row, const float *low, const float *high) const

@@ -65,6 +65,9 @@ namespace ompl_certificates
         /** \brief The largest true distance of a state with this squared bound; only if isTight() */
         double largest(float square, double magnitude) const;
 
+        /** \brief How far a squared bound may be off since it, or a part of it, is next to zero */
+        double roundingOfTinySquares() const;
+
         /** \brief States are compared in blocks of this many. */
         static constexpr std::size_t BLOCK = 16;
 

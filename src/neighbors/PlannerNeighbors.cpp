@@ -6,6 +6,7 @@
 #include <ompl/control/planners/rrt/RRT.h>
 #include <ompl/control/planners/sst/SST.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -29,6 +30,7 @@
 #include <ompl/geometric/planners/rrt/pRRT.h>
 #include <ompl/geometric/planners/sst/SST.h>
 #include <ompl/util/Exception.h>
+#include <type_traits>
 #include <typeinfo>
 
 namespace ompl_certificates
@@ -213,6 +215,17 @@ namespace ompl_certificates
                    exchange(Open<PlannerType>::nn(*known)) + exchange(Open<PlannerType>::witnesses(*known)) > 0;
         }
 
+        /** Whether a planner whose distance is the cost of a motion, as that of FMT, is to get a kd-tree for costs that
+            are not lengths. In parts of the space they may be lengths, and look like these at first. */
+        template <typename Exchange>
+        bool goesByOtherCosts(const ob::Planner &planner)
+        {
+            if (!std::is_same_v<Exchange, ToKdTree> || !planner.getProblemDefinition())
+                return false;
+            const auto &objective = planner.getProblemDefinition()->getOptimizationObjective();
+            return objective && !dynamic_cast<const ob::PathLengthOptimizationObjective *>(objective.get());
+        }
+
         template <typename Exchange>
         bool visit(ob::Planner &planner, const Exchange &exchange)
         {
@@ -220,7 +233,8 @@ namespace ompl_certificates
                              inTree<og::RRTXstatic>(planner, exchange) || inTree<og::LazyRRT>(planner, exchange) ||
                              inTree<og::LBTRRT>(planner, exchange) || inTree<og::LazyLBTRRT>(planner, exchange) ||
                              inTree<og::pRRT>(planner, exchange) || inTree<og::EST>(planner, exchange) ||
-                             inTree<og::FMT>(planner, exchange) || inTree<og::BFMT>(planner, exchange) ||
+                             (!goesByOtherCosts<Exchange>(planner) &&
+                              (inTree<og::FMT>(planner, exchange) || inTree<og::BFMT>(planner, exchange))) ||
                              inTree<oc::RRT>(planner, exchange) || inSparseTree<oc::SST>(planner, exchange) ||
                              inSparseTree<og::SST>(planner, exchange) ||
                              inTwoTrees<og::RRTConnect>(planner, exchange) ||

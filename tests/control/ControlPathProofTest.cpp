@@ -135,6 +135,38 @@ TEST_F(ControlPathProof, ProvesNoPathThatItsControlsDoNotLeadAlong)
     EXPECT_FALSE(proof.collision);
 }
 
+/** Neither bounds far apart nor a weight in the team's distance make a jump small. */
+TEST_F(ControlPathProof, ProvesNoJumpWhateverBoundsAndWeightsAre)
+{
+    for (const auto &[half, weight] : {std::pair{3.0, 1.0}, {1e6, 1.0}, {3.0, 0.0}, {3.0, 1e-9}})
+    {
+        SCOPED_TRACE("bounds " + std::to_string(half) + ", weight " + std::to_string(weight));
+        const auto disc = [half = half](const std::string &name) {
+            return Integrator::firstOrder(RigidRobot::disc(name, 0.1, within({half, half})), within({10.0, 10.0}));
+        };
+        const auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(disc("rests"));
+        team->addRobot(disc("jumps"), weight);
+        TeamControlSetup setup(team, boxes({{{0.0, 0.0, 0.002, 6.0}}}));
+        const auto si = setup.getSpaceInformation();
+        si->setup();
+        ob::ScopedState<> before(si), after(si);
+        before = std::vector<double>{-2.0, -2.0, -0.2, 0.0};
+        after = std::vector<double>{-2.0, -2.0, 0.2, 0.0};
+        oc::Control *rest = si->allocControl();
+        si->nullControl(rest);
+        oc::PathControl jumps(si), rests(si);
+        for (const auto &[path, end] : {std::pair{&jumps, &after}, {&rests, &before}})
+        {
+            path->append(before.get());
+            path->append(end->get(), rest, 0.1);
+        }
+        EXPECT_FALSE(provePath(jumps, setup.getTeamChecker()).isProved());
+        EXPECT_TRUE(provePath(rests, setup.getTeamChecker()).isProved());
+        si->freeControl(rest);
+    }
+}
+
 TEST_F(ControlPathProof, IsOfASingleStateWhetherThatIsValid)
 {
     const TeamControlSetupPtr setup = setupFor();

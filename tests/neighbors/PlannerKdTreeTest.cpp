@@ -84,6 +84,32 @@ namespace
         std::vector<std::unique_ptr<Element>> all_;
     };
 
+    /** Its distance is not the same both ways, which GNAT takes for granted. */
+    class Uphill : public ob::RealVectorStateSpace
+    {
+    public:
+        Uphill() : ob::RealVectorStateSpace(2)
+        {
+            setBounds(-1.0, 1.0);
+        }
+
+        double distance(const ob::State *from, const ob::State *to) const override
+        {
+            const double rise = to->as<StateType>()->values[1] - from->as<StateType>()->values[1];
+            return ob::RealVectorStateSpace::distance(from, to) + 10.0 * std::max(rise, 0.0);
+        }
+
+        bool isMetricSpace() const override
+        {
+            return false;
+        }
+
+        bool hasSymmetricDistance() const override
+        {
+            return false;
+        }
+    };
+
     class PlannerKdTreeAgainstLinear : public testing::TestWithParam<unsigned int>
     {
     protected:
@@ -243,6 +269,23 @@ TEST(PlannerKdTree, StepsAsideForOtherDistancesSpacesAndStates)
     tree.setDistanceFunction(driving.distance());
     tree.add(driving.make());
     EXPECT_FALSE(tree.usesKdTree());
+    const auto uphill = std::make_shared<Uphill>();
+    Elements hills(uphill, 5);
+    check(hills.distance(), false, uphill, hills);
+
+    // Equal elements tell nothing of a distance.
+    const auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
+    plane->setBounds(-1.0, 1.0);
+    Elements flat(plane, 6);
+    Tree first(plane);
+    first.setDistanceFunction([&](Element *a, Element *b) { return 2.0 * flat.distance()(a, b); });
+    Element *same = flat.make();
+    for (unsigned int i = 0; i < 20; ++i)
+        first.add(same);
+    EXPECT_TRUE(first.usesKdTree());
+    first.add(flat.make());
+    EXPECT_FALSE(first.usesKdTree());
+    EXPECT_EQ(first.size(), 21U);
 
     Tree finite;
     finite.setDistanceFunction(distance);
@@ -255,6 +298,43 @@ TEST(PlannerKdTree, StepsAsideForOtherDistancesSpacesAndStates)
     EXPECT_FALSE(finite.usesKdTree());
     EXPECT_EQ(finite.size(), 101U);
     EXPECT_EQ(finite.nearest(far), far);
+}
+
+/** Their squares are denormal as floats. */
+TEST(PlannerKdTree, FindsTheNearestOfTinyStates)
+{
+    const auto line = std::make_shared<ob::RealVectorStateSpace>(2);
+    line->setBounds(-1.0, 1.0);
+    for (const double scale : {1e-19, 1e-20, 1e-21, 1e-22, 1e-23})
+    {
+        SCOPED_TRACE(scale);
+        Elements elements(line, 7);
+        PlannerKdTree<Element *> tree(line);
+        ompl::NearestNeighborsLinear<Element *> linear;
+        tree.setDistanceFunction(elements.distance());
+        linear.setDistanceFunction(elements.distance());
+        const auto make = [&]
+        {
+            Element *element = elements.make();
+            for (unsigned int i = 0; i < 2; ++i)
+                element->state->as<ob::RealVectorStateSpace::StateType>()->values[i] =
+                    elements.random().uniform(-scale, scale);
+            return element;
+        };
+        for (unsigned int i = 0; i < 500; ++i)
+        {
+            Element *element = make();
+            tree.add(element);
+            linear.add(element);
+        }
+        EXPECT_TRUE(tree.usesKdTree());
+        for (unsigned int i = 0; i < 200; ++i)
+        {
+            Element *query = make();
+            ASSERT_EQ(elements.distance()(query, tree.nearest(query)),
+                      elements.distance()(query, linear.nearest(query)));
+        }
+    }
 }
 
 TEST(PlannerKdTree, AnswersManyThreadsAtOnce)

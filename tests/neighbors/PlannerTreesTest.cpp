@@ -1,13 +1,17 @@
 #include "KdTreeSpaces.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
+#include "ompl_certificates/neighbors/PlannerNeighbors.h"
 #include "support/IterationLimit.h"
 #include "support/Quiet.h"
 #include "support/RandomStates.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
+#include <ompl/geometric/planners/fmt/FMT.h>
 #include <ompl/geometric/planners/rrt/BiTRRT.h>
 #include <ompl/geometric/planners/rrt/LazyRRT.h>
 #include <ompl/geometric/planners/rrt/RRT.h>
@@ -91,6 +95,56 @@ namespace
             EXPECT_TRUE(gnat == (grow<Planner, ompl::NearestNeighborsGNAT>(team, iterations)))
                 << "not by the seed alone";
             EXPECT_GT(gnat.size(), 2U);
+        }
+    }
+}
+
+namespace
+{
+    /** A cost that is a length but in one place, and looks like one at first */
+    class DearPlace : public ob::OptimizationObjective
+    {
+    public:
+        using ob::OptimizationObjective::OptimizationObjective;
+
+        ob::Cost stateCost(const ob::State * /*state*/) const override
+        {
+            return identityCost();
+        }
+
+        ob::Cost motionCost(const ob::State *from, const ob::State *to) const override
+        {
+            const double x = to->as<ob::RealVectorStateSpace::StateType>()->values[0];
+            return ob::Cost(si_->distance(from, to) * (x > 0.9 ? 30.0 : 1.0));
+        }
+    };
+}
+
+/** Their distance is the cost of a motion. */
+TEST(PlannerKdTree, LeavesFmtItsStructureWhereCostsAreNoLengths)
+{
+    const auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
+    plane->setBounds(0.0, 1.0);
+    const auto si = std::make_shared<ob::SpaceInformation>(plane);
+    si->setStateValidityChecker([](const ob::State * /*state*/) { return true; });
+    si->setup();
+    ob::ScopedState<> start(plane), goal(plane);
+    start = std::vector<double>{0.1, 0.1};
+    goal = std::vector<double>{0.8, 0.8};
+    for (const bool isLength : {true, false})
+    {
+        const auto problem = std::make_shared<ob::ProblemDefinition>(si);
+        problem->setStartAndGoalStates(start, goal);
+        if (isLength)
+            problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(si));
+        else
+            problem->setOptimizationObjective(std::make_shared<DearPlace>(si));
+        for (const ob::PlannerPtr &planner :
+             {ob::PlannerPtr(std::make_shared<og::FMT>(si)), ob::PlannerPtr(std::make_shared<og::BFMT>(si))})
+        {
+            planner->setProblemDefinition(problem);
+            planner->setup();
+            EXPECT_EQ(useKdTree(*planner), isLength) << planner->getName();
         }
     }
 }

@@ -11,7 +11,7 @@ namespace ompl_certificates
         or the two accelerations (second order), the linear one first.
 
         Steps of the first order are exact, up to rounding; those of the second are within 1e-9 of a length unit for
-        speeds of order 1. */
+        speeds of order 1 and steps of 0.1 s, and within 1e-7 for a second. */
     class Unicycle : public DynamicRobot
     {
     public:

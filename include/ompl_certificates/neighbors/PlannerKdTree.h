@@ -4,6 +4,7 @@
 #include "ompl_certificates/neighbors/SearchableStateSpace.h"
 #include "ompl_certificates/neighbors/StateKdTree.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -95,7 +96,8 @@ namespace ompl_certificates
           space.
         - GNAT also takes distance functions other than the space's distance, which the first few elements show. So it
           does with states outside the space: an angle out of its range, a coordinate that is not a number.
-        - A linear search takes a distance that is not even symmetric: GNAT's answers would be wrong.
+        - A linear search takes a distance that is not even symmetric, and spaces without a metric, such as
+          DubinsStateSpace: GNAT's answers would be wrong.
 
         As with GNAT, an element's state must not change while the element is stored. Constant functions may be called
         from many threads at once. */
@@ -154,6 +156,7 @@ namespace ompl_certificates
         void clear() override
         {
             tree_.reset();
+            trials_ = 0;
             gnat_->clear();
             linear_.clear();
             other_ = nullptr;
@@ -165,7 +168,7 @@ namespace ompl_certificates
         {
             if (!tree_ && !other_)
                 begin(data);
-            if (tree_ && tree_->size() < TRIALS)
+            if (tree_ && trials_ < TRIALS)
                 test(data);
             if (tree_ && !tree_->add(stateOf(data)))
                 stepAside(*gnat_);
@@ -235,7 +238,7 @@ namespace ompl_certificates
         }
 
     private:
-        /** The planner's distance is compared with the space's until there are so many elements. */
+        /** The planner's distance is compared with the space's until so many elements had a distance that is not 0. */
         static constexpr std::size_t TRIALS = 8;
 
         const ompl::base::State *stateOf(const T &data) const
@@ -255,6 +258,8 @@ namespace ompl_certificates
                 tree_ = std::make_unique<StateKdTree>(*space);
             if (tree_ && tree_->isUseful())
                 trialSpace_ = space;
+            else if (space && !(space->isMetricSpace() && space->hasSymmetricDistance()))
+                stepAside(linear_);
             else
                 stepAside(*gnat_);
         }
@@ -262,16 +267,22 @@ namespace ompl_certificates
         /** Step aside if distances between \e data and the elements are not the space's. */
         void test(const T &data)
         {
-            for (const T &element : elements_)
+            // Few, also where many elements are equal
+            const auto count = static_cast<StateKdTree::Index>(std::min(elements_.size(), TRIALS));
+            bool isTrial = false;
+            for (StateKdTree::Index i = 0; i < count; ++i)
             {
+                const T &element = elements_[i];
                 const double distance = this->distFun_(data, element);
+                isTrial |= distance != 0.0;
                 if (distance != this->distFun_(element, data))
                     return stepAside(linear_);
                 if (distance != trialSpace_->distance(stateOf(data), stateOf(element)))
                     return stepAside(*gnat_);
             }
+            trials_ += isTrial ? 1 : 0;
             // Rounding would differ if OMPL changed its formula, or if the compiler fused other operations.
-            for (StateKdTree::Index i = 0; i < tree_->size(); ++i)
+            for (StateKdTree::Index i = 0; i < count; ++i)
                 if (tree_->isExact() && tree_->distance(stateOf(data), i) != this->distFun_(data, elements_[i]))
                     tree_->distrust();
         }
@@ -308,6 +319,7 @@ namespace ompl_certificates
         StateFunction stateFunction_;
         /** Of the elements in the tree; valid as long as their states are */
         const ompl::base::StateSpace *trialSpace_{nullptr};
+        std::size_t trials_{0};
         std::unique_ptr<StateKdTree> tree_;
         /** Made even if not needed: a GNAT takes one of OMPL's random seeds. So the seeds of planner and samplers, and
             with them the tree that is grown, do not depend on the structure. */

@@ -61,7 +61,8 @@ namespace ompl_certificates
         - those whose nodes do not hold their states (PRM, LazyPRM, SPARS, SPARStwo);
         - those within CForest and AnytimePathShortening.
 
-        Of control planners it knows RRT and SST.
+        Of control planners it knows RRT and SST. FMT and BFMT keep theirs if costs are no lengths (an objective that is
+        no PathLengthOptimizationObjective): these are their distances.
 
         Structures of other classes are their user's choice and stay.
         \return whether there was one to replace. Planners with grids or other structures of their own have none:
