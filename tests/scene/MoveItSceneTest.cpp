@@ -184,57 +184,6 @@ namespace ompl_certificates
             EXPECT_EQ(armOf(moved).getLinkPose(state.get(), "base").translation(), Eigen::Vector3d(0, 0, 5));
         }
 
-        TEST_F(MoveItScene, TheVirtualJointSaysWhereTheRootCanBe)
-        {
-            const auto at = [](const std::string &joint, const std::string &position, const std::string &rotation)
-            {
-                return BALL + "robot_state: {multi_dof_joint_state: {joint_names: [" + joint +
-                       "], transforms: [{translation: " + position + ", rotation: " + rotation + "}]}}\n";
-            };
-            const auto setJoint = [&](const std::string &type)
-            {
-                std::string srdf = TWO_LINKS_SRDF;
-                srdf.replace(srdf.find("floating"), 8, type);
-                robot_ = std::make_unique<const ArmFile>(folder_.path() + "/arm.urdf", folder_.write("arm.srdf", srdf));
-            };
-            const auto rootIn = [&](const SceneFile &file)
-            {
-                ompl::base::ScopedState<> state(armOf(file).getStateSpace());
-                state = std::vector<double>{0.0, 0.0};
-                return armOf(file).getLinkPose(state.get(), "base");
-            };
-            const auto rootOf = [&](const std::string &scene) { return rootIn(read(scene)); };
-            const std::string none = "[0, 0, 0, 1]", name = "scene.yaml:4: robot_state.multi_dof_joint_state.";
-            EXPECT_EQ(
-                messageOf(at("odometry", "[1, 0, 0]", none)),
-                name + "joint_names[0]: there is no joint 'odometry'; the SRDF file's virtual joint is 'world_joint'");
-            EXPECT_EQ(messageOf(at("odometry", "[0, 0, 0]", none)), "") << "which changes nothing";
-
-            const SceneFile kept =
-                read(at("world_joint", "[1, 0, 0]", none),
-                     "group_name: arm\nstart_state: {joint_state: {name: [turn, bend], position: "
-                     "[0, 0]}, multi_dof_joint_state: {joint_names: [odometry], transforms: [{}]}}\n" +
-                         GOAL);
-            EXPECT_EQ(rootIn(kept).translation().x(), 1.0) << "the start tells of another joint";
-
-            setJoint("fixed");
-            EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0]", none)), "");
-            EXPECT_TRUE(rootOf(at("world_joint", "[0, 0, 1.0e-7]", none)).isApprox(Pose::Identity(), 0.0));
-            EXPECT_EQ(messageOf(at("world_joint", "[0, 0, 0.01]", none)),
-                      name +
-                          "transforms[0]: must be no transform: the SRDF file's virtual joint 'world_joint' is fixed");
-
-            setJoint("planar");
-            const std::string complaint =
-                name +
-                "transforms[0]: must neither lift nor tilt the robot: the SRDF file's virtual joint "
-                "'world_joint' is planar";
-            EXPECT_EQ(messageOf(at("world_joint", "[1, 2, 0.01]", none)), complaint);
-            EXPECT_EQ(messageOf(at("world_joint", "[1, 2, 0]", "[0.1, 0, 0, 0.995]")), complaint);
-            const Pose rounded = rootOf(at("world_joint", "[1, 2, 1.0e-4]", "[0.0001, 0, 0.6, 0.8]"));
-            EXPECT_TRUE(rounded.isApprox(planarPose(1.0, 2.0, 2.0 * std::asin(0.6)), 1e-6)) << rounded.matrix();
-        }
-
         TEST_F(MoveItScene, StartAndGoalAreThoseOfTheRequest)
         {
             const SceneFile file = read(BALL + "robot_model_name: other\n", REQUEST + "allowed_planning_time: 7\n");
@@ -366,57 +315,6 @@ namespace ompl_certificates
             EXPECT_LT((armOf(second).getLinkPose(state0.get(), "tip").translation() - Eigen::Vector3d(1.05, 0.0, 3.32))
                           .norm(),
                       1e-12);
-        }
-
-        TEST_F(MoveItScene, LinksAreWhereTheRobotsStateSays)
-        {
-            const SceneFile file = read(
-                "fixed_frame_transforms: [{header: {frame_id: base}, child_frame_id: world, transform: {translation: "
-                "[5, 0, 0], rotation: [0, 0, 0, 1]}}]\n" +
-                OBJECTS +
-                "    - {id: ball, header: {frame_id: base}, primitives: [{type: sphere, dimensions: "
-                "[0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n");
-            EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
-        }
-
-        /** MoveIt plans in the root link unless a virtual joint moves. */
-        TEST_F(MoveItScene, FixedFramesAreInTheFrameThatMoveItPlansIn)
-        {
-            const std::string joint =
-                "  <virtual_joint name=\"world_joint\" type=\"floating\" parent_frame=\"world\" "
-                "child_link=\"base\"/>\n";
-            std::string none = TWO_LINKS_SRDF;
-            ASSERT_NE(none.find(joint), std::string::npos);
-            none.erase(none.find(joint), joint.size());
-            std::string fixed = TWO_LINKS_SRDF;
-            fixed.replace(fixed.find("floating"), 8, "fixed");
-            const auto transform = [](const std::string &frame, const std::string &child, int x)
-            {
-                return "  - {header: {frame_id: " + frame + "}, child_frame_id: " + child +
-                       ", transform: {translation: [" + std::to_string(x) + ", 0, 0], rotation: [0, 0, 0, 1]}}\n";
-            };
-            const std::string ball =
-                "    - {id: ball, header: {frame_id: table}, primitives: [{type: sphere, "
-                "dimensions: [0.1]}], primitive_poses: [{position: [0, 2, 0]}]}\n";
-            const auto poseOf = [&](const std::string &srdf, const std::string &transforms)
-            {
-                robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", TWO_LINKS_URDF),
-                                                         folder_.write("arm.srdf", srdf));
-                const SceneFile file = read("fixed_frame_transforms:\n" + transforms + OBJECTS + ball);
-                return Eigen::Vector3d(file.scene.getObstacles().at(0).pose.translation());
-            };
-            for (const std::string &srdf : {fixed, none})
-                EXPECT_EQ(poseOf(srdf, transform("base", "base", 0) + transform("table", "base", 1)),
-                          Eigen::Vector3d(1, 2, 0));
-            EXPECT_EQ(poseOf(fixed, transform("table", "world", 1)), Eigen::Vector3d(1, 2, 0));
-            // The file names the parent of a virtual joint that the SRDF file lacks.
-            EXPECT_EQ(poseOf(none, transform("table", "world", 1) + transform("world", "world", 0)),
-                      Eigen::Vector3d(1, 2, 0));
-            // As of tf
-            const std::string asOfTf = transform("world", "table", 1);
-            EXPECT_EQ(messageOf("fixed_frame_transforms:\n" + asOfTf + OBJECTS + ball),
-                      "scene.yaml:2: fixed_frame_transforms[0].child_frame_id: must be the frame that MoveIt plans in, "
-                      "'base', not 'table'; the header names the frame whose pose there the transform is");
         }
 
         TEST_F(MoveItScene, MayBeAsProgramsPrintThem)
