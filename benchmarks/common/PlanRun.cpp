@@ -74,7 +74,10 @@ namespace benchmarks
         {
             const auto team = std::make_shared<StockTeam>();
             for (const Scene::Member &member : scene.getMembers())
+            {
                 team->addRobot(member.robot, member.weight);
+                team->setSpeed(team->getRobotCount() - 1, member.speed);
+            }
             team->computeLocations();
             if (scene.getResolution() > 0.0)
                 team->setLongestValidSegmentFraction(scene.getResolution());

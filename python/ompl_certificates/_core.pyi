@@ -251,7 +251,7 @@ class Scene:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
         In a planar scene those cells count that reach into the heights (low, high)."""
-    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose, Zone], weight: float = 1.0) -> None:
+    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose, Zone], weight: float = 1.0, speed: float = 1.0) -> None:
         """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
         an arm, or a Zone."""
     @property
@@ -420,7 +420,7 @@ class Plan:
         """The states of the solution, of shape (n, coordinates); n is 0 without"""
     @property
     def times(self) -> NDArray[np.float64]:
-        """When the team is at each state if no robot is faster than 1, of shape (n,)"""
+        """When the team is at each state if no robot is faster than its speed, of shape (n,)"""
     @property
     def coordinates(self) -> List[str]:
         """The names of the columns of path, such as scout.x"""

@@ -78,7 +78,7 @@ namespace ompl_certificates_python
                                    "The cost of the path, by the objective; infinite without a solution")
             .def_readonly("path", &Plan::path, "The states of the solution, of shape (n, coordinates); n is 0 without")
             .def_readonly("times", &Plan::times,
-                          "When the team is at each state if no robot is faster than 1, of shape (n,)")
+                          "When the team is at each state if no robot is faster than its speed, of shape (n,)")
             .def("prove", py::overload_cast<Plan &>(&prove),
                  "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
                  "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "

@@ -110,9 +110,10 @@ namespace ompl_certificates_python
         }
 
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
-                      double weight)
+                      double weight, double speed)
         {
-            if (isGoal(to) && std::dynamic_pointer_cast<DynamicRobot>(robot))
+            const bool isDynamic = std::dynamic_pointer_cast<DynamicRobot>(robot) != nullptr;
+            if (isGoal(to) && isDynamic)
                 throw ompl::Exception(scene.getSource(), "robot '" + robot->getName() +
                                                              "': goal must be one state, as the robot has dynamics");
             std::vector<double> start = toNumbers(from, "start"), goal;
@@ -126,6 +127,10 @@ namespace ompl_certificates_python
             };
             if (!(weight >= 0.0) || !std::isfinite(weight))
                 refuse("weight must be finite and not negative", weight);
+            if (!(speed > 0.0) || !std::isfinite(speed))
+                refuse("speed must be finite and above 0", speed);
+            if (isDynamic && speed != 1.0)
+                refuse("speed must be 1, as the robot has dynamics", speed);
             for (const auto *coordinates : {&start, &goal})
                 for (const double coordinate : *coordinates)
                     if (!std::isfinite(coordinate))
@@ -142,7 +147,7 @@ namespace ompl_certificates_python
                                                      : "goal: a quaternion must have length 1",
                                length);
                 }
-            scene.addMember({robot, start, goal, weight, region});
+            scene.addMember({robot, start, goal, weight, region, speed});
         }
 
         /** The starts or the goals of all robots, one after the other */
@@ -226,9 +231,10 @@ namespace ompl_certificates_python
                      "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
                 .def(
                     "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
-                    py::arg("weight") = 1.0,
+                    py::arg("weight") = 1.0, py::arg("speed") = 1.0,
                     "Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, "
-                    "for an arm, or a Zone.");
+                    "for an arm, or a Zone. speed is how much of its distance it moves in a unit of time: times of plans, "
+                    "and the objectives makespan and arrival, go by it.");
         }
     }
 

@@ -54,6 +54,21 @@ def test_the_team_is_somewhere_at_any_time(room: oc.Scene) -> None:
         plan.at([0.0, math.nan])
 
 
+def test_times_go_by_the_speeds_of_robots() -> None:
+    scene = oc.Scene([0, 0], [10, 10], "hall")
+    disc = oc.Body.disc(0.5)
+    for name, y, speed in (("slow", 2.0, 0.5), ("fast", 8.0, 4.0)):
+        robot = oc.Robot.rigid(name, disc, [0, 0], [10, 10], turns=False)
+        scene.add_robot(robot, [1, y], [9, y], speed=speed)
+    slow = oc.plan(scene, iterations=1000, seed=1, objective="makespan")
+    assert slow.cost == pytest.approx(16.0)
+    assert slow.times[-1] == pytest.approx(16.0)
+    both = oc.plan(scene, iterations=1000, seed=1, objective="arrival")
+    assert both.cost == pytest.approx(18.0, rel=1e-3)
+    there = both.at(2.01)
+    assert there[2] == pytest.approx(9.0, abs=0.05) and there[0] == pytest.approx(2.0, abs=0.05)
+
+
 def test_pictures_are_drawn(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     plan = oc.plan(room, time=0.5)
     room.save_picture(tmp_path / "room.svg")

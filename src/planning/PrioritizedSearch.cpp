@@ -18,7 +18,7 @@ namespace ompl_certificates
         {
             Roadmap::Vertex vertex;
             std::uint32_t step, parent;
-            double length;
+            double time;
         };
 
         struct Open
@@ -26,7 +26,7 @@ namespace ompl_certificates
             double estimate;
             std::uint32_t step, node;
 
-            /** The shorter one first; of equal ones that which is farther in time */
+            /** The quicker one first; of equal ones that which is farther in time */
             bool operator<(const Open &other) const
             {
                 return estimate > other.estimate || (estimate == other.estimate && step < other.step);
@@ -49,7 +49,7 @@ namespace ompl_certificates
         // Those with the longest way first
         std::stable_sort(order.begin(), order.end(),
                          [this](unsigned int a, unsigned int b)
-                         { return distances_[a][start_[a]] > distances_[b][start_[b]]; });
+                         { return timeToGoal(a, start_[a]) > timeToGoal(b, start_[b]); });
         for (; orders > 0 && !condition; --orders)
         {
             moves_.assign(1, {});
@@ -68,6 +68,11 @@ namespace ompl_certificates
             return path;
         }
         return std::nullopt;
+    }
+
+    double PrioritizedSearch::timeToGoal(unsigned int robot, Vertex vertex) const
+    {
+        return distances_[robot][vertex] / roadmaps_.getSpeed(robot);
     }
 
     bool PrioritizedSearch::isFree(unsigned int robot, Vertex from, const Roadmap::Edge &edge, std::size_t step)
@@ -107,7 +112,7 @@ namespace ompl_certificates
             {
                 const Roadmap::Edge *edge = roadmap.findEdge(path[step], path[step + 1]);
                 moves_[step].push_back({roadmap.getSwept(edge->motion).all, robot, path[step], edge});
-                durations_[step] = std::max(durations_[step], edge->length);
+                durations_[step] = std::max(durations_[step], edge->length / roadmaps_.getSpeed(robot));
             }
             else
                 moves_[step].push_back(stayOf(robot));
@@ -116,7 +121,7 @@ namespace ompl_certificates
     bool PrioritizedSearch::plan(unsigned int robot, const ompl::base::PlannerTerminationCondition &condition)
     {
         const Roadmap &roadmap = roadmaps_.getRoadmap(robot);
-        const std::vector<double> &distances = distances_[robot];
+        const double speed = roadmaps_.getSpeed(robot);
         const std::size_t last = moves_.size() - 1;  // From then on the others stay.
         // From when on the robot may stay at its goal
         std::size_t goalFree = last + 1;
@@ -127,7 +132,7 @@ namespace ompl_certificates
 
         std::vector<Node> nodes{{start_[robot], 0, NO_NODE, 0.0}};
         std::priority_queue<Open> open;
-        open.push({distances[start_[robot]], 0, 0});
+        open.push({timeToGoal(robot, start_[robot]), 0, 0});
         // After the others have arrived, one step is as another.
         std::unordered_map<std::uint64_t, double> known;
         const auto keyOf = [last](Vertex vertex, std::uint32_t step)
@@ -137,7 +142,7 @@ namespace ompl_certificates
             const std::uint32_t index = open.top().node;
             open.pop();
             const Node node = nodes[index];
-            if (node.step > 0 && known[keyOf(node.vertex, node.step)] < node.length)
+            if (node.step > 0 && known[keyOf(node.vertex, node.step)] < node.time)
                 continue;
             if (node.vertex == goal_[robot] && node.step >= goalFree)
             {
@@ -149,18 +154,18 @@ namespace ompl_certificates
             }
             for (const Roadmap::Edge &edge : roadmap.getEdges(node.vertex))
             {
-                const double length =
-                    node.length + std::max(edge.length, durations_[std::min<std::size_t>(node.step, last)]);
+                const double time =
+                    node.time + std::max(edge.length / speed, durations_[std::min<std::size_t>(node.step, last)]);
                 // After all others have arrived there is nothing to wait for.
-                if (!std::isfinite(distances[edge.to]) || (edge.to == node.vertex && node.step >= last))
+                if (!std::isfinite(timeToGoal(robot, edge.to)) || (edge.to == node.vertex && node.step >= last))
                     continue;
                 const auto [entry, isNew] =
                     known.try_emplace(keyOf(edge.to, node.step + 1), std::numeric_limits<double>::infinity());
-                if (length >= entry->second || !isFree(robot, node.vertex, edge, node.step))
+                if (time >= entry->second || !isFree(robot, node.vertex, edge, node.step))
                     continue;
-                entry->second = length;
-                nodes.push_back({edge.to, node.step + 1, index, length});
-                open.push({length + distances[edge.to], node.step + 1, static_cast<std::uint32_t>(nodes.size() - 1)});
+                entry->second = time;
+                nodes.push_back({edge.to, node.step + 1, index, time});
+                open.push({time + timeToGoal(robot, edge.to), node.step + 1, static_cast<std::uint32_t>(nodes.size() - 1)});
             }
         }
         return false;

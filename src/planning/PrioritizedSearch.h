@@ -43,6 +43,9 @@ namespace ompl_certificates
             \return whether there is one */
         bool plan(unsigned int robot, const ompl::base::PlannerTerminationCondition &condition);
 
+        /** \brief How long a robot needs at least from a vertex to its goal; infinite if there is no way */
+        double timeToGoal(unsigned int robot, Vertex vertex) const;
+
         /** \brief Whether a robot may take an edge in a step */
         bool isFree(unsigned int robot, Vertex from, const Roadmap::Edge &edge, std::size_t step);
 
@@ -57,7 +60,7 @@ namespace ompl_certificates
         const std::vector<std::vector<double>> &distances_;
         /** \brief What the planned robots do in each step, until all have arrived; the last entry is how they stay */
         std::vector<std::vector<Move>> moves_;
-        /** \brief How long each of these steps takes: as long as the longest edge */
+        /** \brief How long each of these steps takes: as long as the robot that needs longest */
         std::vector<double> durations_;
     };
 }

@@ -2,6 +2,7 @@
 
 #include "TimedPaths.h"
 
+#include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ namespace ompl_certificates
         using Knot = TimedPaths::Knot;
         using Knots = std::vector<Knot>;
 
-        /** How a robot goes its way between two times: as slowly as it may, or at unit speed and then it waits */
+        /** How a robot goes its way between two times: as slowly as it may, or at full speed and then it waits */
         enum Pace
         {
             EVEN,
@@ -176,24 +177,27 @@ namespace ompl_certificates
         Knots paced(Pace pace, unsigned int robot, double first, double last) const
         {
             const ob::StateSpace &space = team_.getRobotSpace(robot);
+            const double speed = speedOf(*team_.getStateSpace(), robot);
+            const auto timeOf = [&](const Knot &from, const Knot &to)
+            { return space.distance(from.state.get(), to.state.get()) / speed; };
             Knots middle;
-            double length = 0.0;
+            double time = 0.0;  // at full speed
             Knot previous = paths_.at(robot, first);
             for (const Knot &knot : paths_.getKnots(robot))
                 if (knot.time > first && knot.time < last)
-                    if (const double step = space.distance(previous.state.get(), knot.state.get()); step > 0.0)
+                    if (const double step = timeOf(previous, knot); step > 0.0)
                     {
-                        length += step;
-                        middle.push_back({length, knot.state});
+                        time += step;
+                        middle.push_back({time, knot.state});
                         previous = knot;
                     }
             const Knot end = paths_.at(robot, last);
-            length += space.distance(previous.state.get(), end.state.get());
-            const auto isAtEnd = [&](const Knot &knot) { return !(knot.time < length); };
+            time += timeOf(previous, end);
+            const auto isAtEnd = [&](const Knot &knot) { return !(knot.time < time); };
             middle.erase(std::find_if(middle.begin(), middle.end(), isAtEnd), middle.end());
-            const double duration = pace == EVEN ? last - first : std::min(length, last - first);
+            const double duration = pace == EVEN ? last - first : std::min(time, last - first);
             for (Knot &knot : middle)
-                knot.time = first + duration * (knot.time / length);
+                knot.time = first + duration * (knot.time / time);
             if (duration < last - first)
                 middle.push_back({first + duration, end.state});
             return replaced(robot, first, last, middle);

@@ -1,5 +1,7 @@
 #include "TeamRoadmaps.h"
 
+#include "ompl_certificates/team/PathTimes.h"
+
 #include <algorithm>
 #include <boost/functional/hash.hpp>
 #include <future>
@@ -29,6 +31,7 @@ namespace ompl_certificates
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
         {
+            speeds_.push_back(speedOf(*validator.getChecker().getTeam().getStateSpace(), robot));
             const auto alike =
                 std::find_if(owners.begin(), owners.end(),
                              [&](unsigned int owner) { return shares && robots[owner]->isLike(*robots[robot]); });

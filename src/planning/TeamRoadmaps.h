@@ -53,6 +53,12 @@ namespace ompl_certificates
             return roadmaps_;
         }
 
+        /** \brief How fast a robot moves along edges; see TeamStateSpace::setSpeed() */
+        double getSpeed(unsigned int robot) const
+        {
+            return speeds_[robot];
+        }
+
         /** \brief Add a free state of the team */
         Configuration add(const ompl::base::State *state);
 
@@ -114,6 +120,7 @@ namespace ompl_certificates
         const unsigned int threads_;
         std::vector<std::unique_ptr<Roadmap>> roadmaps_;
         std::vector<unsigned int> roadmapOf_;
+        std::vector<double> speeds_;
         /** \brief Whether the robots stay apart */
         std::unordered_map<PairMotion, bool, Hash> pairMotions_;
     };

@@ -233,7 +233,10 @@ namespace ompl_certificates
     {
         auto team = std::make_shared<TeamStateSpace>();
         for (const Member &member : members_)
+        {
             team->addRobot(member.robot, member.weight);
+            team->setSpeed(team->getRobotCount() - 1, member.speed);
+        }
         team->computeLocations();
         if (resolution_ > 0.0)
             team->setLongestValidSegmentFraction(resolution_);

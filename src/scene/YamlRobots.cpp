@@ -221,17 +221,17 @@ namespace ompl_certificates
         const std::string type = typeNode.text();
         const KnownType *known = findType(type);
         if (known)
-            node.allow({"type", "name", "start", "goal", "weight", "bounds"});
+            node.allow({"type", "name", "start", "goal", "weight", "speed", "bounds"});
         else if (type == "rigid")
-            node.allow({"type", "name", "space", "shape", "shapes", "start", "goal", "weight", "bounds"});
+            node.allow({"type", "name", "space", "shape", "shapes", "start", "goal", "weight", "speed", "bounds"});
         else if (type == "car_with_trailer")
             node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
-                        "bounds"});
+                        "speed", "bounds"});
         else if (type == "arm")
-            node.allow({"type", "name", "base", "links", "self_collision", "start", "goal", "weight"});
+            node.allow({"type", "name", "base", "links", "self_collision", "start", "goal", "weight", "speed"});
         else if (type == "urdf")
             node.allow({"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
-                        "attached", "may_touch_obstacles", "start", "goal", "weight", "bounds"});
+                        "attached", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"});
         else
             failOnType(typeNode);
         if (dynamics && !known)
@@ -262,6 +262,12 @@ namespace ompl_certificates
             member = readPlanarArm(node, name, meshes);
         if (node.has("weight"))
             member.weight = node.at("weight").positive();
+        if (node.has("speed"))
+        {
+            member.speed = node.at("speed").positive();
+            if (dynamics)
+                scene.addNote("speed of robot '" + name + "' does not count: it moves by controls");
+        }
         if (type == "urdf")
             arms.read(bounds, scene, meshes, member);
         if (type == "arm" || type == "urdf")

@@ -9,16 +9,23 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
+    double speedOf(const ob::StateSpace &space, unsigned int robot)
+    {
+        const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
+        return team ? team->getSpeed(robot) : 1.0;
+    }
+
     double motionTime(const ob::StateSpace &space, const ob::State *from, const ob::State *to)
     {
         const auto *team = dynamic_cast<const TeamStateSpace *>(&space);
         if (!team)
             return space.distance(from, to);
         const auto &starts = *from->as<ob::CompoundState>(), &ends = *to->as<ob::CompoundState>();
-        double farthest = 0.0;
+        double longest = 0.0;
         for (unsigned int robot = 0; robot < team->getRobotCount(); ++robot)
-            farthest = std::max(farthest, team->getSubspace(robot)->distance(starts[robot], ends[robot]));
-        return farthest;
+            longest = std::max(longest, team->getSubspace(robot)->distance(starts[robot], ends[robot]) /
+                                            team->getSpeed(robot));
+        return longest;
     }
 
     std::vector<double> stateTimes(const ompl::geometric::PathGeometric &path)

@@ -1,5 +1,6 @@
 #include "ompl_certificates/team/TeamObjective.h"
 
+#include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
@@ -42,7 +43,10 @@ namespace ompl_certificates
       : OptimizationObjective(si), kind_(kind), goal_(std::move(goal))
     {
         for (const ob::StateSpacePtr &space : compoundSpaceOf(*si).getSubspaces())
+        {
+            speeds_.push_back(speedOf(*si->getStateSpace(), static_cast<unsigned int>(spaces_.size())));
             spaces_.push_back(space.get());
+        }
         description_ = kind == MAKESPAN         ? "Makespan"
                        : kind == SUM_OF_LENGTHS ? "Sum of lengths"
                                                 : "Sum of arrival times";
@@ -51,6 +55,11 @@ namespace ompl_certificates
     double TeamObjective::distance(unsigned int robot, const ob::State *from, const ob::State *to) const
     {
         return spaces_[robot]->distance(componentOf(from, robot), componentOf(to, robot));
+    }
+
+    double TeamObjective::time(unsigned int robot, const ob::State *from, const ob::State *to) const
+    {
+        return distance(robot, from, to) / speeds_[robot];
     }
 
     bool TeamObjective::hasArrived(unsigned int robot, const ob::State *state) const
@@ -65,17 +74,18 @@ namespace ompl_certificates
 
     ob::Cost TeamObjective::motionCost(const ob::State *from, const ob::State *to) const
     {
-        double sum = 0.0, longest = 0.0;
+        double lengths = 0.0, longest = 0.0;
         unsigned int away = 0;
         for (unsigned int robot = 0; robot < spaces_.size(); ++robot)
         {
-            const double length = distance(robot, from, to);
-            sum += length;
-            longest = std::max(longest, length);
+            if (kind_ == SUM_OF_LENGTHS)
+                lengths += distance(robot, from, to);
+            else
+                longest = std::max(longest, time(robot, from, to));
             if (kind_ == SUM_OF_ARRIVAL_TIMES && !(hasArrived(robot, from) && hasArrived(robot, to)))
                 ++away;
         }
-        return ob::Cost(kind_ == SUM_OF_LENGTHS ? sum : kind_ == MAKESPAN ? longest : away * longest);
+        return ob::Cost(kind_ == SUM_OF_LENGTHS ? lengths : kind_ == MAKESPAN ? longest : away * longest);
     }
 
     ob::Cost TeamObjective::motionCostHeuristic(const ob::State *from, const ob::State *to) const
@@ -85,7 +95,7 @@ namespace ompl_certificates
         // Who moves is on its way.
         double sum = 0.0;
         for (unsigned int robot = 0; robot < spaces_.size(); ++robot)
-            sum += distance(robot, from, to);
+            sum += time(robot, from, to);
         return ob::Cost(sum);
     }
 

@@ -104,9 +104,20 @@ namespace ompl_certificates
                                                  "' must be finite and not negative, not " + std::to_string(weight));
         addSubspace(robot->getStateSpace(), weight);
         robots_.push_back(robot);
+        speeds_.push_back(1.0);
         bodyCount_ += robot->getBodies().size();
         vectors_.push_back(vectorDimension(*robot->getStateSpace()));
         vectorSum_ += vectors_.back();
+    }
+
+    void TeamStateSpace::setSpeed(unsigned int robot, double speed)
+    {
+        if (robot >= getRobotCount())
+            throw ompl::Exception(getName(), "there is no robot " + std::to_string(robot) + " to set the speed of");
+        if (!(speed > 0.0) || !std::isfinite(speed))
+            throw ompl::Exception(getName(), "the speed of robot '" + robots_[robot]->getName() +
+                                                 "' must be finite and above 0, not " + std::to_string(speed));
+        speeds_[robot] = speed;
     }
 
     unsigned int TeamStateSpace::getWorkspaceDimension() const

@@ -128,6 +128,42 @@ TEST_F(DRRTstarTest, SolvesCrowdsAmongBoxes)
     }
 }
 
+TEST_F(DRRTstarTest, LetsSlowRobotsTakeTheirTime)
+{
+    for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed));
+        const auto setup = crowd(seed, 4, 5.0, 0);
+        auto &team = *setup->getStateSpace()->as<TeamStateSpace>();
+        const std::vector<double> speeds{0.25, 3.0, 1.0, 10.0};
+        const ob::State *start = setup->getProblemDefinition()->getStartState(0);
+        ob::ScopedState<> goal(setup->getStateSpace());
+        goal = setup->getGoal()->as<ob::GoalState>()->getState();
+        double sum = 0.0, longest = 0.0;
+        for (unsigned int robot = 0; robot < speeds.size(); ++robot)
+        {
+            team.setSpeed(robot, speeds[robot]);
+            const double time = team.getSubspace(robot)->distance(start->as<ob::CompoundState>()->components[robot],
+                                                                  goal->as<ob::CompoundState>()->components[robot]) /
+                                speeds[robot];
+            sum += time;
+            longest = std::max(longest, time);
+        }
+        for (const auto &[name, least] : {std::make_pair("makespan", longest), std::make_pair("arrival", sum)})
+        {
+            const auto objective = makeObjective(name, setup->getSpaceInformation(), goal);
+            setup->clear();
+            setup->setOptimizationObjective(objective);
+            plannerFor(*setup);
+            ASSERT_EQ(setup->solve(ob::IterationTerminationCondition(3000)), ob::PlannerStatus::EXACT_SOLUTION);
+            const double cost = setup->getSolutionPath().cost(objective).value();
+            EXPECT_GE(cost, least * (1.0 - 1e-9)) << name;
+            EXPECT_LE(cost, least * 1.2) << name;
+        }
+    }
+}
+
 TEST_F(DRRTstarTest, ProvesAllMotionsInContinuousMode)
 {
     for (std::uint64_t seed = 1; seed <= scaled(10); ++seed)

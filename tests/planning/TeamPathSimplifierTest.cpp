@@ -91,6 +91,29 @@ TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)
     EXPECT_NEAR(path.length(), std::sqrt(2.0 * (64.0 + 9.0)), 0.02);
 }
 
+TEST_F(TeamPathSimplifierTest, LetsEachRobotGoAtItsOwnSpeed)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("slow", 0.2, cubeBounds(2, 5.0)));
+    team->addRobot(RigidRobot::disc("fast", 0.2, cubeBounds(2, 5.0)));
+    team->setSpeed(0, 0.5);
+    team->setSpeed(1, 4.0);
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    setup.getSpaceInformation()->setup();
+    og::PathGeometric path(setup.getSpaceInformation());
+    ob::ScopedState<> start(team), goal(team);
+    start = std::vector<double>{-4.0, -4.0, -4.0, 4.0};
+    goal = std::vector<double>{4.0, -4.0, 4.0, 4.0};
+    path.append(start.get());
+    path.append(goal.get());
+    // Side by side both take 8 / 0.5. The fast one can be there after 8 / 4.
+    const auto objective = makeObjective("arrival", setup.getSpaceInformation(), goal);
+    EXPECT_DOUBLE_EQ(path.cost(objective).value(), 32.0);
+    EXPECT_TRUE(TeamPathSimplifier(setup.getSpaceInformation(), objective)
+                    .simplify(path, ob::plannerNonTerminatingCondition()));
+    EXPECT_NEAR(path.cost(objective).value(), 18.0, 1e-6);
+}
+
 TEST_F(TeamPathSimplifierTest, LeavesPathsAloneThatItCannotShorten)
 {
     const auto setup = crowd(1, 2, 4.0, 0);

@@ -152,6 +152,7 @@ namespace ompl_certificates
              ".shape.radius: must be positive, not -1"},
             {"Weight", "{type: single_integrator, weight: -1, start: [1, 1], goal: [2, 2]}",
              ".weight: must be positive"},
+            {"Speed", "{type: single_integrator, speed: 0, start: [1, 1], goal: [2, 2]}", ".speed: must be positive"},
             {"Bounds", "{type: single_integrator, bounds: {min: [1, 1]}, start: [1, 1], goal: [2, 2]}",
              ".bounds.max: missing"},
             {"Hitch",

@@ -53,6 +53,15 @@ TEST(YamlDynamicsTest, AllTypesHaveTheLimitsOfDbCbs)
               (std::vector<double>{1, 1, 0, 0.3, 0.4}));
 }
 
+TEST(YamlDynamicsTest, NotesThatSpeedsDoNotCount)
+{
+    const std::string robot = "{type: single_integrator, start: [1, 1], goal: [2, 2], speed: 3}";
+    const Scene scene = sceneOf(robot);
+    ASSERT_EQ(scene.getNotes().size(), 1U);
+    EXPECT_EQ(scene.getNotes().front(), "speed of robot 'robot_0' does not count: it moves by controls");
+    EXPECT_TRUE(sceneOf(robot, false).getNotes().empty());
+}
+
 TEST(YamlDynamicsTest, ErrorsNameFileKeyAndValue)
 {
     EXPECT_NE(messageOf([] { sceneOf("{type: single_integrator, start: [1, 1], goal: {min: [2, 2], max: [3, 3]}}"); })

@@ -294,6 +294,20 @@ namespace ompl_certificates
         EXPECT_EQ(fine->getSubspaceWeight(0), 3.0);
     }
 
+    TEST(YamlFile, RobotsHaveSpeeds)
+    {
+        const auto scene = sceneFromYaml(
+            "environment: {min: [0, 0], max: [5, 5]}\n"
+            "robots:\n"
+            "  - {type: single_integrator_0, start: [1, 2], goal: [3, 3]}\n"
+            "  - {type: rigid, space: R2, shape: {type: disc, radius: 0.1}, start: [1, 4], goal: [3, 4], speed: 2.5}",
+            "fast");
+        const auto team = scene.makeTeam();
+        EXPECT_EQ(team->getSpeed(0), 1.0);
+        EXPECT_EQ(team->getSpeed(1), 2.5);
+        EXPECT_EQ(scene.makeSetup()->getTeam().getSpeed(1), 2.5);
+    }
+
     TEST(YamlFile, NamesFilesThatCannotBeRead)
     {
         const fs::path missing = fs::temp_directory_path() / "ompl_certificates_no_such_file.yaml";

@@ -45,6 +45,23 @@ TEST(PathTimes, AMotionLastsAsLongAsTheRobotThatMovesFarthest)
     EXPECT_EQ(motionTime(*team, from.get(), to.get()), box);
 }
 
+TEST(PathTimes, AMotionLastsAsLongAsItsSpeedsLetIt)
+{
+    const auto team = mixedTeam();
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>(from.reals().size(), 0.0);
+    to = from;
+    to[0] = 3.0;
+    to[2] = 4.0;
+    team->setSpeed(0, 0.5);
+    EXPECT_DOUBLE_EQ(motionTime(*team, from.get(), to.get()), 6.0);
+    team->setSpeed(0, 3.0);
+    team->setSpeed(1, 2.0);
+    EXPECT_DOUBLE_EQ(motionTime(*team, from.get(), to.get()), 2.0);
+    EXPECT_EQ(speedOf(*team, 1), 2.0);
+    EXPECT_EQ(speedOf(*team->getSubspace(1), 0), 1.0);
+}
+
 TEST(PathTimes, OfStatesAddUp)
 {
     const auto team = mixedTeam();

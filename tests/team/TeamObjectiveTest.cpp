@@ -38,9 +38,27 @@ TEST(TeamObjective, AddsUpWhatRobotsDo)
     EXPECT_DOUBLE_EQ(makeObjective("arrival", si, elsewhere)->motionCost(from.get(), to.get()).value(), 12.0);
 }
 
+TEST(TeamObjective, TimesGoBySpeedsAndLengthsDoNot)
+{
+    const auto team = teamOfDiscs();
+    team->setSpeed(0, 0.5);
+    team->setSpeed(1, 4.0);
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    // Lengths 3, 4 and 0 take 6, 1 and 0.
+    const auto from = stateOf(team, {0.0, 0.0, 1.0, 0.0, 2.0, 2.0}), to = stateOf(team, {3.0, 0.0, 1.0, 4.0, 2.0, 2.0});
+    const auto cost = [&](const std::string &name)
+    { return makeObjective(name, si, to)->motionCost(from.get(), to.get()).value(); };
+    EXPECT_DOUBLE_EQ(cost("length"), 5.0);
+    EXPECT_DOUBLE_EQ(cost("sum"), 7.0);
+    EXPECT_DOUBLE_EQ(cost("makespan"), 6.0);
+    EXPECT_DOUBLE_EQ(cost("arrival"), 12.0);
+}
+
 TEST(TeamObjective, HeuristicsAreLowerBoundsOfDetours)
 {
-    const ob::StateSpacePtr team = mixedTeam();
+    const auto team = mixedTeam();
+    team->setSpeed(1, 0.3);
+    team->setSpeed(2, 7.0);
     const auto si = std::make_shared<ob::SpaceInformation>(team);
     const auto sampler = team->allocStateSampler();
     ob::ScopedState<> from(team), between(team), to(team);

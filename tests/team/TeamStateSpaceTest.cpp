@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -251,6 +252,18 @@ TEST(TeamStateSpace, RefusesAWeightThatIsNotANumber)
     TeamStateSpace team;
     EXPECT_THROW(team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)), std::nan("")), ompl::Exception);
     EXPECT_EQ(team.getRobotCount(), 0U);
+}
+
+TEST(TeamStateSpace, RefusesSpeedsAtWhichNobodyArrives)
+{
+    TeamStateSpace team;
+    team.addRobot(RigidRobot::disc("a", 1.0, cubeBounds(2, 1.0)));
+    EXPECT_EQ(team.getSpeed(0), 1.0);
+    for (const double speed : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+        expectWords(messageOf([&] { team.setSpeed(0, speed); }), {"speed", "'a'", std::to_string(speed)});
+    expectWords(messageOf([&] { team.setSpeed(1, 2.0); }), {"no robot 1"});
+    team.setSpeed(0, 2.0);
+    EXPECT_EQ(team.getSpeed(0), 2.0);
 }
 
 TEST(TeamStateSpace, NamesTheRobotThatCannotMove)

@@ -39,6 +39,9 @@ namespace ompl_certificates
             /** \brief All states that it may end in, if these are more than \e goal, such as those of a LinkPoseGoal */
             RobotGoalPtr region{};
 
+            /** \brief How fast it moves, by its own space's distance; see TeamStateSpace::setSpeed() */
+            double speed{1.0};
+
             /** \brief Take a state of the region as \e goal, if there is a region and no goal yet: the same one each
                 time
                 \throws ompl::Exception if none is found */

@@ -8,11 +8,14 @@
 
 namespace ompl_certificates
 {
-    /** \brief How long a team takes along the motion from \e from to \e to, in the unit of distance: at speed 1.
+    /** \brief How fast a robot of the team in \e space moves: TeamStateSpace::getSpeed(), and 1 in other spaces */
+    double speedOf(const ompl::base::StateSpace &space, unsigned int robot);
 
-        Each robot moves at a steady speed, and all arrive together. So the motion lasts as long as the robot needs
-        that moves farthest, in its own space's distance; the robots' weights in the team do not count. A \e space that
-        is not a TeamStateSpace is that of one robot. */
+    /** \brief How long a team takes along the motion from \e from to \e to.
+
+        Each robot moves at a steady speed, and all arrive together. So the motion lasts as long as that robot needs
+        which needs longest: the distance in its own space, by its speed, see TeamStateSpace::setSpeed(). The robots'
+        weights in the team do not count. A \e space that is not a TeamStateSpace is that of one robot of speed 1. */
     double motionTime(const ompl::base::StateSpace &space, const ompl::base::State *from, const ompl::base::State *to);
 
     /** \brief When the team is at each state of \e path: 0 at the first, later by the motionTime() of each motion */

@@ -10,8 +10,8 @@ namespace ompl_certificates
 {
     /** \brief Costs of a team's path that look at each robot. A robot's length is measured by its own space's distance.
 
-        Times assume that no robot moves faster than one unit of its own distance per unit of time. A motion of the
-        team takes as long as the robot that moves farthest needs. TeamPathLength is the length of the path in the
+        Times assume that no robot moves faster than its TeamStateSpace::getSpeed() when the objective is made. A motion of
+        the team takes as long as the robot needs that needs longest. TeamPathLength is the length of the path in the
         team's space. */
     class TeamObjective : public ompl::base::OptimizationObjective
     {
@@ -50,11 +50,15 @@ namespace ompl_certificates
 
         double distance(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
+        /** \brief How long a robot needs at least */
+        double time(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
+
         /** \brief Whether a robot is at its goal */
         bool hasArrived(unsigned int robot, const ompl::base::State *state) const;
 
         const Kind kind_;
         std::vector<const ompl::base::StateSpace *> spaces_;
+        std::vector<double> speeds_;
         /** \brief The goal, if it is known */
         std::vector<ompl::base::ScopedState<>> goal_;
     };

@@ -87,6 +87,18 @@ namespace ompl_certificates
             \e weight is negative or not finite, or the space is locked */
         void addRobot(const RobotPtr &robot, double weight = 1.0);
 
+        /** \brief Set how fast a robot moves: so much of its own space's distance in one unit of time, 1 unless it is
+            set. Times go by it: those of paths, see stateTimes(), and those that TeamObjective adds up. Distances, ranges
+            and verdicts do not. Set it before a planner is set up.
+            \throws ompl::Exception if \e speed is not above 0 or not finite, or there is no such robot */
+        void setSpeed(unsigned int robot, double speed);
+
+        /** \brief How fast a robot moves; see setSpeed() */
+        double getSpeed(unsigned int robot) const
+        {
+            return speeds_[robot];
+        }
+
         /** \brief The number of robots */
         unsigned int getRobotCount() const
         {
@@ -192,6 +204,7 @@ namespace ompl_certificates
 
         const Metric metric_;
         std::vector<RobotPtr> robots_;
+        std::vector<double> speeds_;
         /** The dimensions of the components that are R^n, 0 for others, and their sum. Distances are what planners ask
             for most; these need no virtual call. */
         std::vector<unsigned int> vectors_;
