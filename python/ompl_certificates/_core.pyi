@@ -253,7 +253,8 @@ class Scene:
         In a planar scene those cells count that reach into the heights (low, high)."""
     def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose, Zone], weight: float = 1.0, speed: float = 1.0) -> None:
         """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
-        an arm, or a Zone."""
+        an arm, or a Zone. speed is how much of its distance it moves in a unit of time: times of plans, and the
+        objectives makespan and arrival, go by it."""
     @property
     def name(self) -> str:
         """What the scene is called"""

@@ -82,7 +82,8 @@ namespace ompl_certificates
         /** The colors of an image's pixels, the highest row first */
         gil::rgb8_image_t readImage(const std::string &file)
         {
-            std::istringstream stream(readRegularFile(file, MOST_BYTES));
+            const std::string content = readRegularFile(file, MOST_BYTES);
+            std::istringstream stream(content);
             try
             {
                 const auto info = gil::read_image_info(stream, gil::pnm_tag())._info;
@@ -95,6 +96,10 @@ namespace ompl_certificates
                 if (info._max_value != 255 && info._type != gil::pnm_image_type::mono_asc_t::value &&
                     info._type != gil::pnm_image_type::mono_bin_t::value)
                     throw ompl::Exception("its brightest value must be 255, not " + std::to_string(info._max_value));
+                // No pixel takes less than a bit. Told before the memory for all of them is asked for.
+                if (static_cast<std::uintmax_t>(info._width) * static_cast<std::uintmax_t>(info._height) / 8 >
+                    content.size())
+                    throw ompl::Exception("it ends before its last pixel");
                 stream.clear();
                 stream.seekg(0);
                 gil::rgb8_image_t image;
