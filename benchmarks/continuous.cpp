@@ -102,8 +102,9 @@ int main(int argc, char **argv)
     double longest = 0.2;
     std::uint32_t seed = 1;
     app.add_option("SCENES", scenes, "Scene files")->required();
-    app.add_option("--motions", count, "Random motions of each scene")->capture_default_str();
+    benchmarks::addPositive(app, "--motions", count, "Random motions of each scene");
     app.add_option("--longest", longest, "The longest motions, as a fraction of the way to a random state")
+        ->check(benchmarks::positive() & CLI::Range(0.0, 1.0))
         ->capture_default_str();
     app.add_option("--seed", seed, "Seed of the random numbers")->capture_default_str();
     return benchmarks::runProgram(app, argc, argv, [&] { return run(scenes, count, longest, seed); });

@@ -180,10 +180,10 @@ int main(int argc, char **argv)
         ->delimiter(',')
         ->capture_default_str();
     app.add_option("--iterations", options.iterations, "Iterations of each plan")
-        ->check(CLI::PositiveNumber)
+        ->check(benchmarks::positive())
         ->capture_default_str();
     app.add_option("--repeats", options.repeats, "Plans of each kind, of which the fastest counts")
-        ->check(CLI::PositiveNumber)
+        ->check(benchmarks::positive())
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
     return benchmarks::runProgram(app, argc, argv, [&] { return run(options); });

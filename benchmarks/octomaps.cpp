@@ -294,9 +294,9 @@ int main(int argc, char **argv)
     benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
     benchmarks::addPositive(app, "--seeds", options.seeds, "Plans from seeds 1, 2, ..., each with its start and goal");
     app.add_option("--range", options.range, "The length of the planners' steps; by default the planner's own")
-        ->check(CLI::PositiveNumber);
+        ->check(benchmarks::positive());
     app.add_option("--resolution", options.resolution, "The longest valid segment as a fraction of the space's extent")
-        ->check(CLI::PositiveNumber)
+        ->check(benchmarks::positive())
         ->capture_default_str();
     benchmarks::addAllMethods(app, options.methods);
     app.add_flag("--warm", options.warm,

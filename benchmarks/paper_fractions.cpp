@@ -45,7 +45,7 @@ namespace
                "--resolution", options.resolution,
                "The longest segment between two samples of a motion, as a fraction of a robot's space; 1 checks only "
                "the ends, as the paper does. By default OMPL's, 0.01")
-            ->check(CLI::Range(0.0, 1.0));
+            ->check(benchmarks::positive() & CLI::Range(0.0, 1.0));
         app.add_option("--radius", options.scene.radius, "The radius of the discs, in a square of side 100")
             ->capture_default_str();
         app.add_option("--obstacles", options.scene.obstacles, "The number of polygons")->capture_default_str();

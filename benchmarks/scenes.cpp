@@ -60,7 +60,7 @@ namespace
         benchmarks::addPlanners(app, options.planners);
         benchmarks::addMethods(app, options.methods);
         benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene")
-            ->check(CLI::PositiveNumber)
+            ->check(benchmarks::positive())
             ->capture_default_str();
         benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
         benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each row, from seeds 1, 2, ...");

@@ -176,10 +176,14 @@ int main(int argc, char **argv)
     app.add_option("SCENES", options.scenes, "Scene files")->check(CLI::ExistingFile);
     benchmarks::addList(app, "--planners", options.planners, "Planners, separated by commas");
     benchmarks::addAllMethods(app, options.methods);
-    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see certificates generate --help");
+    std::vector<std::string> kinds;
+    for (const generators::TeamKind &kind : generators::teamKinds())
+        kinds.push_back(kind.name);
+    app.add_option("--kind", options.kind, "Generated scenes of that kind instead; see certificates generate --help")
+        ->check(CLI::IsMember(kinds));
     benchmarks::addList(app, "--robots", options.robots, "Team sizes: the first robots of each scene");
-    app.add_option("--size", options.size, "The side of generated scenes")->check(CLI::PositiveNumber);
-    app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(CLI::PositiveNumber);
+    app.add_option("--size", options.size, "The side of generated scenes")->check(benchmarks::positive());
+    app.add_option("--time", options.seconds, "Time for each plan, in seconds")->check(benchmarks::positive());
     benchmarks::addPositive(app, "--seeds", options.seeds, "Plans of each scene, from seeds 1, 2, ...");
     benchmarks::addPositive(app, "--instances", options.instances,
                             "Generated scenes of each size, from seeds 1, 2, ...");

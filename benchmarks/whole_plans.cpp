@@ -35,14 +35,14 @@ namespace
         benchmarks::addPlanners(app, options.planners);
         benchmarks::addMethods(app, options.methods);
         benchmarks::addList(app, "--robots", options.robots, "Plan for the first so many robots; by default for all")
-            ->check(CLI::PositiveNumber);
+            ->check(benchmarks::positive());
         app.add_flag("--stock", options.stock,
                      "Compare with OMPL alone: its compound space and its nearest-neighbor structure, too");
         benchmarks::addPositive(app, "--iterations", options.iterations, "Iterations of each plan");
         benchmarks::addPositive(app, "--repeats", options.repeats, "How often each plan is made; medians are printed");
         benchmarks::addPositive(app, "--seed", options.seed, "Seed of OMPL's random numbers, the same for all plans");
         app.add_option("--range", options.range, "The length of the planners' steps; by default the planner's own")
-            ->check(CLI::PositiveNumber);
+            ->check(benchmarks::positive());
         app.add_flag("--stop-at-goal,!--keep-going", options.stopAtGoal,
                      "Plan only until the goal is reached; by default all iterations are made");
         app.add_flag("--fastest", options.fastest,

@@ -14,6 +14,7 @@
 using namespace ompl_certificates;
 
 int main(int argc, char **argv)
+try
 {
     const std::string folder = argc > 1 ? argv[1] : "demos/scenes";
     const MeshFile cart(folder + "/maze_cart.obj"), walls(folder + "/maze_walls.obj");
@@ -44,4 +45,9 @@ int main(int argc, char **argv)
     setup.simplifySolution();
     setup.getSolutionPath().printAsMatrix(std::cout);
     return 0;
+}
+catch (const std::exception &error)
+{
+    std::cerr << error.what() << '\n';
+    return 2;
 }

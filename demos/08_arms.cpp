@@ -13,6 +13,7 @@
 using namespace ompl_certificates;
 
 int main(int argc, char **argv)
+try
 {
     const std::string folder = argc > 1 ? argv[1] : "demos/scenes/arms";
     const ArmFile file(folder + "/arm6.urdf", folder + "/arm6.srdf");
@@ -43,4 +44,9 @@ int main(int argc, char **argv)
         return 1;
     setup.getSolutionPath().printAsMatrix(std::cout);
     return 0;
+}
+catch (const std::exception &error)
+{
+    std::cerr << error.what() << '\n';
+    return 2;
 }

@@ -29,6 +29,7 @@ namespace
 }
 
 int main(int argc, char **argv)
+try
 {
     const Scene scene = loadScene(argc > 1 ? argv[1] : "demos/scenes/drones_3d.yaml");
     const std::string file = argc > 2 ? argv[2] : "drones.bt";
@@ -47,4 +48,9 @@ int main(int argc, char **argv)
         return 1;
     setup.getSolutionPath().printAsMatrix(std::cout);
     return 0;
+}
+catch (const std::exception &error)
+{
+    std::cerr << error.what() << '\n';
+    return 2;
 }

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <limits>
 #include <ompl/util/Console.h>
 
 namespace benchmarks
@@ -49,11 +50,24 @@ namespace benchmarks
             ->capture_default_str();
     }
 
+    /** \brief Accepts finite numbers above 0. CLI::PositiveNumber would accept NaN. */
+    inline CLI::Validator positive()
+    {
+        const auto complaint = [](const std::string &text)
+        {
+            double value = 0.0;
+            const bool isPositive =
+                CLI::detail::lexical_cast(text, value) && value > 0.0 && value <= std::numeric_limits<double>::max();
+            return isPositive ? std::string() : "must be a finite number above 0, not '" + text + "'";
+        };
+        return CLI::Validator(complaint, "POSITIVE", "positive");
+    }
+
     /** \brief An option with a default that must be positive */
     template <typename Value>
     void addPositive(CLI::App &app, const std::string &name, Value &value, const std::string &description)
     {
-        app.add_option(name, value, description)->check(CLI::PositiveNumber)->capture_default_str();
+        app.add_option(name, value, description)->check(positive())->capture_default_str();
     }
 
     /** \brief Read the command line and run \e program. An error of either is printed, with exit code 2. */

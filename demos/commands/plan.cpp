@@ -207,8 +207,12 @@ namespace
         setup->setPlanner(makePlanner(options, choice, setup->getSpaceInformation()));
         if (options.savedCertificates == "-")
             throw ompl::Exception("--save-certificates", "must name a file: certificates are not text");
-        demos::prepareOutputs(demos::outputsOf(options),
-                              {options.scene, options.moveIt.request, options.moveIt.urdf, options.moveIt.srdf});
+        std::vector<std::string> inputs{options.scene, options.moveIt.request, options.moveIt.urdf,
+                                        options.moveIt.srdf};
+        // Certificates may grow in the file that they come from.
+        if (!demos::isSameFile(options.loadedCertificates, options.savedCertificates))
+            inputs.push_back(options.loadedCertificates);
+        demos::prepareOutputs(demos::outputsOf(options), inputs);
         // With the default objective, planners keep their own ways: PRM ends with its first solution.
         if (options.objective != "length" || options.first)
             setup->setOptimizationObjective(objectiveOf(*setup, scene, options));

@@ -14,6 +14,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
 #include <set>
 
@@ -76,15 +77,42 @@ namespace demos
             return at(node, [&] { return generators::randomPolygons(settings); });
         }
 
-        /** What its file does not say: it may name others, with meshes or maps. */
-        std::string shapesOf(const Scene &scene)
+        /** The robot's bodies where it starts and ends, and with all coordinates at their lower and upper bounds */
+        void addBodies(const Scene::Member &member, std::vector<PlacedBody> &bodies)
+        {
+            constexpr double beyond = 1e12;
+            const Robot &robot = *member.robot;
+            const auto &space = robot.getStateSpace();
+            std::vector<Pose> poses(robot.getBodies().size());
+            ompl::base::ScopedState<> state(space);
+            const auto addAt = [&](const std::vector<double> &coordinates)
+            {
+                space->copyFromReals(state.get(), coordinates);
+                space->enforceBounds(state.get());
+                robot.placeBodies(state.get(), poses.data());
+                for (std::size_t i = 0; i < poses.size(); ++i)
+                    bodies.push_back({robot.getBodies()[i], poses[i]});
+            };
+            for (const auto *coordinates : {&member.start, &member.goal})
+                addAt(*coordinates);
+            for (const double bound : {-beyond, beyond})
+                addAt(std::vector<double>(member.start.size(), bound));
+        }
+
+        /** What its file does not say: it may name others, with meshes, maps or arms. */
+        std::string filesOf(const Scene &scene)
         {
             std::vector<PlacedBody> bodies;
+            std::string pairs;
             for (const Scene::Member &member : scene.getMembers())
-                for (const Body &body : member.robot->getBodies())
-                    bodies.push_back({body});
+            {
+                addBodies(member, bodies);
+                for (const BodyPair &pair : member.robot->getBodyPairs())
+                    pairs += ' ' + std::to_string(pair.first) + '-' + std::to_string(pair.second);
+                pairs += ';';
+            }
             return std::to_string(scene.makeObstacles()->getFingerprint()) + ' ' +
-                   std::to_string(FclObstacles(bodies, scene.getDimension()).getFingerprint());
+                   std::to_string(FclObstacles(bodies, scene.getDimension()).getFingerprint()) + pairs;
         }
 
         ExperimentGrid::Workspace readWorkspace(const GridNode &node, const fs::path &folder, std::string &hashed)
@@ -109,7 +137,7 @@ namespace demos
                 const std::string path = (folder / file.text()).lexically_normal().string();
                 hashed += at(file, [&] { return readFile(path); }) + '\0';
                 workspace.scene = at(file, [&] { return std::make_shared<Scene>(loadScene(path)); });
-                hashed += at(file, [&] { return shapesOf(*workspace.scene); }) + '\0';
+                hashed += at(file, [&] { return filesOf(*workspace.scene); }) + '\0';
                 workspace.name = workspace.scene->getName();
                 for (char &c : workspace.name)
                     if (std::isalnum(static_cast<unsigned char>(c)) == 0)

@@ -102,10 +102,19 @@ namespace demos
             return;
         }
         const fs::path target = targetOf(file), part = partOf(target);
-        if (writeDirectly(part, text) && std::rename(part.c_str(), target.c_str()) == 0)
+        std::error_code error;
+        bool isWritten = true;
+        // What nobody else may read stays so, from the first byte on.
+        if (fs::is_regular_file(target, error))
+        {
+            isWritten = writeDirectly(part, "");
+            fs::permissions(part, fs::status(target, error).permissions(), error);
+            isWritten = isWritten && !error;
+        }
+        isWritten = isWritten && writeDirectly(part, text);
+        if (isWritten && std::rename(part.c_str(), target.c_str()) == 0)
             return;
         const int reason = errno;
-        std::error_code error;
         fs::remove(part, error);
         errno = reason;
         failWriting(file);

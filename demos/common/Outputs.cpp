@@ -42,16 +42,16 @@ namespace demos
                 failStandardOutput();
             standardOutput = copy;
         }
+    }
 
-        bool isSame(const std::string &first, const std::string &second)
-        {
-            std::error_code error;
-            if (first == STANDARD_OUTPUT || second == STANDARD_OUTPUT)
-                return first == second;
-            if (fs::exists(first, error) && !fs::is_regular_file(first, error))
-                return false;
-            return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
-        }
+    bool isSameFile(const std::string &first, const std::string &second)
+    {
+        std::error_code error;
+        if (first == STANDARD_OUTPUT || second == STANDARD_OUTPUT)
+            return first == second;
+        if (fs::exists(first, error) && !fs::is_regular_file(first, error))
+            return false;
+        return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
     }
 
     void prepareOutputs(const std::vector<std::pair<std::string, std::string>> &outputs,
@@ -63,10 +63,10 @@ namespace demos
             if (file.empty())
                 continue;
             for (const std::string &input : inputs)
-                if (isSame(file, input))
-                    throw ompl::Exception(option, file + " would overwrite the scene");
+                if (isSameFile(file, input))
+                    throw ompl::Exception(option, file + " would overwrite what is read");
             for (auto other = outputs.begin(); other != output; ++other)
-                if (!other->second.empty() && isSame(file, other->second))
+                if (!other->second.empty() && isSameFile(file, other->second))
                     throw ompl::Exception(option, file + " is named by " + other->first + ", too");
             try
             {

@@ -8,6 +8,9 @@
 
 namespace demos
 {
+    /** \brief Whether two names are those of one file; - is standard output, and a device is no file */
+    bool isSameFile(const std::string &first, const std::string &second);
+
     /** \brief Check by trying that all of the files that options name can be written, and that they differ. Empty names
         are left out, and - is standard output: if it is named, all that is printed from now on goes to standard error.
         \param outputs pairs of an option and the file that it names

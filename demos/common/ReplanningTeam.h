@@ -33,7 +33,7 @@ namespace demos
             double range{4.0};
             std::uint64_t iterations{20000};
 
-            /** \brief How far robots go from frame to frame, in the distance of their spaces */
+            /** \brief How far robots go from frame to frame, in the distance of their spaces, at speed 1 */
             double step{0.1};
 
             /** \brief See ompl_certificates::TeamValidityChecker::setAdaptive() */

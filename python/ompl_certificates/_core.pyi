@@ -251,7 +251,14 @@ class Scene:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
         In a planar scene those cells count that reach into the heights (low, high)."""
-    def add_robot(self, robot: Robot, start: ArrayLike, goal: Union[ArrayLike, LinkPose, Zone], weight: float = 1.0, speed: float = 1.0) -> None:
+    def add_robot(
+        self,
+        robot: Robot,
+        start: ArrayLike,
+        goal: Union[ArrayLike, LinkPose, Zone],
+        weight: float = 1.0,
+        speed: float = 1.0,
+    ) -> None:
         """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
         an arm, or a Zone. speed is how much of its distance it moves in a unit of time: times of plans, and the
         objectives makespan and arrival, go by it."""

@@ -127,8 +127,8 @@ namespace ompl_certificates_python
             };
             if (!(weight >= 0.0) || !std::isfinite(weight))
                 refuse("weight must be finite and not negative", weight);
-            if (!(speed > 0.0) || !std::isfinite(speed))
-                refuse("speed must be finite and above 0", speed);
+            if (!(speed >= 1e-9 && speed <= 1e9))
+                refuse("speed must be from 1e-9 to 1e9", speed);
             if (isDynamic && speed != 1.0)
                 refuse("speed must be 1, as the robot has dynamics", speed);
             for (const auto *coordinates : {&start, &goal})
@@ -229,12 +229,11 @@ namespace ompl_certificates_python
                 .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
                      "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
                      "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
-                .def(
-                    "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
-                    py::arg("weight") = 1.0, py::arg("speed") = 1.0,
-                    "Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, "
-                    "for an arm, or a Zone. speed is how much of its distance it moves in a unit of time: times of plans, "
-                    "and the objectives makespan and arrival, go by it.");
+                .def("add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
+                     py::arg("weight") = 1.0, py::arg("speed") = 1.0,
+                     "Add a robot, with its start and goal; its distances count weight times. The goal may also be a "
+                     "LinkPose, for an arm, or a Zone. speed is how much of its distance it moves in a unit of time: "
+                     "times of plans, and the objectives makespan and arrival, go by it.");
         }
     }
 

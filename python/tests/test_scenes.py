@@ -130,7 +130,7 @@ def test_robots_refuse_what_is_no_number() -> None:
         with pytest.raises(oc.Error, match=message):
             scene.add_robot(disc, [1, 1], [9, 9], weight)
     for speed in (0.0, -1.0, math.nan, math.inf):
-        with pytest.raises(oc.Error, match=rf"^room: robot 'disc': speed must be finite and above 0, not {speed:.6f}$"):
+        with pytest.raises(oc.Error, match=rf"^room: robot 'disc': speed must be from 1e-9 to 1e9, not {speed:.6f}$"):
             scene.add_robot(disc, [1, 1], [9, 9], speed=speed)
     with pytest.raises(oc.Error, match="^room: robot 'disc': start must be finite, not nan$"):
         scene.add_robot(disc, [1, math.nan], [9, 9])

@@ -39,6 +39,9 @@ namespace ompl_certificates
         /** The smallest cell that is divided, as a fraction of the root's. Further certificates there go into chained
             buckets. */
         constexpr double SMALLEST_CELL = 1e-9;
+
+        /** The largest coordinate of a certificate that is kept: squares of farther ones are infinite. */
+        constexpr double FARTHEST = 1e150;
     }
 
     CertificateTree::CertificateTree(unsigned int dimension, std::shared_ptr<CertificateLimit> limit)
@@ -278,6 +281,8 @@ namespace ompl_certificates
         if (dimension_ == 2 && certificate.point.z() != 0.0)
             throw ompl::Exception("A certificate of the plane must have z = 0, not " +
                                   std::to_string(certificate.point.z()));
+        if (certificate.point.cwiseAbs().maxCoeff() > FARTHEST)
+            return NO_CERTIFICATE;
         if (limit_ && !limit_->take())
             return NO_CERTIFICATE;
         try

@@ -1,12 +1,12 @@
 #include "ompl_certificates/control/ProvePath.h"
 
 #include "validity/ControlSteps.h"
+#include "validity/Prover.h"
 
 #include "ompl_certificates/control/TeamPropagator.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ompl/util/Exception.h>
 #include <vector>
 
 namespace ompl_certificates
@@ -80,11 +80,7 @@ namespace ompl_certificates
     PathProof provePath(const oc::PathControl &path, const std::shared_ptr<const TeamValidityChecker> &checker,
                         const ob::PlannerTerminationCondition &condition)
     {
-        if (!checker)
-            throw ompl::Exception("A proof needs a TeamValidityChecker");
-        const auto prover = makesCertificates(checker->getMethod())
-                                ? checker
-                                : std::make_shared<const TeamValidityChecker>(*checker, Method::SHARED_PROJECTION);
+        const auto prover = proverOf(path.getSpaceInformation()->getStateSpace(), checker);
         const auto si = std::static_pointer_cast<oc::SpaceInformation>(path.getSpaceInformation());
         const TeamPropagator propagator(si);
         const std::vector<Step> steps = stepsOf(path, propagator, si->getPropagationStepSize());

@@ -130,6 +130,14 @@ namespace ompl_certificates
         std::error_code error;
         try
         {
+            // What nobody else may read stays so, from the first byte on.
+            if (fs::is_regular_file(target, error))
+            {
+                writeDirectly(temporary, "", file);
+                fs::permissions(temporary, fs::status(target, error).permissions(), error);
+                if (error)
+                    fail(file, "cannot be written: " + error.message());
+            }
             writeDirectly(temporary, text, file);
             fs::rename(temporary, target, error);
             if (error)

@@ -202,11 +202,25 @@ namespace ompl_certificates
     double convexGap(const Body &first, const Body &second, const Pose &pose, double needed, double wanted,
                      Eigen::Vector3d &direction)
     {
+        const auto &covers = first.getConvexCovers(), &others = second.getConvexCovers();
+        if (covers.size() == 1 && others.size() == 1)
+            return convexGap(covers.front(), others.front(), pose, needed, wanted, direction);
         double least = std::numeric_limits<double>::infinity();
-        for (const ConvexCover &one : first.getConvexCovers())
-            for (const ConvexCover &other : second.getConvexCovers())
-                if (least > needed)
-                    least = std::min(least, convexGap(one, other, pose, needed, std::min(wanted, least), direction));
+        for (const ConvexCover &one : covers)
+            for (const ConvexCover &other : others)
+            {
+                if (!(least > needed))
+                    return least;
+                // The gap of balls around both is no more than theirs, and that of two balls is all.
+                const double extents = one.getExtent() + other.getExtent();
+                const double balls = (pose * other.getCenter() - one.getCenter()).norm() - extents -
+                                     (one.getRounding() + other.getRounding());
+                if (balls >= least && std::isfinite(balls))
+                    continue;
+                least = std::min(least, extents == 0.0 && std::isfinite(balls)
+                                            ? balls
+                                            : convexGap(one, other, pose, needed, std::min(wanted, least), direction));
+            }
         return least;
     }
 }

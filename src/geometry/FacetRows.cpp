@@ -109,6 +109,43 @@ namespace ompl_certificates
         return maskOf(outside == 0);
     }
 
+    unsigned int nearBoxClosely(const FourFacets &four, const FloatBox &box, float slack)
+    {
+        const unsigned int near = nearBox(four, box, slack);
+        if (near == 0)
+            return 0;
+        // How far the box reaches along an axis, whatever its length
+        const auto reachAlong = [&box](const FourFloats *axis)
+        {
+            FourFloats reach{};
+            for (int i = 0; i < 3; ++i)
+                reach += larger(axis[i], -axis[i]) * box.half[i];
+            return reach;
+        };
+        const auto centerAlong = [&box](const FourFloats *axis)
+        { return axis[0] * box.center[0] + axis[1] * box.center[1] + axis[2] * box.center[2]; };
+        // The normal of a triangle without area may be any direction, so all corners count.
+        const FourFloats a = dot(four.normal, four.corners[0]), b = dot(four.normal, four.corners[1]),
+                         c = dot(four.normal, four.corners[2]);
+        const FourFloats height = centerAlong(four.normal), most = reachAlong(four.normal) + slack;
+        FourInts apart = (height - most > larger(larger(a, b), c)) | (height + most < lesser(lesser(a, b), c));
+        for (int i = 0; i < 3; ++i)
+        {
+            const FourFloats *from = four.corners[i], *to = four.corners[(i + 1) % 3],
+                             *opposite = four.corners[(i + 2) % 3];
+            const FourFloats edge[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+            FourFloats axis[3];
+            cross(four.normal, edge, axis);
+            FourFloats length{};  // at least the axis' own
+            for (const FourFloats &component : edge)
+                length += larger(component, -component);
+            const FourFloats offset = dot(axis, from), across = dot(axis, opposite) - offset;
+            const FourFloats middle = centerAlong(axis) - offset, reach = reachAlong(axis) + slack * length;
+            apart |= (middle - reach > larger(FourFloats{}, across)) | (middle + reach < lesser(FourFloats{}, across));
+        }
+        return near & maskOf(apart == 0);
+    }
+
     unsigned int mayCross(const FourFacets &here, const FourFacets &there, int k, float slack)
     {
         FourFacets one;  // four times the same

@@ -29,6 +29,10 @@ namespace ompl_certificates
     /** \brief Which of four triangles may be within \e slack of a box: bit k stands for number k */
     unsigned int nearBox(const FourFacets &four, const FloatBox &box, float slack);
 
+    /** \brief The same for long triangles, whose own boxes say little: also by their planes, and in these across their
+        edges */
+    unsigned int nearBoxClosely(const FourFacets &four, const FloatBox &box, float slack);
+
     /** \brief Which of the four triangles \e here may be within \e slack of triangle \e k of \e there, in the same
         frame. The others are farther apart along the normal of one of them, or along an axis in its plane across an
         edge. */

@@ -156,6 +156,15 @@ namespace ompl_certificates
                 }
                 continue;
             }
+            // Long triangles have large boxes, which meet nearly all of the other tree's.
+            if (isLeaf(pair.there) && pair.boxThere.size() > pair.boxHere.size() &&
+                (nearBoxClosely(turned(other.rows_.at(firstOf(pair.there)), toHere), pair.boxHere, rowSlack) &
+                 firstBits(countOf(pair.there))) == 0)
+                continue;
+            if (isLeaf(pair.here) && pair.boxHere.size() > pair.boxThere.size() &&
+                (nearBoxClosely(turned(rows_.at(firstOf(pair.here)), toThere), pair.boxThere, rowSlack) &
+                 firstBits(countOf(pair.here))) == 0)
+                continue;
             int numbers[4];
             if (isLeaf(pair.there) || (!isLeaf(pair.here) && pair.boxHere.size() >= pair.boxThere.size()))
             {

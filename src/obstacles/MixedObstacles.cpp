@@ -223,4 +223,20 @@ namespace ompl_certificates
         whole.after = change.after;
         return whole;
     }
+
+    ObstaclesPtr addedBy(const ObstacleChange &change)
+    {
+        if (change.members.empty())
+        {
+            if (change.added || change.removed)
+                return change.added;
+            const bool stayed = change.before && change.after && isSame(*change.before, *change.after);
+            return stayed ? nullptr : change.after;
+        }
+        std::vector<ObstaclesPtr> added;
+        for (const ObstacleChange &member : change.members)
+            if (const ObstaclesPtr some = addedBy(member))
+                added.push_back(some);
+        return added.empty() ? nullptr : std::make_shared<MixedObstacles>(std::move(added));
+    }
 }

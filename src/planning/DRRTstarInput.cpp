@@ -53,7 +53,7 @@ namespace ompl_certificates
         if (validator->getFurtherChecker())
             throw ompl::Exception(getName(),
                                   "asks robots and pairs of robots one by one, so it cannot heed a validity "
-                                  "checker of the team of your own");
+                                  "checker of the team of your own, or a rule");
         if (pdef_ && !pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(std::make_shared<TeamPathLength>(si_));
         const auto objective = pdef_ ? pdef_->getOptimizationObjective() : nullptr;

@@ -157,7 +157,7 @@ namespace ompl_certificates
                 const double time =
                     node.time + std::max(edge.length / speed, durations_[std::min<std::size_t>(node.step, last)]);
                 // After all others have arrived there is nothing to wait for.
-                if (!std::isfinite(timeToGoal(robot, edge.to)) || (edge.to == node.vertex && node.step >= last))
+                if (!std::isfinite(distances_[robot][edge.to]) || (edge.to == node.vertex && node.step >= last))
                     continue;
                 const auto [entry, isNew] =
                     known.try_emplace(keyOf(edge.to, node.step + 1), std::numeric_limits<double>::infinity());
@@ -165,7 +165,8 @@ namespace ompl_certificates
                     continue;
                 entry->second = time;
                 nodes.push_back({edge.to, node.step + 1, index, time});
-                open.push({time + timeToGoal(robot, edge.to), node.step + 1, static_cast<std::uint32_t>(nodes.size() - 1)});
+                open.push(
+                    {time + timeToGoal(robot, edge.to), node.step + 1, static_cast<std::uint32_t>(nodes.size() - 1)});
             }
         }
         return false;

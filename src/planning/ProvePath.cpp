@@ -1,9 +1,10 @@
 #include "ompl_certificates/planning/ProvePath.h"
 
+#include "validity/Prover.h"
+
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <algorithm>
-#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -15,15 +16,6 @@ namespace ompl_certificates
         /** So many times as dense as in discrete mode are the samples of motions that are not proved. */
         constexpr unsigned int DENSITY = 100;
         constexpr unsigned int MOST_SAMPLES = 100000;
-
-        /** Whether the states of \e space are those of \e team */
-        bool areOfOneTeam(const ob::StateSpacePtr &space, const Team &team)
-        {
-            const auto *own = dynamic_cast<const TeamStateSpace *>(space.get());
-            return space == team.getStateSpace() ||
-                   (own && dynamic_cast<const TeamStateSpace *>(team.getStateSpace().get()) &&
-                    own->getRobots() == team.getRobots());
-        }
 
         /** Looks for collisions on motions that are not proved, as long as there are samples left */
         class Search
@@ -66,12 +58,7 @@ namespace ompl_certificates
                         const ob::PlannerTerminationCondition &condition)
     {
         const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
-        if (checker && !areOfOneTeam(space, checker->getTeam()))
-            throw ompl::Exception("The path is of space '" + space->getName() + "', not of the checker's, '" +
-                                  checker->getTeam().getStateSpace()->getName() + "'");
-        std::shared_ptr<const TeamValidityChecker> prover = checker;
-        if (checker && !makesCertificates(checker->getMethod()))
-            prover = std::make_shared<TeamValidityChecker>(*checker, Method::SHARED_PROJECTION);
+        const auto prover = proverOf(space, checker);
         const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);
         PathProof proof;
         if (path.getStateCount() == 1 && !prover->isValid(path.getState(0)))

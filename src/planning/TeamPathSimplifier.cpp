@@ -177,7 +177,7 @@ namespace ompl_certificates
         Knots paced(Pace pace, unsigned int robot, double first, double last) const
         {
             const ob::StateSpace &space = team_.getRobotSpace(robot);
-            const double speed = speedOf(*team_.getStateSpace(), robot);
+            const double speed = speedOf(*si_.getStateSpace(), robot);
             const auto timeOf = [&](const Knot &from, const Knot &to)
             { return space.distance(from.state.get(), to.state.get()) / speed; };
             Knots middle;

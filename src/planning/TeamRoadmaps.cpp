@@ -31,7 +31,7 @@ namespace ompl_certificates
         std::vector<unsigned int> owners;  // The first robot of each roadmap
         for (unsigned int robot = 0; robot < robots.size(); ++robot)
         {
-            speeds_.push_back(speedOf(*validator.getChecker().getTeam().getStateSpace(), robot));
+            speeds_.push_back(speedOf(*validator.getChecker().getSpaceInformation()->getStateSpace(), robot));
             const auto alike =
                 std::find_if(owners.begin(), owners.end(),
                              [&](unsigned int owner) { return shares && robots[owner]->isLike(*robots[robot]); });

@@ -162,7 +162,8 @@ namespace ompl_certificates
             chains.emplace_back(frames, 0, places.back());
         }
         if (bodies.empty())
-            throw ompl::Exception(options.links ? "none of its links has a body" : "no link has a body");
+            throw ompl::Exception(options.links ? "none of its links has a body"
+                                                : "no link has a body: none has geometry for collisions");
         batchError_ = frames.errorOf(places);
         if (bodies.front().getDimension() == 2)
             requirePlane();

@@ -47,7 +47,7 @@ namespace ompl_certificates
         }
 
         /** Tell of values that do not count, since their joints follow others that stand elsewhere. Messages of MoveIt
-            give those of all joints, also of followers. */
+            give those of all joints, also of followers. Tell of values beyond limits, too: these count. */
         void noteFollowers(const KinematicTree &tree, const std::vector<std::string> &group,
                            const std::map<std::string, double> &values, std::vector<std::string> &notes)
         {
@@ -55,9 +55,21 @@ namespace ompl_certificates
             {
                 if (!tree.hasJoint(name))
                     continue;
-                const auto &mimic = tree.getLinks()[tree.getChildOf(name)].joint.mimic;
-                if (!mimic || std::find(group.begin(), group.end(), mimic->joint) != group.end())
+                const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
+                const auto &mimic = joint.mimic;
+                const bool isLimited = joint.type == KinematicTree::JointType::REVOLUTE ||
+                                       joint.type == KinematicTree::JointType::PRISMATIC;
+                if (!mimic && isLimited && (value < joint.lower - FILE_ROUNDING || value > joint.upper + FILE_ROUNDING))
+                    notes.push_back("joint '" + name + "' is at " + std::to_string(value) + ", beyond its limits " +
+                                    std::to_string(joint.lower) + " and " + std::to_string(joint.upper));
+                if (!mimic)
                     continue;
+                if (std::find(group.begin(), group.end(), mimic->joint) != group.end())
+                {
+                    notes.push_back("joint '" + name + "' follows joint '" + mimic->joint +
+                                    "', which moves: the value " + std::to_string(value) + " does not count");
+                    continue;
+                }
                 const auto followed = values.find(mimic->joint);
                 if (followed == values.end() ||
                     std::abs(mimic->multiplier * followed->second + mimic->offset - value) > FILE_ROUNDING)

@@ -285,8 +285,14 @@ namespace ompl_certificates
         Scene::Member member;
         try
         {
+            // States have values of all joints, also of those that the group's joints move along.
             for (const std::string &joint : robot.getJoints(group))
+            {
                 settings.jointValues.erase(joint);
+                for (const KinematicTree::Link &link : robot.getTree().getLinks())
+                    if (link.joint.mimic && link.joint.mimic->joint == joint)
+                        settings.jointValues.erase(link.joint.name);
+            }
             member.robot = makeArm(robot, group, settings, matrix, world, notes);
         }
         catch (const ompl::Exception &exception)

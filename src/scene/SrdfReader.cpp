@@ -172,8 +172,8 @@ namespace ompl_certificates
     {
         const XmlFile xml(file, "robot");
         const Node root = xml.getRoot();
-        if (xml.hasPrefix("xacro:"))
-            xml.fail("is a xacro file; expand it first");
+        for (std::string &note : xml.leftOverFromXacro())
+            notes.push_back(std::move(note));
         if (const std::string name = root.attribute("name").value(); name != robot)
             notes.push_back(file + ": describes robot '" + name + "', not '" + robot + "'");
         const std::string &rootLink = tree.getLinks().front().name;

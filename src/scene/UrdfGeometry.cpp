@@ -184,7 +184,7 @@ namespace ompl_certificates
         if (const auto path = after("file://", name))
         {
             if (!isFile(*path))
-                missing("");
+                missing("there");
             return *path;
         }
         if (const auto rest = after("package://", name))
@@ -230,7 +230,7 @@ namespace ompl_certificates
             missing("from '" + folder.string() + "' upwards; tell where package '" + package + "' is");
         }
         if (name.find("://") != std::string::npos)
-            missing(": only package:// and file:// can be read");
+            missing("(only package:// and file:// can be read)");
         if (!isFile(folder / name))
             missing("in '" + folder.string() + "'");
         return (folder / name).lexically_normal();

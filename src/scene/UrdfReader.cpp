@@ -195,7 +195,36 @@ namespace ompl_certificates
             return type->second;
         }
 
-        KinematicTree::Joint jointOf(const urdf::Joint &joint)
+        /** What a joint follows. Of a joint that itself follows another it is that one, as for MoveIt. A joint that
+            follows one that there is not follows none, and a note tells of it. */
+        std::optional<KinematicTree::Mimic> mimicOf(const urdf::ModelInterface &model, const urdf::Joint &joint,
+                                                    std::vector<std::string> &notes)
+        {
+            if (!joint.mimic)
+                return std::nullopt;
+            KinematicTree::Mimic mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+            for (std::size_t steps = 0; steps <= model.joints_.size(); ++steps)
+            {
+                const auto followed = model.getJoint(mimic.joint);
+                if (!followed)
+                {
+                    notes.push_back("joint '" + joint.name + "' mimics joint '" + mimic.joint +
+                                    "', but there is none: it moves by itself");
+                    return std::nullopt;
+                }
+                // So ends the way, too, where the followed one follows none that there is.
+                if (!followed->mimic || followed->type == urdf::Joint::FIXED ||
+                    !model.getJoint(followed->mimic->joint_name))
+                    return mimic;
+                mimic.offset += mimic.multiplier * followed->mimic->offset;
+                mimic.multiplier *= followed->mimic->multiplier;
+                mimic.joint = followed->mimic->joint_name;
+            }
+            throw ompl::Exception("follows joints that follow each other");
+        }
+
+        KinematicTree::Joint jointOf(const urdf::ModelInterface &model, const urdf::Joint &joint,
+                                     std::vector<std::string> &notes)
         {
             using Type = KinematicTree::JointType;
             KinematicTree::Joint result;
@@ -211,9 +240,8 @@ namespace ompl_certificates
                 result.upper = joint.limits->upper;
             }
             // Some files fix joints and leave what they followed.
-            if (joint.mimic && result.type != Type::FIXED)
-                result.mimic =
-                    KinematicTree::Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+            if (result.type != Type::FIXED)
+                result.mimic = mimicOf(model, joint, notes);
             return result;
         }
     }
@@ -222,8 +250,7 @@ namespace ompl_certificates
     {
         XmlFile xml(file, "robot");
         const pugi::xml_node robot = xml.getRoot();
-        if (xml.hasPrefix("xacro:"))
-            xml.fail("is a xacro file; expand it first");
+        std::vector<std::string> notes = xml.leftOverFromXacro();
         const std::vector<std::string> seenOnly =
             options.useVisuals ? std::vector<std::string>() : linksSeenOnly(robot);
         prune(robot, options.useVisuals);
@@ -236,7 +263,7 @@ namespace ompl_certificates
         const auto fail = [&](const urdf::Joint &joint, const std::string &complaint)
         { xml.fail("joint '" + joint.name + "': " + complaint); };
         const urdf::LinkConstSharedPtr root = model.get().getRoot();
-        UrdfModel result{model.get().getName(), KinematicTree(root->name, geometry.bodyOf(*root))};
+        UrdfModel result{model.get().getName(), KinematicTree(root->name, geometry.bodyOf(*root)), std::move(notes)};
         std::vector<urdf::LinkConstSharedPtr> open(root->child_links.rbegin(), root->child_links.rend());
         while (!open.empty())
         {
@@ -247,7 +274,7 @@ namespace ompl_certificates
             KinematicTree::Joint made;
             try
             {
-                made = jointOf(joint);
+                made = jointOf(model.get(), joint, result.notes);
             }
             catch (const ompl::Exception &exception)
             {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ompl/util/Exception.h>
+#include <set>
 
 namespace ompl_certificates
 {
@@ -13,15 +14,21 @@ namespace ompl_certificates
         class Walker : public pugi::xml_tree_walker
         {
         public:
-            explicit Walker(std::string prefix) : prefix_(std::move(prefix))
-            {
-            }
-
             bool for_each(pugi::xml_node &node) override
             {
                 deepest_ = std::max(deepest_, depth());
-                found_ =
-                    found_ || (!prefix_.empty() && std::string(node.name()).compare(0, prefix_.size(), prefix_) == 0);
+                // Of elements within each other the outer one counts.
+                if (isOfXacro(node) && !isOfXacro(node.parent()))
+                    ofXacro_.push_back(node);
+                if (isLeftToOthers(node))
+                    return true;
+                const auto hasExpression = [](const pugi::xml_attribute &attribute)
+                {
+                    const std::string value = attribute.value();
+                    return value.find("${") != std::string::npos || value.find("$(") != std::string::npos;
+                };
+                if (!expression_ && std::any_of(node.attributes().begin(), node.attributes().end(), hasExpression))
+                    expression_ = node;
                 return true;
             }
 
@@ -30,15 +37,36 @@ namespace ompl_certificates
                 return deepest_;
             }
 
-            bool isFound() const
+            /** The outermost elements whose names begin with xacro: */
+            const std::vector<pugi::xml_node> &getXacro() const
             {
-                return found_;
+                return ofXacro_;
+            }
+
+            /** The first element that has an expression of xacro, if any has */
+            const pugi::xml_node &getExpression() const
+            {
+                return expression_;
             }
 
         private:
-            std::string prefix_;
+            static bool isOfXacro(const pugi::xml_node &node)
+            {
+                return std::string(node.name()).rfind("xacro:", 0) == 0;
+            }
+
+            /** Whether a node is within what other programs read, who may have expressions of their own */
+            static bool isLeftToOthers(pugi::xml_node node)
+            {
+                static const std::set<std::string> others{"gazebo", "ros2_control", "transmission"};
+                while (node && others.count(node.name()) == 0)
+                    node = node.parent();
+                return !node.empty();
+            }
+
             int deepest_{0};
-            bool found_{false};
+            std::vector<pugi::xml_node> ofXacro_;
+            pugi::xml_node expression_;
         };
     }
 
@@ -50,7 +78,7 @@ namespace ompl_certificates
         root_ = document_.document_element();
         if (root_.name() != root)
             fail("must begin with <" + root + ">, not <" + root_.name() + ">");
-        Walker walker("");
+        Walker walker;
         document_.traverse(walker);
         constexpr int deepest = 64;
         if (walker.getDepth() > deepest)
@@ -63,11 +91,24 @@ namespace ompl_certificates
         return name_ + ":" + std::to_string(1 + std::count(content_.begin(), end, '\n'));
     }
 
-    bool XmlFile::hasPrefix(const std::string &prefix) const
+    std::vector<std::string> XmlFile::leftOverFromXacro() const
     {
-        Walker walker(prefix);
+        const std::set<std::string> definitions{"xacro:include", "xacro:macro", "xacro:property",
+                                                "xacro:arg",     "xacro:if",    "xacro:unless"};
+        Walker walker;
         pugi::xml_node root = root_;
-        return root.traverse(walker) && walker.isFound();
+        walker.for_each(root);
+        root.traverse(walker);
+        if (walker.getExpression())
+            fail(walker.getExpression(), "is of a xacro file; expand it first");
+        std::vector<std::string> notes;
+        for (const pugi::xml_node &node : walker.getXacro())
+        {
+            if (definitions.count(node.name()) > 0)
+                fail(node, "is of a xacro file; expand it first");
+            notes.push_back(remark(node, "is left over from a xacro file, and ignored"));
+        }
+        return notes;
     }
 
     void XmlFile::fail(const std::string &complaint) const

@@ -3,6 +3,7 @@
 
 #include <pugixml.hpp>
 #include <string>
+#include <vector>
 
 namespace ompl_certificates
 {
@@ -26,8 +27,9 @@ namespace ompl_certificates
             return name_;
         }
 
-        /** \brief Whether an element's name begins with \e prefix */
-        bool hasPrefix(const std::string &prefix) const;
+        /** \brief Notes on elements that xacro has left in the file, which ROS ignores, too
+            \throws ompl::Exception if the file was never expanded: it has expressions or definitions of xacro */
+        std::vector<std::string> leftOverFromXacro() const;
 
         /** \brief Complain about the file
             \throws ompl::Exception always */

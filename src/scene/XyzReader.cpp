@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
+#include <charconv>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -46,6 +47,14 @@ namespace ompl_certificates
         {
             return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
         }
+
+        /** The largest number of all for one that is too large */
+        std::uint64_t toCount(std::string_view digits)
+        {
+            std::uint64_t count = 0;
+            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+            return error == std::errc() && end == digits.data() + digits.size() ? count : UINT64_MAX;
+        }
     }
 
     std::vector<Eigen::Vector3d> readXyz(std::string_view content)
@@ -54,6 +63,7 @@ namespace ompl_certificates
         std::vector<std::string_view> words;
         Columns columns{0, 1, 2};
         bool isFirst = true;
+        std::uint64_t rows = 0, told = 0;  // Rows of points, and how many the first line tells of
         LineReader text(content);
         while (text.nextLine())
         {
@@ -68,8 +78,14 @@ namespace ompl_certificates
                 if (words.size() == most)
                     break;
             }
-            if (mayBeHeader && ((words.size() == 1 && isCount(words[0])) || findColumns(words, columns)))
+            if (mayBeHeader && words.size() == 1 && isCount(words[0]))
+            {
+                told = toCount(words[0]);
                 continue;
+            }
+            if (mayBeHeader && findColumns(words, columns))
+                continue;
+            ++rows;
             Eigen::Vector3d point;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 point[static_cast<Eigen::Index>(axis)] =
@@ -80,6 +96,8 @@ namespace ompl_certificates
                 text.fail("a point has a coordinate beyond 1e9");
             points.push_back(point);
         }
+        if (rows < told)
+            text.fail("ends after " + std::to_string(rows) + " of " + std::to_string(told) + " points");
         return points;
     }
 

@@ -23,8 +23,8 @@ namespace ompl_certificates
         const auto &starts = *from->as<ob::CompoundState>(), &ends = *to->as<ob::CompoundState>();
         double longest = 0.0;
         for (unsigned int robot = 0; robot < team->getRobotCount(); ++robot)
-            longest = std::max(longest, team->getSubspace(robot)->distance(starts[robot], ends[robot]) /
-                                            team->getSpeed(robot));
+            longest = std::max(longest,
+                               team->getSubspace(robot)->distance(starts[robot], ends[robot]) / team->getSpeed(robot));
         return longest;
     }
 

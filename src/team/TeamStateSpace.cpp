@@ -114,9 +114,10 @@ namespace ompl_certificates
     {
         if (robot >= getRobotCount())
             throw ompl::Exception(getName(), "there is no robot " + std::to_string(robot) + " to set the speed of");
-        if (!(speed > 0.0) || !std::isfinite(speed))
+        constexpr double least = 1e-9, most = 1e9;  // so that times are neither 0 nor infinite
+        if (!(speed >= least && speed <= most))
             throw ompl::Exception(getName(), "the speed of robot '" + robots_[robot]->getName() +
-                                                 "' must be finite and above 0, not " + std::to_string(speed));
+                                                 "' must be from 1e-9 to 1e9, not " + std::to_string(speed));
         speeds_[robot] = speed;
     }
 

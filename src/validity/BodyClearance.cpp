@@ -45,6 +45,9 @@ namespace ompl_certificates
             constexpr double least = 1e-9;
             double proven = 0.5 * body.getBoundingRadius();
             const double nothing = least * proven;
+            // Costs ask for clearances of colliding bodies as often.
+            if (!obstacles.staysFree(body, pose, nothing))
+                return 0.0;
             while (!obstacles.staysFree(body, pose, proven))
                 if (!((proven *= 0.5) > nothing))
                     return 0.0;

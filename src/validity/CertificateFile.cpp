@@ -2,12 +2,40 @@
 
 #include "certificates/CertificateFormat.h"
 
+#include <algorithm>
+#include <boost/functional/hash.hpp>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <unordered_set>
 #include <utility>
 
 namespace ompl_certificates
 {
+    namespace
+    {
+        struct Hash
+        {
+            std::size_t operator()(const Certificate &certificate) const
+            {
+                std::size_t hash = boost::hash<double>()(certificate.clearance);
+                for (const double coordinate : certificate.point)
+                    boost::hash_combine(hash, coordinate);
+                return hash;
+            }
+        };
+
+        /** Each certificate once. With Partial Projection all robots have those that were read from a file. */
+        std::vector<Certificate> withoutRepetitions(std::vector<Certificate> certificates)
+        {
+            std::unordered_set<Certificate, Hash> known(2 * certificates.size());
+            certificates.erase(std::remove_if(certificates.begin(), certificates.end(),
+                                              [&known](const Certificate &certificate)
+                                              { return !known.insert(certificate).second; }),
+                               certificates.end());
+            return certificates;
+        }
+    }
+
     void saveCertificates(const TeamValidityChecker &checker, const std::string &file)
     {
         const auto [obstacles, certificates] = [&]
@@ -15,7 +43,7 @@ namespace ompl_certificates
             const auto world = checker.holdObstacles();
             return std::pair(identityOf(checker.getObstacles(), file), checker.getCertificates());
         }();
-        writeCertificates(file, obstacles, certificates);
+        writeCertificates(file, obstacles, withoutRepetitions(certificates));
     }
 
     std::size_t loadCertificates(TeamValidityChecker &checker, const std::string &file)
@@ -23,7 +51,7 @@ namespace ompl_certificates
         const std::string bytes = readCertificateBytes(file);
         const auto world = checker.holdObstacles();
         const std::vector<Certificate> certificates =
-            parseCertificates(bytes, file, identityOf(checker.getObstacles(), file));
+            withoutRepetitions(parseCertificates(bytes, file, identityOf(checker.getObstacles(), file)));
         try
         {
             checker.addCertificates(certificates);

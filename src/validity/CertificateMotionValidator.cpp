@@ -16,6 +16,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -28,6 +29,26 @@ namespace ompl_certificates
         {
             __atomic_fetch_add(&counter, 1U, __ATOMIC_RELAXED);
         }
+
+        /** So many refused motions are asked of a further checker, and later one in so many. */
+        constexpr std::uint32_t FIRST_REFUSED = 64, ONE_REFUSED_IN = 1024;
+
+        class RuleChecker : public ob::StateValidityChecker
+        {
+        public:
+            RuleChecker(ob::SpaceInformation *si, CertificateMotionValidator::Rule rule)
+              : StateValidityChecker(si), rule_(std::move(rule))
+            {
+            }
+
+            bool isValid(const ob::State *state) const override
+            {
+                return rule_(state);
+            }
+
+        private:
+            CertificateMotionValidator::Rule rule_;
+        };
 
         /** Whether a checker knows what this library's certificates know, and no more */
         bool isOfLibrary(const ob::StateValidityChecker &checker)
@@ -120,13 +141,41 @@ namespace ompl_certificates
     bool CertificateMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
     {
         double until = 1.0;
-        const bool valid = isFree(s1, s2) && areSamplesValid(s1, s2, until);
+        const bool free = isFree(s1, s2), valid = free && areSamplesValid(s1, s2, until);
+        if (!free)
+            lookForPermission(s1, s2);
         countMotion(valid ? valid_ : invalid_);
         return valid;
     }
 
+    void CertificateMotionValidator::setRule(const Rule &rule)
+    {
+        rule_ = rule ? std::make_shared<const RuleChecker>(si_, rule) : nullptr;
+    }
+
+    void CertificateMotionValidator::lookForPermission(const ob::State *s1, const ob::State *s2) const
+    {
+        if (mode_ != DISCRETE || rule_ || warnedOfPermission_)
+            return;
+        const ob::StateValidityChecker *further = getFurtherChecker();
+        if (!further || isOfLibrary(*further))
+            return;
+        const std::uint32_t number = refused_.fetch_add(1, std::memory_order_relaxed);
+        if (number >= FIRST_REFUSED && number % ONE_REFUSED_IN != 0)
+            return;
+        double until = 1.0;
+        // The obstacles may have changed since the motion was refused.
+        if (areSamplesValid(s1, s2, until) && !isFree(s1, s2) && !warnedOfPermission_.exchange(true))
+            OMPL_WARN(
+                "CertificateMotionValidator: the space information's validity checker permits states that the "
+                "TeamValidityChecker does not. Motions are valid only where both permit them; to permit more, "
+                "keep OMPL's motion validator.");
+    }
+
     const ob::StateValidityChecker *CertificateMotionValidator::getFurtherChecker() const
     {
+        if (rule_)
+            return rule_.get();
         const ob::StateValidityChecker *set = si_->getStateValidityChecker().get();
         if (set && set != checker_.get() && (!isOfLibrary(*set) || knowsOtherObstacles(*set)))
             return set;
@@ -198,7 +247,8 @@ namespace ompl_certificates
                                                  std::pair<ob::State *, double> &lastValid) const
     {
         double freeUntil = 1.0;
-        bool valid = isFree(s1, s2, freeUntil);
+        const bool free = isFree(s1, s2, freeUntil);
+        bool valid = free;
         if (!valid && mode_ == CONTINUOUS)
         {
             if (freeUntil > 0.0 && getFurtherChecker())
@@ -217,6 +267,8 @@ namespace ompl_certificates
             valid = false;
         }
         countMotion(valid ? valid_ : invalid_);
+        if (!free)
+            lookForPermission(s1, s2);
         if (!valid)
         {
             lastValid.second = freeUntil;

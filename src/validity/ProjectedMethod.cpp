@@ -123,8 +123,9 @@ namespace ompl_certificates
 
     bool ProjectedMethod::addCertificates(const std::vector<Certificate> &certificates)
     {
-        for (const auto &environment : environments_)
-            for (const Certificate &certificate : certificates)
+        // In turns: where a limit ends it, all robots have as many.
+        for (const Certificate &certificate : certificates)
+            for (const auto &environment : environments_)
                 environment->add(certificate);
         return true;
     }

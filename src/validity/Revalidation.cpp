@@ -3,6 +3,8 @@
 #include "ControlSteps.h"
 #include "TeamCheck.h"
 
+#include "ompl_certificates/obstacles/MixedObstacles.h"
+
 #include <algorithm>
 #include <ompl/base/ScopedState.h>
 #include <ompl/control/PlannerData.h>
@@ -39,10 +41,11 @@ namespace ompl_certificates
             throw ompl::Exception("Revalidation",
                                   "the change must name what was added; obstacles that are new altogether "
                                   "are added by ObstacleChange::replacing()");
-        if (!change.added)
+        const ObstaclesPtr added = addedBy(change);
+        if (!added)
             return;
         // The constructor for a user's team is private.
-        checker_.reset(new TeamValidityChecker(checker.getSpaceInformation(), checker.getTeam(), change.added,
+        checker_.reset(new TeamValidityChecker(checker.getSpaceInformation(), checker.getTeam(), added,
                                                Method::SHARED_PROJECTION));
         // There are few obstacles, so certificates pay at once.
         checker_->setAdaptive(false);

@@ -194,8 +194,12 @@ TEST_F(ControlPathProof, NeedsACheckerOfTheTeam)
     const TeamControlSetupPtr setup = setupFor(), other = setupFor();
     const oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}});
     EXPECT_NE(messageOf([&] { provePath(path, nullptr); }), "");
-    EXPECT_NE(messageOf([&] { provePath(path, other->getTeamChecker()); }).find("same space and robots"),
-              std::string::npos);
+    const oc::PathControl empty(setup->getSpaceInformation());
+    oc::PathControl single(setup->getSpaceInformation());
+    single.append(path.getState(0));
+    for (const oc::PathControl &one : {path, empty, single})
+        EXPECT_NE(messageOf([&] { provePath(one, other->getTeamChecker()); }).find("not of the checker's"),
+                  std::string::npos);
 }
 
 TEST_F(ControlPathProof, ProvesNoStepThatCollides)

@@ -132,6 +132,7 @@ TEST(ControlTreesTest, StayWithinLimits)
     treeOf(*setup, "RRT", 1, 1500);
     ob::PlannerData data(setup->getSpaceInformation());
     setup->getPlanner()->getPlannerData(data);
+    EXPECT_GT(data.numVertices(), 100U);
     for (unsigned int i = 0; i < data.numVertices(); ++i)
         EXPECT_TRUE(setup->getStateSpace()->satisfiesBounds(data.getVertex(i).getState()));
 }

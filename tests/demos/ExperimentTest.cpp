@@ -200,6 +200,36 @@ TEST(Experiment, refusesTheFolderOfAnotherGrid)
     writeFile(folder / "block.obj", corners + "4" + faces);
     EXPECT_EQ(runGrid(folder / "mesh.yaml", folder / "meshes", errors), 2);
     EXPECT_NE(errors.find("a scene that has changed"), std::string::npos) << errors;
+    // So do joints of arms, and pairs of links.
+    const auto urdf = [](const std::string &origin, const std::string &upper)
+    {
+        const std::string link = "'><collision><geometry><sphere radius='0.1'/></geometry></collision></link>";
+        return "<robot name='r'><link name='base" + link + "<link name='tool" + link +
+               "<joint name='j' type='revolute'><parent link='base'/><child link='tool'/><axis xyz='0 0 1'/><origin "
+               "xyz='" +
+               origin + "'/><limit lower='-1' upper='" + upper + "' effort='1' velocity='1'/></joint></robot>";
+    };
+    const std::string disabled = "<disable_collisions link1='base' link2='tool' reason='Never'/>";
+    const auto srdf = [](const std::string &pairs)
+    { return "<robot name='r'><group name='arm'><joint name='j'/></group>" + pairs + "</robot>"; };
+    const std::pair<std::string, std::string> arms[] = {{urdf("1 0 0", "1"), srdf(disabled)},
+                                                        {urdf("1.01 0 0", "1"), srdf(disabled)},
+                                                        {urdf("1 0 0", "1.5"), srdf(disabled)},
+                                                        {urdf("1 0 0", "1"), srdf("")}};
+    writeFile(folder / "scene.yaml",
+              "environment: {min: [0, 0, 0], max: [9, 9, 9]}\nrobots: [{type: urdf, file: r.urdf, srdf: "
+              "r.srdf, group: arm, start: [0.1], goal: [0.5]}]\n");
+    for (const auto &[robot, semantics] : arms)
+    {
+        writeFile(folder / "r.urdf", robot);
+        writeFile(folder / "r.srdf", semantics);
+        const bool isFirst = &robot == &arms[0].first;
+        EXPECT_EQ(runGrid(folder / "mesh.yaml", folder / "arms", errors), isFirst ? 0 : 2) << errors;
+        EXPECT_EQ(errors.find("a scene that has changed") == std::string::npos, isFirst) << errors;
+    }
+    writeFile(folder / "r.urdf", arms[0].first);
+    writeFile(folder / "r.srdf", arms[0].second);
+    EXPECT_EQ(runGrid(folder / "mesh.yaml", folder / "arms", errors), 0) << errors;
     std::filesystem::create_directory(folder / "full");
     writeFile(folder / "full/thesis.tex", "years of work");
     EXPECT_EQ(runGrid(folder / "grid.yaml", folder / "full", errors), 2);

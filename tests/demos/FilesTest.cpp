@@ -42,6 +42,9 @@ TEST(Files, areReplacedWhole)
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(demos::readFile(file), "third");
     EXPECT_EQ(folder.list().size(), 2u);
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    demos::writeFile(file, "secret");
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
     demos::writeFile("/dev/null", "nothing");
     EXPECT_FALSE(fs::is_regular_file("/dev/null"));
 }

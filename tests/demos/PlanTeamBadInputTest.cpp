@@ -72,6 +72,8 @@ namespace
             {{"@/scene.yaml", "--picture", "/proc/plan.svg", "--time", "300"}, "/proc/plan.svg: cannot be written"},
             {{"@/scene.yaml", "--save-certificates", "-"}, "--save-certificates"},
             {{"@/scene.yaml", "--load-certificates", "@/scene.yaml"}, "--load-certificates: "},
+            {{"@/scene.yaml", "--load-certificates", "@/broken.yaml", "--path", "@/broken.yaml"},
+             "broken.yaml would overwrite what is read"},
             {{"--list-planer"}, "There is no option --list-planer; did you mean --list-planners?"},
             {{"@/scene.yaml", "--velocity", "2"}, "There is no option --velocity"},
             {{"@/scene.yaml", "--planer", "RRT"}, "There is no option --planer; did you mean --planner?"},

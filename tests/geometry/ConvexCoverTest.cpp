@@ -111,6 +111,39 @@ TEST(ConvexGap, FindsMostOfTheDistance)
     }
 }
 
+TEST(ConvexGap, OfBallsIsTheirs)
+{
+    for (unsigned int seed = 0; seed < scaled(500); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto balls = [&random]
+        {
+            std::vector<Body::Part> parts;
+            for (std::size_t count = 1 + random.below(6); count > 0; --count)
+                parts.push_back({Shape::ball(3, random.uniform(0.1, 0.5)), poseAt(random.point(3, 1.0))});
+            return Body(parts);
+        };
+        const Body first = balls(), second = balls();
+        const Pose pose = random.pose(3, 3.0);
+        double least = std::numeric_limits<double>::infinity();
+        for (const Body::Part &one : first.getParts())
+            for (const Body::Part &other : second.getParts())
+                least = std::min(least, (one.pose.translation() - pose * other.pose.translation()).norm() -
+                                            (one.shape.getRadius() + other.shape.getRadius()));
+        Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+        const double gap = convexGap(first, second, pose, 0.0, 100.0, direction);
+        if (least > 1e-6)
+        {
+            ASSERT_NEAR(gap, least, 1e-5);
+        }
+        else
+        {
+            ASSERT_LT(gap, 1e-5);
+        }
+    }
+}
+
 TEST(ConvexGap, OfPosesThatAreNotFiniteProvesNothing)
 {
     const Body box = Body::box(1.0, 1.0, 1.0);
@@ -120,6 +153,12 @@ TEST(ConvexGap, OfPosesThatAreNotFiniteProvesNothing)
     EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);
     pose.translation().x() = std::numeric_limits<double>::infinity();
     EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);
+    // Squares of these are infinite.
+    const Body two = Body(std::vector<Body::Part>{{Shape::ball(3, 1.0), poseAt({0.0, 0.0, 1.0})},
+                                                  {Shape::ball(3, 1.0), Pose::Identity()}});
+    pose.translation().x() = 1e200;
+    for (const Body &body : {box, two})
+        EXPECT_LT(convexGap(body, body, pose, 0.0, 1.0, direction), 0.0);
     pose = Pose::Identity();
     pose.linear()(0, 0) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_LT(convexGap(box, box, pose, 0.0, 1.0, direction), 0.0);

@@ -126,3 +126,57 @@ TEST(FacetRows, LeaveOutOnlyWhatDoesNotCross)
     EXPECT_GT(apart, scaled(10000));
     EXPECT_LT(left, apart / 10);
 }
+
+/** A triangle as in meshes of floors and walls, however it is turned; some have no area */
+namespace
+{
+    Facet longFacet(Random &random, double length)
+    {
+        const Eigen::Vector3d along = length * random.direction(3),
+                              across = length * random.logUniform(1e-4, 1.0) * random.direction(3);
+        const Eigen::Vector3d corner = random.point(3, 0.1 * length);
+        return Facet(TriangleTree::Corners{corner - along, corner + along,
+                                           random.chance(0.1) ? corner : Eigen::Vector3d(corner + across)});
+    }
+}
+
+TEST(FacetRows, LeaveOutBoxesThatNoPointOfALongTriangleIsNear)
+{
+    unsigned int beside = 0, leftOut = 0;
+    for (unsigned int seed = 0; seed < scaled(4000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double length = random.logUniform(1e-3, 1e3), size = length * random.logUniform(1e-3, 0.1),
+                     slack = 1e-4 * length;
+        std::vector<Facet> facets;
+        for (int k = 0; k < 4; ++k)
+            facets.push_back(longFacet(random, length));
+        const Pose pose = random.pose(3, 0.3 * length);
+        const FourFacets four = turned(rowsOf(facets).at(0), BoxTurn(pose.linear(), pose.translation()));
+        for (unsigned int k = 0; k < 4; ++k)
+        {
+            const auto &[a, b, c] = Facet(facets[k], pose).corners;
+            const double u = random.uniform(0.0, 1.0), v = random.uniform(0.0, 1.0 - u);
+            const Eigen::Vector3d on = a + u * (b - a) + v * (c - a);
+            const Eigen::Vector3d half = (random.point(3, size).array().abs() + 1e-3 * size).matrix();
+            // The point is in the box, or beside it, but not by the slack.
+            const Eigen::Vector3d center = on + (random.point(3, 1.0).array() * (half.array() + 0.5 * slack)).matrix();
+            ASSERT_NE(nearBoxClosely(four, FloatBox({center - half, center + half}), static_cast<float>(slack)) >> k &
+                          1U,
+                      0U);
+            // Somewhere in the triangle's own box: mostly beside the triangle.
+            Eigen::AlignedBox3d all;
+            for (const Eigen::Vector3d &corner : {a, b, c})
+                all.extend(corner);
+            const Eigen::Vector3d there =
+                all.min() + (all.sizes().array() * (0.5 + 0.5 * random.point(3, 1.0).array())).matrix();
+            const FloatBox box({there - half, there + half});
+            if ((nearBox(four, box, static_cast<float>(slack)) >> k & 1U) == 0)
+                continue;
+            ++beside;
+            leftOut += (nearBoxClosely(four, box, static_cast<float>(slack)) >> k & 1U) == 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(leftOut, beside / 2);
+}

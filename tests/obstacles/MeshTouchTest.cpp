@@ -63,6 +63,45 @@ TEST_P(MeshTouch, NeverSaysWhatTheExactCheckDenies)
 
 INSTANTIATE_TEST_SUITE_P(Dimension, MeshTouch, testing::Values(2U, 3U));
 
+/** Walls and floors: each triangle is larger than all of the body, whose own are small. */
+TEST(MeshTouch, NeverSaysOfLongTrianglesWhatTheExactCheckDenies)
+{
+    unsigned int yes = 0, no = 0;
+    for (unsigned int seed = 0; seed < scaled(60); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        std::vector<Eigen::Vector3d> corners;
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        for (std::uint32_t i = 0; i < 3 + random.below(60); ++i)
+        {
+            const Eigen::Vector3d middle = random.point(3, 3.0), along = random.point(3, 4.0);
+            for (const Eigen::Vector3d &corner :
+                 {Eigen::Vector3d(middle - along), Eigen::Vector3d(middle + along),
+                  Eigen::Vector3d(middle + random.logUniform(1e-3, 4.0) * random.direction(3))})
+                corners.push_back(corner);
+            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        const Body walls = Body::mesh(std::make_shared<TriangleMesh>(corners, triangles)),
+                   ball = Body::mesh(ballMesh(16, 0.4));
+        // Either may be the obstacle.
+        for (const auto &[fixed, body] : {std::make_pair(walls, ball), std::make_pair(ball, walls)})
+        {
+            const FclObstacles obstacles({{fixed}}, 3);
+            for (int i = 0; i < 60; ++i)
+            {
+                const Pose pose = random.pose(3, 4.0);
+                const Touching answer = obstacles.touches(body, pose);
+                ASSERT_NE(answer, opposite(obstacles.collides(body, pose))) << pose.matrix();
+                yes += answer == Touching::YES;
+                no += answer == Touching::NO;
+            }
+        }
+    }
+    EXPECT_GT(yes, scaled(60) * 10);
+    EXPECT_GT(no, scaled(60) * 10);
+}
+
 TEST(MeshTouch, KnowsAlmostAllRandomPoses)
 {
     const FclObstacles obstacles({{Body::mesh(ballMesh(20, 5.0))}, {Body::mesh(boxMesh({3, 3, 3})), poseAt({8, 0, 0})}},

@@ -181,6 +181,9 @@ namespace ompl_certificates
         EXPECT_TRUE(fs::is_symlink(file("link.txt")));
         EXPECT_EQ(readWholeFile(file("a.txt")), "third");
         EXPECT_EQ(fileCount(), 2u);
+        fs::permissions(file("a.txt"), fs::perms::owner_read | fs::perms::owner_write);
+        writeWholeFile(file("a.txt"), "secret");
+        EXPECT_EQ(fs::status(file("a.txt")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
         writeWholeFile("/dev/null", "nothing");
         EXPECT_FALSE(fs::is_regular_file("/dev/null"));
     }

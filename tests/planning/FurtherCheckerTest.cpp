@@ -141,13 +141,14 @@ TEST(FurtherCheckers, AreAskedOnlyWhereCertificatesSayFree)
     const auto setup = crowd(1, 3, 4.0, 8, Method::SHARED_PROJECTION, CertificateMotionValidator::DISCRETE);
     const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
     unsigned int asked = 0, invalid = 0;
-    setup->setStateValidityChecker(
-        [&, checker = setup->getTeamChecker()](const ob::State *state)
-        {
-            ++asked;
-            invalid += checker->isValid(state) ? 0 : 1;
-            return true;
-        });
+    dynamic_cast<CertificateMotionValidator &>(*si->getMotionValidator())
+        .setRule(
+            [&, checker = setup->getTeamChecker()](const ob::State *state)
+            {
+                ++asked;
+                invalid += checker->isValid(state) ? 0 : 1;
+                return true;
+            });
     si->setup();
     Random random(1);
     ob::ScopedState<> last(si);
@@ -166,6 +167,93 @@ TEST(FurtherCheckers, AreAskedOnlyWhereCertificatesSayFree)
     EXPECT_GT(blocked, 20U);
     EXPECT_GT(asked, 100U);
     EXPECT_EQ(invalid, 0U);
+}
+
+TEST(FurtherCheckers, MayBeGivenAsARuleAlone)
+{
+    const Quiet quiet;
+    for (std::uint64_t seed = 1; seed <= scaled(5); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto setup = crowd(seed, 3, 4.0, 5);
+        const ob::SpaceInformationPtr &si = setup->getSpaceInformation();
+        unsigned int asked = 0, ruled = 0;
+        setup->setStateValidityChecker(
+            [&, checker = setup->getTeamChecker()](const ob::State *state)
+            {
+                ++asked;
+                return keepsOut(state) && checker->isValid(state);
+            });
+        si->setup();
+        auto &validator = dynamic_cast<CertificateMotionValidator &>(*si->getMotionValidator());
+        validator.setRule([&](const ob::State *state) { return ++ruled > 0 && keepsOut(state); });
+        const ob::DiscreteMotionValidator reference(si);
+        Random random(seed);
+        ob::ScopedState<> last(si), expected(si);
+        unsigned int refused = 0;
+        for (int i = 0; i < 300; ++i)
+        {
+            const ob::ScopedState<> from = randomState(random, si->getStateSpace());
+            const ob::ScopedState<> to = randomStateNear(random, from, random.uniform(0.0, 0.5));
+            if (!si->isValid(from.get()))
+                continue;
+            std::pair<ob::State *, double> found(last.get(), -1.0), wanted(expected.get(), -1.0);
+            const bool valid = reference.checkMotion(from.get(), to.get(), wanted);
+            refused += valid ? 0 : 1;
+            const unsigned int before = asked;
+            ASSERT_EQ(validator.checkMotion(from.get(), to.get()), valid) << "motion " << i;
+            ASSERT_EQ(validator.checkMotion(from.get(), to.get(), found), valid);
+            EXPECT_EQ(asked, before);
+            ASSERT_DOUBLE_EQ(found.second, wanted.second) << "motion " << i;
+        }
+        EXPECT_GT(refused, 3U);
+        EXPECT_GT(ruled, 100U);
+        validator.setRule({});
+        EXPECT_EQ(validator.getFurtherChecker(), si->getStateValidityChecker().get());
+    }
+}
+
+TEST(FurtherCheckers, ThatPermitMoreAreWarnedOf)
+{
+    class Warnings : public ompl::msg::OutputHandler
+    {
+    public:
+        void log(const std::string &text, ompl::msg::LogLevel level, const char * /*file*/, int /*line*/) override
+        {
+            count += level == ompl::msg::LOG_WARN &&
+                             text.find("permits states that the TeamValidityChecker does not") != std::string::npos
+                         ? 1
+                         : 0;
+        }
+
+        unsigned int count{0};
+    };
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::disc("disc", 0.2, cubeBounds(2, 4.0)));
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{-2.0, 0.0};
+    to = std::vector<double>{2.0, 0.0};
+    const ompl::msg::LogLevel before = ompl::msg::getLogLevel();
+    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
+    for (const bool permits : {false, true})
+    {
+        TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(0.5, 2.0)}}, 2));
+        const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
+        setup.setStateValidityChecker([permits, checker = setup.getTeamChecker()](const ob::State *state)
+                                      { return permits || checker->isValid(state); });
+        si->setup();
+        Warnings warnings;
+        ompl::msg::useOutputHandler(&warnings);
+        std::pair<ob::State *, double> last(nullptr, 0.0);
+        for (int i = 0; i < 5; ++i)
+            EXPECT_FALSE(si->getMotionValidator()->checkMotion(from.get(), to.get(), last));
+        EXPECT_EQ(warnings.count, permits ? 1U : 0U);
+        for (int i = 0; i < 5; ++i)
+            EXPECT_FALSE(si->checkMotion(from.get(), to.get()));
+        ompl::msg::restorePreviousOutputHandler();
+        EXPECT_EQ(warnings.count, permits ? 1U : 0U);
+    }
+    ompl::msg::setLogLevel(before);
 }
 
 /** A program sets another checker of this library, as for another world, and leaves the motion validator. */

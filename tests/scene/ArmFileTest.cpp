@@ -56,67 +56,6 @@ namespace ompl_certificates
         EXPECT_EQ(limits->as<ompl::base::RealVectorStateSpace>()->getBounds().high, std::vector<double>{2.0});
     }
 
-    TEST(ArmFile, ReadsMimicsTurnsAndTheOrderOfJoints)
-    {
-        const test::Folder folder;
-        const std::string up = "<origin xyz='0 0 0.3'/><axis xyz='0 1 0'/>";
-        const ArmFile file(folder.write(
-            "a.urdf",
-            robot(
-                link("base") + link("a") + link("b") + link("c") + link("d") +
-                joint("j", "revolute", "base", "a", up + LIMIT) +
-                joint("k", "revolute", "a", "b", up + LIMIT + "<mimic joint='j' multiplier='2' offset='0.1'/>") +
-                joint("l", "fixed", "b", "c", "<origin xyz='0 0 0.3'/><mimic joint='gone'/>") +
-                joint("m", "continuous", "c", "d", "<origin rpy='1 2 3'/><dynamics damping='x'/><safety_controller/>") +
-                link("e") + link("f") + joint("n", "continuous", "e", "f") + joint("o", "continuous", "a", "e"))));
-        EXPECT_EQ(file.getJoints(""), (std::vector<std::string>{"j", "m", "o", "n"})) << "depth first, as MoveIt";
-        const auto arm = file.makeArm("arm", "", {});
-        arm->getStateSpace()->setup();
-        ompl::base::ScopedState<> state(arm->getStateSpace());
-        state = std::vector<double>{0.5, 0.0, 0.0, 0.0};
-        const auto reach = [](double angle)
-        { return Eigen::Vector3d(0.3 * std::sin(angle), 0, 0.3 * std::cos(angle)); };
-        const Pose pose = arm->getLinkPose(state.get(), "d");
-        EXPECT_LT((pose.translation() - (Eigen::Vector3d(0, 0, 0.3) + reach(0.5) + reach(1.6))).norm(), 1e-12);
-        const auto about = [](double angle, const Eigen::Vector3d &axis) { return Eigen::AngleAxisd(angle, axis); };
-        using Axis = Eigen::Vector3d;
-        const Eigen::Matrix3d turn =
-            (about(1.6, Axis::UnitY()) * about(3, Axis::UnitZ()) * about(2, Axis::UnitY()) * about(1, Axis::UnitX()))
-                .toRotationMatrix();
-        EXPECT_TRUE(pose.linear().isApprox(turn, 1e-9)) << pose.linear();
-    }
-
-    TEST(ArmFile, TellsOfValuesThatDoNotCount)
-    {
-        const test::Folder folder;
-        const ArmFile file(
-            folder.write("a.urdf", robot(link("base") + link("a") + link("b") + link("c") +
-                                         joint("arm", "revolute", "base", "a", LIMIT) +
-                                         joint("left", "revolute", "a", "b", LIMIT) +
-                                         joint("right", "revolute", "a", "c",
-                                               LIMIT + "<mimic joint='left' multiplier='2' offset='0.1'/>"))),
-            folder.write("a.srdf",
-                         "<robot name='r'><group name='arm'><joint name='arm'/></group><group name='both'>"
-                         "<joint name='arm'/><joint name='left'/></group></robot>"));
-        const auto notesOf = [&](const std::string &group, const std::map<std::string, double> &values)
-        {
-            ArmFile::ArmSettings settings;
-            settings.jointValues = values;
-            std::vector<std::string> notes;
-            file.makeArm("arm", group, settings, &notes);
-            // Others are of the file.
-            const auto isOther = [](const std::string &note) { return note.rfind("joint '", 0) != 0; };
-            notes.erase(std::remove_if(notes.begin(), notes.end(), isOther), notes.end());
-            return notes;
-        };
-        const std::vector<std::string> told{
-            "joint 'right' follows joint 'left', whose value counts in place of 0.600000"};
-        EXPECT_EQ(notesOf("arm", {{"right", 0.6}}), told);
-        EXPECT_EQ(notesOf("arm", {{"left", 0.2}, {"right", 0.6}}), told);
-        EXPECT_EQ(notesOf("arm", {{"left", 0.25}, {"right", 0.6}}), std::vector<std::string>());
-        EXPECT_EQ(notesOf("both", {{"right", 0.6}}), std::vector<std::string>());
-    }
-
     TEST(ArmFile, KeepsPairsThatSeldomStayApart)
     {
         const test::Folder folder;

@@ -173,6 +173,8 @@ namespace ompl_certificates
         };
         const Broken files[] = {
             {"a.las", "", "must end with .pcd, .ply, .xyz, .txt, .asc, .pts or .csv"},
+            {"a.pts", "3\n1 2 3\n4 5 6\n", "ends after 2 of 3 points"},
+            {"a.pts", "99999999999999999999999\n1 2 3\n", "ends after 1 of "},
             {"a.pcd", "", "the header has no line 'DATA'"},
             {"a.pcd", "hello\n", "there is no such number of values"},
             {"a.pcd", "hello you\n", "line 1: there is 'hello', which is no entry"},

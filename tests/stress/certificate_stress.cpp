@@ -153,8 +153,10 @@ int main(int argc, char **argv)
         "Looks for verdicts of the certificate methods that are not FCL's on the true geometry: random worlds, "
         "teams, states, motions and calls. Ends with exit code 1 at the first one."};
     app.add_option("--verdicts", options.verdicts, "how many to compare, times OMPL_CERTIFICATES_TEST_SCALE")
+        ->check(CLI::Range(1.0, 4e9))
         ->capture_default_str();
-    app.add_option("--seconds", options.seconds, "stop after this time; 0: when the verdicts are done");
+    app.add_option("--seconds", options.seconds, "stop after this time; 0: when the verdicts are done")
+        ->check(CLI::Range(0.0, 1e9));
     app.add_option("--seed", options.seed, "of all random numbers")->capture_default_str();
     std::vector<std::string> names;
     std::string descriptions;
@@ -164,10 +166,18 @@ int main(int argc, char **argv)
         descriptions += "\n  " + kind.name + ": " + kind.description;
     }
     app.add_option("--only", options.only, "only this kind of trial")->check(CLI::IsMember(names));
-    app.add_option("--world", options.world, "only the world of this number, as a lie names it");
+    app.add_option("--world", options.world, "only the world of this number, as a lie names it")
+        ->check(CLI::NonNegativeNumber);
     app.add_flag("--quiet", options.quiet, "no summary every minute");
     app.footer("Kinds of trials:" + descriptions);
-    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &error)
+    {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
     options.verdicts = test::scaled(static_cast<unsigned int>(options.verdicts));
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <set>
 
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
@@ -128,6 +129,34 @@ TEST_P(CertificateFile, IsUsedAtOnce)
     for (int i = 0; i < 20; ++i)
         checker.isValid(randomState(random, team_).get());
     EXPECT_GT(setup.getStatistics().getCounts().certifiedFree, 0U);
+}
+
+TEST_P(CertificateFile, KeepsItsSizeWhereNothingIsLearned)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::PARTIAL)->getTeamChecker(), file_);
+    std::set<std::size_t> sizes;
+    for (int run = 0; run < 3; ++run)
+    {
+        const auto checker = makeFresh(obstacles, Method::PARTIAL)->getTeamChecker();
+        sizes.insert(loadCertificates(*checker, file_));
+        EXPECT_EQ(checker->getCertificateCount(), *sizes.begin() * team_->getRobotCount());
+        saveCertificates(*checker, file_);
+    }
+    EXPECT_EQ(sizes.size(), 1U);
+}
+
+TEST_P(CertificateFile, SharesALimitAmongRobots)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
+    const auto checker = makeFresh(obstacles, Method::PARTIAL)->getTeamChecker();
+    checker->setMaxCertificates(5 * team_->getRobotCount());
+    loadCertificates(*checker, file_);
+    const std::vector<Certificate> kept = checker->getCertificates();
+    ASSERT_EQ(kept.size(), 5U * team_->getRobotCount());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        EXPECT_EQ(kept[i], kept[i % 5]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Teams, CertificateFile, testing::Range(0U, 3U));

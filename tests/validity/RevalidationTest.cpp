@@ -312,6 +312,42 @@ TEST_F(Revalidating, NeedsAChangeThatNamesWhatWasAdded)
     EXPECT_NE(Revalidation(*setup.getTeamChecker(), ObstacleChange::replacing(before, after)).getChecker(), nullptr);
 }
 
+TEST_F(Revalidating, SeesObstaclesThatAreOthersThoughNobodyNamesThem)
+{
+    const auto boxesAt = [](const std::vector<double> &places) -> ObstaclesPtr
+    {
+        std::vector<PlacedBody> bodies;
+        for (const double x : places)
+            bodies.push_back({Body::box(1.0, 1.0), planarPose(x, 0.0)});
+        return std::make_shared<FclObstacles>(bodies, 2U);
+    };
+    const ObstaclesPtr box = boxesAt({3.0}), moved = boxesAt({0.0}), other = boxesAt({-3.0}),
+                       more = boxesAt({-3.0, -2.0});
+    const ObstaclesPtr mixed = std::make_shared<MixedObstacles>(std::vector<ObstaclesPtr>{box, other});
+    const ObstacleChange unnamed{moved, nullptr, nullptr}, withBefore{moved, nullptr, nullptr, {}, box},
+        same{other, nullptr, nullptr}, added{more, boxesAt({-2.0}), nullptr};
+    const std::pair<ObstaclesPtr, ObstacleChange> changes[] = {{box, withBefore},
+                                                               {mixed, mixedChange({unnamed, same})},
+                                                               {mixed, mixedChange({withBefore, same})},
+                                                               {mixed, mixedChange({unnamed, added})}};
+    for (const auto &[before, change] : changes)
+    {
+        const auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::disc("disc", 0.3, cubeBounds(2, HALF)));
+        TeamSetup setup(team, before);
+        setup.getSpaceInformation()->setup();
+        ob::ScopedState<> onto(team), beside(team);
+        onto = std::vector<double>{0.0, 0.0};
+        beside = std::vector<double>{0.0, 2.0};
+        ASSERT_TRUE(setup.getTeamChecker()->isValid(onto.get()));
+        setup.getTeamChecker()->changeObstacles(change);
+        ASSERT_FALSE(setup.getTeamChecker()->isValid(onto.get()));
+        const Revalidation revalidation(*setup.getTeamChecker(), change);
+        EXPECT_FALSE(revalidation.staysValid(onto.get()));
+        EXPECT_TRUE(revalidation.staysValid(beside.get()));
+    }
+}
+
 TEST_F(Revalidating, NeedsTheControlsOfAPlannerThatHasThem)
 {
     auto team = std::make_shared<TeamStateSpace>();

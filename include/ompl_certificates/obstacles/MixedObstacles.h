@@ -90,6 +90,11 @@ namespace ompl_certificates
         \throws ompl::Exception if \e before are mixed obstacles, but what the change starts from and leads to is not:
         a set made it for one member, and the other members would be lost */
     ObstacleChange namingReplaced(const ObstacleChange &change, const ObstaclesPtr &before);
+
+    /** \brief All that \e change may have added to what was before it; null if nothing. Where it, or a member of it,
+        names nothing added or removed, these are all its obstacles, unless ObstacleChange::before tells that they are
+        the same. Sets tell that. Cost: as namingReplaced(). */
+    ObstaclesPtr addedBy(const ObstacleChange &change);
 }
 
 #endif

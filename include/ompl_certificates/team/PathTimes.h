@@ -8,7 +8,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief How fast a robot of the team in \e space moves: TeamStateSpace::getSpeed(), and 1 in other spaces */
+    /** \brief How fast a robot of the team in \e space moves: TeamStateSpace::getSpeed(), and 1 in other spaces. The
+        robot must be there. */
     double speedOf(const ompl::base::StateSpace &space, unsigned int robot);
 
     /** \brief How long a team takes along the motion from \e from to \e to.

@@ -10,8 +10,8 @@ namespace ompl_certificates
 {
     /** \brief Costs of a team's path that look at each robot. A robot's length is measured by its own space's distance.
 
-        Times assume that no robot moves faster than its TeamStateSpace::getSpeed() when the objective is made. A motion of
-        the team takes as long as the robot needs that needs longest. TeamPathLength is the length of the path in the
+        Times assume that no robot moves faster than its TeamStateSpace::getSpeed() when the objective is made. A motion
+        of the team takes as long as the robot needs that needs longest. TeamPathLength is the length of the path in the
         team's space. */
     class TeamObjective : public ompl::base::OptimizationObjective
     {

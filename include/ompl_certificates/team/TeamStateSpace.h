@@ -88,12 +88,12 @@ namespace ompl_certificates
         void addRobot(const RobotPtr &robot, double weight = 1.0);
 
         /** \brief Set how fast a robot moves: so much of its own space's distance in one unit of time, 1 unless it is
-            set. Times go by it: those of paths, see stateTimes(), and those that TeamObjective adds up. Distances, ranges
-            and verdicts do not. Set it before a planner is set up.
-            \throws ompl::Exception if \e speed is not above 0 or not finite, or there is no such robot */
+            set. Times go by it: those of paths, see stateTimes(), and those that TeamObjective adds up. Distances,
+            ranges and verdicts do not. Set it before objectives are made and planners set up.
+            \throws ompl::Exception if \e speed is not from 1e-9 to 1e9, or there is no such robot */
         void setSpeed(unsigned int robot, double speed);
 
-        /** \brief How fast a robot moves; see setSpeed() */
+        /** \brief How fast a robot moves; see setSpeed(). The robot must be there. */
         double getSpeed(unsigned int robot) const
         {
             return speeds_[robot];

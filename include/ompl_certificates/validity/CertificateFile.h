@@ -16,7 +16,7 @@ namespace ompl_certificates
     void saveCertificates(const TeamValidityChecker &checker, const std::string &file);
 
     /** \brief Adds the certificates of \e file to \e checker, as many as setMaxCertificates() allows
-        \return how many there were in the file
+        \return how many different ones there were in the file
         \throws ompl::Exception that names the file and the reason if it cannot be read, is damaged, or is of another
         version or of other obstacles. Also if the checker's method keeps no certificates. The checker is then
         unchanged. */

@@ -4,6 +4,8 @@
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <ompl/base/MotionValidator.h>
 
@@ -87,13 +89,25 @@ namespace ompl_certificates
             information, or the one this validator was made with, if its class is not one of this library's; or that of
             the space information if it checks among other obstacles, and this is the motion validator there, which is
             warned of. Null if neither is. Where a motion is free, its samples are asked of it as well, as
-            ompl::base::DiscreteMotionValidator does, in continuous mode too. That costs what it costs, so let it look
-            at what the certificates do not know, first.
+            ompl::base::DiscreteMotionValidator does, in continuous mode too. That costs what it costs; see setRule().
+
+            It can only forbid more: a motion is valid if both say so. In discrete mode a warning tells, once, of one
+            that permits a motion which the certificates' checker refuses. For that it is asked about the samples of
+            some refused motions. Instead of it setRule() may give a rule: then this is a checker that asks that alone.
 
             Nothing is locked while it is asked: it may wait for other threads, hold the obstacles and change them. If
             they change meanwhile, the certificates' verdict is about the world before, and it decides about each sample
             when it is asked. holdObstacles() around checkMotion() keeps one world for both. */
         const ompl::base::StateValidityChecker *getFurtherChecker() const;
+
+        /** \brief What makes a state valid, besides that the validity checker of this validator says so */
+        using Rule = std::function<bool(const ompl::base::State *)>;
+
+        /** \brief Set a rule that is asked about samples of motions that are free, in place of a further checker, see
+            getFurtherChecker(). Give the space information a validity checker that asks both the rule and this
+            validator's checker: where a motion is proved free, the rule alone remains to be asked. An empty function
+            for no rule. Call it while nobody checks motions. */
+        void setRule(const Rule &rule);
 
         /** \brief When a motion is valid, as given to the constructor */
         Mode getMode() const
@@ -118,10 +132,17 @@ namespace ompl_certificates
             this is its motion validator. Warns once. */
         bool knowsOtherObstacles(const ompl::base::StateValidityChecker &checker) const;
 
+        /** \brief Warns once if the further checker permits a motion that is refused. Looks at the first refused
+            motions, and at few later ones. */
+        void lookForPermission(const ompl::base::State *s1, const ompl::base::State *s2) const;
+
         std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;
         bool isSampled_;
-        mutable std::atomic<bool> warnedOfOther_{false};
+        /** \brief A checker that asks the rule; null without one */
+        std::shared_ptr<const ompl::base::StateValidityChecker> rule_;
+        mutable std::atomic<std::uint32_t> refused_{0};
+        mutable std::atomic<bool> warnedOfOther_{false}, warnedOfPermission_{false};
     };
 }
 

@@ -46,12 +46,14 @@ namespace ompl_certificates
         using StepProof = std::function<bool(const TeamValidityChecker &, const ompl::base::State *,
                                              const ompl::control::Control *, double)>;
 
-        /** \brief Among the obstacles that \e change adds, for the team of \e checker. Cost: that of a checker.
+        /** \brief Among the obstacles that \e change adds, addedBy(), for the team of \e checker. Cost: that of a
+            checker.
 
             The mode is that of the CertificateMotionValidator of the checker's space information. If there is none, it
             is discrete; so it is in a TeamControlSetup. For steps that are proved, give the mode and the proof.
-            \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team. Also
-            if the change names nothing but what there is now. The checker's space information must still exist. */
+            \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team.
+            Also if the change names nothing but what there is now, not even what there was before. The checker's space
+            information must still exist. */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
 
         /** \brief The same in another mode
