@@ -42,6 +42,30 @@ namespace ompl_certificates
             }
         }
 
+        /** An axis in the planes of four triangles and across an edge of each, and where they lie along it, from that
+            edge on */
+        struct AcrossEdge
+        {
+            AcrossEdge(const FourFacets &four, int i)
+            {
+                const FourFloats *from = four.corners[i], *to = four.corners[(i + 1) % 3],
+                                 *opposite = four.corners[(i + 2) % 3];
+                const FourFloats edge[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+                cross(four.normal, edge, axis);
+                for (const FourFloats &component : edge)
+                    length += larger(component, -component);
+                offset = dot(axis, from);
+                const FourFloats height = dot(axis, opposite) - offset;
+                low = lesser(FourFloats{}, height);
+                high = larger(FourFloats{}, height);
+            }
+
+            FourFloats axis[3];
+            /** At least that of the axis */
+            FourFloats length{};
+            FourFloats offset, low, high;
+        };
+
         /** Whether the two are farther apart than \e slack along an axis that lies in the plane of \e one and across an
             edge of it */
         FourInts areApartAcrossAnEdge(const FourFacets &one, const FourFacets &other, float slack)
@@ -49,21 +73,12 @@ namespace ompl_certificates
             FourInts apart{};
             for (int i = 0; i < 3; ++i)
             {
-                const FourFloats *from = one.corners[i], *to = one.corners[(i + 1) % 3],
-                                 *opposite = one.corners[(i + 2) % 3];
-                const FourFloats edge[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-                FourFloats axis[3];
-                cross(one.normal, edge, axis);
-                FourFloats length{};  // at least the axis' own
-                for (const FourFloats &component : edge)
-                    length += larger(component, -component);
-                const FourFloats offset = dot(axis, from);
-                const FourFloats low = lesser(FourFloats{}, dot(axis, opposite) - offset),
-                                 high = larger(FourFloats{}, dot(axis, opposite) - offset);
-                const FourFloats a = dot(axis, other.corners[0]) - offset, b = dot(axis, other.corners[1]) - offset,
-                                 c = dot(axis, other.corners[2]) - offset;
-                apart |= (lesser(lesser(a, b), c) > high + slack * length) |
-                         (larger(larger(a, b), c) < low - slack * length);
+                const AcrossEdge own(one, i);
+                const FourFloats a = dot(own.axis, other.corners[0]) - own.offset,
+                                 b = dot(own.axis, other.corners[1]) - own.offset,
+                                 c = dot(own.axis, other.corners[2]) - own.offset;
+                apart |= (lesser(lesser(a, b), c) > own.high + slack * own.length) |
+                         (larger(larger(a, b), c) < own.low - slack * own.length);
             }
             return apart;
         }
@@ -131,17 +146,10 @@ namespace ompl_certificates
         FourInts apart = (height - most > larger(larger(a, b), c)) | (height + most < lesser(lesser(a, b), c));
         for (int i = 0; i < 3; ++i)
         {
-            const FourFloats *from = four.corners[i], *to = four.corners[(i + 1) % 3],
-                             *opposite = four.corners[(i + 2) % 3];
-            const FourFloats edge[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-            FourFloats axis[3];
-            cross(four.normal, edge, axis);
-            FourFloats length{};  // at least the axis' own
-            for (const FourFloats &component : edge)
-                length += larger(component, -component);
-            const FourFloats offset = dot(axis, from), across = dot(axis, opposite) - offset;
-            const FourFloats middle = centerAlong(axis) - offset, reach = reachAlong(axis) + slack * length;
-            apart |= (middle - reach > larger(FourFloats{}, across)) | (middle + reach < lesser(FourFloats{}, across));
+            const AcrossEdge own(four, i);
+            const FourFloats middle = centerAlong(own.axis) - own.offset,
+                             reach = reachAlong(own.axis) + slack * own.length;
+            apart |= (middle - reach > own.high) | (middle + reach < own.low);
         }
         return near & maskOf(apart == 0);
     }

@@ -48,8 +48,8 @@ namespace ompl_certificates
 
         /** Tell of values that do not count, since their joints follow others that stand elsewhere. Messages of MoveIt
             give those of all joints, also of followers. Tell of values beyond limits, too: these count. */
-        void noteFollowers(const KinematicTree &tree, const std::vector<std::string> &group,
-                           const std::map<std::string, double> &values, std::vector<std::string> &notes)
+        void noteJointValues(const KinematicTree &tree, const std::vector<std::string> &group,
+                             const std::map<std::string, double> &values, std::vector<std::string> &notes)
         {
             for (const auto &[name, value] : values)
             {
@@ -320,7 +320,7 @@ namespace ompl_certificates
         try
         {
             const KinematicTree tree = treeFor(joints, settings);
-            noteFollowers(tree, joints, settings.jointValues, told);
+            noteJointValues(tree, joints, settings.jointValues, told);
             const ArmOptions options =
                 optionsFor((names.size() > 1 ? "robots " : "robot ") + listOf(names), tree, joints, settings, told);
             if (parts.size() == 1)

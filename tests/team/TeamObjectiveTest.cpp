@@ -21,9 +21,9 @@ namespace
     }
 }
 
-TEST(TeamObjective, AddsUpWhatRobotsDo)
+TEST(TeamObjective, AddsUpWhatRobotsDoAtTheirSpeeds)
 {
-    const ob::StateSpacePtr team = teamOfDiscs();
+    const auto team = teamOfDiscs();
     const auto si = std::make_shared<ob::SpaceInformation>(team);
     // Lengths 3, 4 and 0; the last robot is at its goal already.
     const auto from = stateOf(team, {0.0, 0.0, 1.0, 0.0, 2.0, 2.0}), to = stateOf(team, {3.0, 0.0, 1.0, 4.0, 2.0, 2.0});
@@ -36,18 +36,10 @@ TEST(TeamObjective, AddsUpWhatRobotsDo)
     // A robot that stays away from its goal is on its way.
     const auto elsewhere = stateOf(team, {3.0, 0.0, 1.0, 4.0, -2.0, 2.0});
     EXPECT_DOUBLE_EQ(makeObjective("arrival", si, elsewhere)->motionCost(from.get(), to.get()).value(), 12.0);
-}
 
-TEST(TeamObjective, TimesGoBySpeedsAndLengthsDoNot)
-{
-    const auto team = teamOfDiscs();
+    // These take 6, 1 and 0. Lengths stay.
     team->setSpeed(0, 0.5);
     team->setSpeed(1, 4.0);
-    const auto si = std::make_shared<ob::SpaceInformation>(team);
-    // Lengths 3, 4 and 0 take 6, 1 and 0.
-    const auto from = stateOf(team, {0.0, 0.0, 1.0, 0.0, 2.0, 2.0}), to = stateOf(team, {3.0, 0.0, 1.0, 4.0, 2.0, 2.0});
-    const auto cost = [&](const std::string &name)
-    { return makeObjective(name, si, to)->motionCost(from.get(), to.get()).value(); };
     EXPECT_DOUBLE_EQ(cost("length"), 5.0);
     EXPECT_DOUBLE_EQ(cost("sum"), 7.0);
     EXPECT_DOUBLE_EQ(cost("makespan"), 6.0);
