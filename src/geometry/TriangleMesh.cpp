@@ -36,7 +36,7 @@ namespace ompl_certificates
                 bounds_.extend(vertices_[corner]);
                 farthest = std::max(farthest, vertices_[corner].norm());
             }
-        leastHeight_ = 1e-7 * farthest;
+        leastHeight_ = std::max(0.5e-7 * bounds_.diagonal().norm(), 1e-12 * farthest);
         std::size_t degenerate = 0;
         while (degenerate < triangles_.size() && isDegenerate(degenerate))
             ++degenerate;

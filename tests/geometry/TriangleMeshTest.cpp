@@ -1,4 +1,7 @@
+#include "geometry/BodyContact.h"
 #include "support/RandomMeshes.h"
+
+#include "ompl_certificates/obstacles/FclObstacles.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -55,6 +58,29 @@ TEST(TriangleMesh, KeepsWhatItIsGiven)
     EXPECT_FALSE(mesh.isDegenerate(2));
     // The fourth vertex has no triangle.
     EXPECT_EQ(mesh.getBounds().max(), Eigen::Vector3d(1, 1, 0));
+}
+
+/** A curb in the coordinates of a map of the whole country */
+TEST(TriangleMesh, KeepsThinTrianglesFarFromItsOrigin)
+{
+    const Eigen::Vector3d far(5e5, 5e6, 100.0);
+    std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {100, 0, 0}, {100, 0, 0.4}, {0, 0, 0.4}, {50, 0, 1e-7}};
+    for (Eigen::Vector3d &vertex : vertices)
+        vertex += far;
+    const auto mesh = std::make_shared<TriangleMesh>(vertices, Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}});
+    EXPECT_FALSE(mesh->isDegenerate(0));
+    EXPECT_FALSE(mesh->isDegenerate(1));
+    EXPECT_TRUE(mesh->isDegenerate(2));
+    const Body ball = Body::sphere(1.0);
+    for (const double side : {-0.9, 0.9, 1.1})
+    {
+        const Pose beside = poseAt(far + Eigen::Vector3d(50.0, side, 0.2));
+        EXPECT_EQ(FclObstacles({{Body::mesh(mesh)}}, 3).collides(ball, beside), side < 1.0);
+        if (side == 1.1)
+            EXPECT_EQ(touching(Body::mesh(mesh), ball, beside, 1e-3), Touching::NO);
+        else
+            EXPECT_EQ(touching(Body::mesh(mesh), ball, beside, 1e-3), Touching::YES);
+    }
 }
 
 TEST(TriangleMesh, IsClosedIfEachEdgeHasTwoTriangles)

@@ -57,8 +57,9 @@ namespace ompl_certificates
             return bounds_;
         }
 
-        /** \brief Whether a triangle's height is at most a ten-millionth of the largest distance of a corner from the
-            origin. That is the rounding of mesh files, which mostly have single precision. */
+        /** \brief Whether a triangle's height is at most a ten-millionth of half the diagonal of getBounds(). That is the
+            rounding of mesh files, which mostly have single precision. A height of at most 1e-12 of the largest distance
+            of a corner from the origin counts, too. */
         bool isDegenerate(std::size_t triangle) const;
 
         /** \brief Whether the mesh encloses a volume: each edge has exactly two triangles, after welding equal vertices
