@@ -140,7 +140,8 @@ namespace ompl_certificates_python
             const std::string collision = [&]
             {
                 const py::gil_scoped_release release;
-                return checker.describeCollision(state);
+                // To describe one takes FCL's copies of all meshes, which may take a second.
+                return setup.getTeamChecker()->isValid(state) ? std::string() : checker.describeCollision(state);
             }();
             if (!collision.empty())
                 throw ompl::Exception(checker.getSceneName(), what + " " + collision);

@@ -250,12 +250,16 @@ namespace ompl_certificates
         addPairs(settings.touchable, tree, free, pairs);
         const Arm all(names, tree, joints, options);
         std::set<LinkPair> apart;
+        std::set<LinkPair> staying;
         std::vector<std::string> together;
         for (const auto &[pair, collides] : pairsThatStay(all))
             if (!collides)
                 apart.insert(pair);
             else
+            {
+                staying.insert(pair);
                 together.push_back(nameOf(pair));
+            }
         remove(pairs, apart);
         if (!sampled && !together.empty())
             notes.push_back(names + ": these links collide in all states, and " +
@@ -263,7 +267,7 @@ namespace ompl_certificates
                             boost::algorithm::join(together, ", "));
         if (sampled)
         {
-            std::vector<LinkPair> always = pairsThatAlwaysCollide(all);
+            std::vector<LinkPair> always = pairsThatAlwaysCollide(all, staying);
             always.erase(std::remove_if(always.begin(), always.end(),
                                         [&](const LinkPair &pair) { return isOfAny(settings.touchable, pair); }),
                          always.end());

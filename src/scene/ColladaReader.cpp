@@ -7,6 +7,7 @@
 #include <map>
 #include <pugixml.hpp>
 #include <stdexcept>
+#include <tuple>
 
 namespace ompl_certificates
 {
@@ -103,17 +104,34 @@ namespace ompl_certificates
             bool for_each(Node &node) override
             {
                 const bool isOfLibrary = std::string_view(node.parent().name()) == LIBRARY;
-                if (node.attribute("id"))
-                    ids_.emplace(std::make_pair(isOfLibrary ? LIBRARY : node.name(), valueOf(node, "id")), node);
+                if (depth() <= walkedDepth_)
+                    walkedMesh_ = {};
+                if (!walkedMesh_ && std::string_view(node.name()) == "mesh")
+                {
+                    walkedMesh_ = node;
+                    walkedDepth_ = depth();
+                }
+                if (!node.attribute("id"))
+                    return true;
+                const std::string_view name = isOfLibrary ? LIBRARY : node.name(), id = valueOf(node, "id");
+                ids_.emplace(Key{name, id, Node()}, node);
+                if (walkedMesh_)
+                    ids_.emplace(Key{name, id, walkedMesh_}, node);
                 return true;
             }
 
-            /** The element of that name whose id the attribute gives, if it is there */
+            /** The element of that name whose id the attribute gives, if it is there. Some programs write an id once
+                in each mesh: then that of the mesh that is read counts. */
             Node find(const Node &from, const char *attribute, std::string_view name) const
             {
                 const std::string_view url = valueOf(from, attribute);
-                const auto [first, last] = ids_.equal_range({name, url.substr(url.empty() ? 0 : 1)});
-                if (url.substr(0, 1) != "#" || first == last)
+                if (url.substr(0, 1) != "#")
+                    return {};
+                const std::string_view id = url.substr(1);
+                auto [first, last] = ids_.equal_range({name, id, readMesh_});
+                if (first == last)
+                    std::tie(first, last) = ids_.equal_range({name, id, Node()});
+                if (first == last)
                     return {};
                 if (std::next(first) != last)
                     fail(from, "is of " + inQuotes(url) + ", but there are two <" + std::string(name) + "> of that id");
@@ -156,6 +174,7 @@ namespace ompl_certificates
             {
                 const auto [entry, isNew] = parts_.try_emplace(geometry);
                 const Node mesh = geometry.child("mesh");
+                readMesh_ = mesh;
                 if (mesh.next_sibling("mesh") || mesh.child("vertices").next_sibling("vertices"))
                     fail(geometry, "has several <mesh> or <vertices>");
                 for (const Node &primitive : mesh.children())
@@ -417,8 +436,12 @@ namespace ompl_certificates
             std::string_view content_;
             MeshCollector &mesh_;
             pugi::xml_document document_;
-            /** The elements by their names and ids */
-            std::multimap<std::pair<std::string_view, std::string_view>, Node> ids_;
+            /** The name of an element, its id, and the mesh that it is in. Those of meshes are there without it, too. */
+            using Key = std::tuple<std::string_view, std::string_view, Node>;
+            std::multimap<Key, Node> ids_;
+            /** The mesh around the element where the walk is, if any, how deep it is, and the one that is read */
+            Node walkedMesh_, readMesh_;
+            int walkedDepth_{0};
             std::map<Node, Source> sources_;
             std::size_t corners_{0};
             std::map<Node, std::vector<MeshPart>> parts_;

@@ -2,6 +2,7 @@
 
 #include "geometry/BodyContact.h"
 #include "obstacles/FclTolerance.h"
+#include "validity/BodyPreparation.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -146,11 +147,15 @@ namespace ompl_certificates
         return pairs;
     }
 
-    std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm)
+    std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm, const std::set<LinkPair> &known)
     {
         std::vector<std::unique_ptr<PairCheck>> checks;
         for (const BodyPair &pair : arm.getBodyPairs())
-            checks.push_back(std::make_unique<PairCheck>(arm, pair));
+            if (known.count(namesOf(arm, pair)) == 0)
+                checks.push_back(std::make_unique<PairCheck>(arm, pair));
+        // Large meshes take a second each, which threads share.
+        if (!checks.empty())
+            prepareBodies(Team(arm.getStateSpace(), {RobotPtr(RobotPtr(), &arm)}));
         States states(arm);
         for (int i = 0; i < STATES && !checks.empty(); ++i)
         {
@@ -159,10 +164,13 @@ namespace ompl_certificates
                                         [&](const auto &check) { return !check->collides(poses); }),
                          checks.end());
         }
-        std::vector<LinkPair> pairs;
-        pairs.reserve(checks.size());
+        std::set<LinkPair> found = known;
         for (const auto &check : checks)
-            pairs.push_back(namesOf(arm, check->pair));
+            found.insert(namesOf(arm, check->pair));
+        std::vector<LinkPair> pairs;
+        for (const BodyPair &pair : arm.getBodyPairs())
+            if (found.count(namesOf(arm, pair)) > 0)
+                pairs.push_back(namesOf(arm, pair));
         return pairs;
     }
 

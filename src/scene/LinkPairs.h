@@ -3,6 +3,8 @@
 
 #include "ompl_certificates/robots/Arm.h"
 
+#include <set>
+
 namespace ompl_certificates
 {
     /** \brief The names of two links */
@@ -14,8 +16,9 @@ namespace ompl_certificates
     /** \brief All pairs of links with bodies but those that a joint connects, also through links without bodies */
     std::vector<LinkPair> pairsNotAdjacent(const KinematicTree &tree);
 
-    /** \brief Of the pairs of \e arm those that collide in all of 1000 random states, always the same ones */
-    std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm);
+    /** \brief Of the pairs of \e arm those that collide in all of 1000 random states, always the same ones
+        \param known pairs that are known to do so, and are not tried */
+    std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm, const std::set<LinkPair> &known);
 
     /** \brief Of the pairs of \e arm those that never move towards each other, and whether each of them collides */
     std::vector<std::pair<LinkPair, bool>> pairsThatStay(const Arm &arm);

@@ -1,5 +1,6 @@
 #include "MoveItMessages.h"
 
+#include "FileUri.h"
 #include "MoveItPlanes.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
@@ -168,8 +169,8 @@ namespace ompl_certificates
             std::string name = node.at("resource").path();
             if (name.rfind("package://", 0) == 0)
                 node.at("resource").fail("package:// is not supported in scenes; give a path");
-            if (name.rfind("file://", 0) == 0)
-                name.erase(0, 7);
+            if (const auto path = pathOfFileUri(name))
+                name = *path;
             Eigen::Affine3d scale = Eigen::Affine3d::Identity();
             if (node.has("dimensions"))
             {

@@ -1,5 +1,6 @@
 #include "UrdfGeometry.h"
 
+#include "FileUri.h"
 #include "YamlNode.h"
 
 #include <boost/algorithm/string/trim.hpp>
@@ -181,7 +182,7 @@ namespace ompl_certificates
         const fs::path folder = fs::absolute(fs::path(file_), error).parent_path().lexically_normal();
         const auto missing = [&](const std::string &where)
         { throw ompl::Exception("mesh '" + name + "' was not found " + where); };
-        if (const auto path = after("file://", name))
+        if (const auto path = pathOfFileUri(name))
         {
             if (!isFile(*path))
                 missing("there");

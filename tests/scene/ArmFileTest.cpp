@@ -111,7 +111,8 @@ namespace ompl_certificates
             robot(link("base", box + cylinder + visual) +
                   link("arm", mesh("package://parts/meshes/a.obj", "1 2 -3") + mesh("package://robots//meshes.obj") +
                                   mesh("b.obj") + mesh("file://" + folder / "robots/urdf/b.obj") +
-                                  mesh("package://elsewhere/a.obj")) +
+                                  mesh("package://elsewhere/a.obj") +
+                                  mesh("file://localhost" + folder / "robots/urdf/b%2eobj")) +
                   joint("a", "continuous", "base", "arm"));
         const std::string name = folder.write("robots/urdf/a.urdf", urdf);
         ArmFile::Options options;
@@ -123,11 +124,12 @@ namespace ompl_certificates
         EXPECT_EQ(links[0].body->getParts()[0].shape.getSize(), Eigen::Vector3d(1, 2, 3));
         EXPECT_EQ(links[0].body->getParts()[1].shape.getRadius(), 0.5);
         const auto &parts = links[1].body->getParts();
-        ASSERT_EQ(parts.size(), 5u);
+        ASSERT_EQ(parts.size(), 6u);
         EXPECT_EQ(parts[0].shape.getMesh()->getVertices()[2], Eigen::Vector3d(0, 2, 0));
         EXPECT_EQ(parts[2].pose.translation(), Eigen::Vector3d(0, 0, 1));
         EXPECT_EQ(parts[2].shape.getMesh(), parts[3].shape.getMesh()) << "one file is one mesh";
         EXPECT_EQ(parts[4].shape.getMesh()->getVertices()[2], Eigen::Vector3d(0, 1, 0)) << "another scale of a mesh";
+        EXPECT_EQ(parts[5].shape.getMesh(), parts[3].shape.getMesh());
 
         options.useVisuals = true;
         const ArmFile shown(name, "", options);

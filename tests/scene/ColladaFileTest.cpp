@@ -2,6 +2,7 @@
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
 
@@ -73,6 +74,24 @@ namespace ompl_certificates
             SCOPED_TRACE(content);
             EXPECT_EQ(MeshFile(folder.write("a.dae", content)).getMesh()->getTriangles().size(), 1U);
         }
+    }
+
+    /** As in files of the Robotiq 2F-85 */
+    TEST(ColladaFile, MayHaveTheSameIdsInEachMesh)
+    {
+        const Folder folder;
+        const std::string text = collada(INSTANCE + "<node><instance_geometry url=\"#h\"/></node>");
+        const std::size_t begin = text.find("<geometry "), end = text.find("</geometry>");
+        const std::string geometry = text.substr(begin, end - begin) + "</geometry>";
+        const std::string other =
+            with(with(geometry, "0 2 0</float_array>", "0 5 0</float_array>"), "id=\"g\"", "id=\"h\"");
+        const MeshFile file(folder.write("a.dae", with(text, geometry, geometry + other)));
+        ASSERT_EQ(file.getMesh()->getTriangles().size(), 2U);
+        std::vector<double> heights;
+        for (const auto &vertex : file.getMesh()->getVertices())
+            heights.push_back(vertex.cwiseAbs().maxCoeff());
+        EXPECT_EQ(std::count(heights.begin(), heights.end(), 2.0), 1);
+        EXPECT_EQ(std::count(heights.begin(), heights.end(), 5.0), 1);
     }
 
     TEST(ColladaFile, IsRefusedWhereItRefersToWhatIsNotThere)
