@@ -26,9 +26,9 @@ namespace ompl_certificates
         constexpr unsigned int ORDERS = 20;
 
         /** What the first round does: iterations of the tree, iterations of RRTConnect for a robot, attempts to
-            shorten the path, steps of the search in a crowd for each robot, and for all starts and goals. Each later
-            round does twice as much. */
-        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 100, CROWD_STEPS = 40;
+            shorten each robot's way, steps of the search in a crowd for each robot, and for all starts and goals. Each
+            later round does twice as much. */
+        constexpr unsigned int TREE_ITERATIONS = 10, ROBOT_ITERATIONS = 500, SMOOTHING_ATTEMPTS = 50, CROWD_STEPS = 40;
 
         /** How often RRTConnect may iterate for a whole team of so many robots, before all else. Larger teams have
             little hope. */
@@ -245,7 +245,9 @@ namespace ompl_certificates
 
     void DRRTstar::shorten(og::PathGeometric path, const ob::PlannerTerminationCondition &condition)
     {
-        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, effort(SMOOTHING_ATTEMPTS), condition))
+        // An attempt changes the way of one robot.
+        const std::uint64_t attempts = roadmaps_->getRobotCount() * effort(SMOOTHING_ATTEMPTS);
+        if (smoothing_ && !isSatisfied() && simplifier_->simplify(path, attempts, condition))
             report(path);
     }
 

@@ -106,10 +106,17 @@ namespace ompl_certificates
         og::PathGeometric getPath(const ob::SpaceInformationPtr &si) const
         {
             og::PathGeometric path(si);
-            for (const double time : paths_.timesWithin(0.0, paths_.getDuration()))
+            const std::vector<double> times = paths_.timesWithin(0.0, paths_.getDuration());
+            for (std::size_t i = 0; i < times.size(); ++i)
             {
-                paths_.copyTo(time, before_);
-                path.append(before_);
+                paths_.copyTo(times[i], before_);
+                // Two robots' knots may differ in time by no more than its rounding. The end is kept as it is.
+                const bool moves = path.getStateCount() == 0 ||
+                                   motionTime(*si->getStateSpace(), path.getStates().back(), before_) > 0.0;
+                if (moves || (i + 1 == times.size() && path.getStateCount() == 1))
+                    path.append(before_);
+                else if (i + 1 == times.size())
+                    si->copyState(path.getStates().back(), before_);
             }
             return path;
         }

@@ -4,7 +4,11 @@
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
+#include <limits>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/util/Exception.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
@@ -50,6 +54,28 @@ namespace ompl_certificates
         description_ = kind == MAKESPAN         ? "Makespan"
                        : kind == SUM_OF_LENGTHS ? "Sum of lengths"
                                                 : "Sum of arrival times";
+        setCostToGoHeuristic([this](const ob::State *state, const ob::Goal *target)
+                             { return costToGoal(state, target); });
+    }
+
+    ob::Cost TeamObjective::costToGoal(const ob::State *state, const ob::Goal *goal) const
+    {
+        // Not where a detour may be shorter than the way, nor goals that are wider than their states
+        const bool isBounded = std::all_of(spaces_.begin(), spaces_.end(),
+                                           [](const ob::StateSpace *space) { return space->isMetricSpace(); });
+        const auto *region = dynamic_cast<const ob::GoalRegion *>(goal);
+        if (!isBounded || !region || region->getThreshold() > std::numeric_limits<double>::epsilon())
+            return identityCost();
+        if (typeid(*goal) == typeid(ob::GoalState))
+            return motionCostHeuristic(state, static_cast<const ob::GoalState &>(*goal).getState());
+        // Not goals that grow as they are sampled
+        if (typeid(*goal) != typeid(ob::GoalStates))
+            return identityCost();
+        const auto &states = static_cast<const ob::GoalStates &>(*goal);
+        ob::Cost least = infiniteCost();
+        for (std::size_t i = 0; i < states.getStateCount(); ++i)
+            least = betterCost(least, motionCostHeuristic(state, states.getState(static_cast<unsigned int>(i))));
+        return states.hasStates() ? least : identityCost();
     }
 
     double TeamObjective::distance(unsigned int robot, const ob::State *from, const ob::State *to) const

@@ -8,10 +8,12 @@
 
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
@@ -180,6 +182,29 @@ TEST_P(EveryPlanner, SolvesItInTheMetricOfACompoundStateSpace)
 
 INSTANTIATE_TEST_SUITE_P(Ompl, EveryPlanner, testing::ValuesIn(PLANNERS),
                          [](const auto &test) { return std::string(test.param.name); });
+
+/** BIT* finds no plan without a lower bound of the cost to the goal. */
+TEST(EveryCost, IsLoweredByPlannersThatLookAhead)
+{
+    const Quiet quiet;
+    for (const std::string &cost : objectiveNames())
+        for (const Allocator planner : {Allocator(make<og::BITstar>), Allocator(make<og::ABITstar>)})
+        {
+            SCOPED_TRACE(cost);
+            ompl::RNG::setSeed(1);
+            const auto setup = easyProblem();
+            const auto &si = setup->getSpaceInformation();
+            setup->setPlanner(planner(si));
+            ob::ScopedState<> goal(setup->getStateSpace());
+            goal = setup->getGoal()->as<ob::GoalState>()->getState();
+            setup->setOptimizationObjective(makeObjective(cost, si, goal));
+            setup->solve(ob::plannerOrTerminationCondition(
+                ob::timedPlannerTerminationCondition(10.0),
+                ob::PlannerTerminationCondition([&] { return setup->haveExactSolutionPath(); }, 0.01)));
+            ASSERT_TRUE(setup->haveExactSolutionPath());
+            EXPECT_TRUE(setup->getSolutionPath().check());
+        }
+}
 
 TEST(TeamObjective, IsThePathLengthUnlessThePlannerDoesSomethingElseWithout)
 {

@@ -3,6 +3,7 @@
 
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/planning/TeamPathSimplifier.h"
+#include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -50,6 +51,8 @@ TEST_F(TeamPathSimplifierTest, LowersEveryCostAndKeepsPathsValid)
             EXPECT_LT(path.cost(objective).value(), before);
             EXPECT_TRUE(path.check());
             const auto &space = setup->getStateSpace();
+            for (std::size_t i = 1; i < path.getStateCount(); ++i)
+                EXPECT_GT(motionTime(*space, path.getStates()[i - 1], path.getStates()[i]), 0.0) << i;
             og::PathGeometric &old = setup->getSolutionPath();
             EXPECT_TRUE(space->equalStates(path.getState(0), old.getState(0)));
             EXPECT_TRUE(space->equalStates(path.getStates().back(), old.getStates().back()));

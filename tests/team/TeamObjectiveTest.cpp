@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalLazySamples.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Exception.h>
 
@@ -44,6 +47,34 @@ TEST(TeamObjective, AddsUpWhatRobotsDoAtTheirSpeeds)
     EXPECT_DOUBLE_EQ(cost("sum"), 7.0);
     EXPECT_DOUBLE_EQ(cost("makespan"), 6.0);
     EXPECT_DOUBLE_EQ(cost("arrival"), 12.0);
+}
+
+TEST(TeamObjective, KnowsALowerBoundToTheNearestGoal)
+{
+    const auto team = teamOfDiscs();
+    const auto si = std::make_shared<ob::SpaceInformation>(team);
+    const auto from = stateOf(team, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}),
+               near = stateOf(team, {1.0, 0.0, 0.0, 2.0, 0.0, 0.0}),
+               far = stateOf(team, {4.0, 0.0, 0.0, 2.0, 0.0, 0.0});
+    ob::GoalState one(si);
+    one.setState(far.get());
+    ob::GoalStates both(si);
+    both.addState(far.get());
+    both.addState(near.get());
+    ob::GoalLazySamples growing(
+        si, [](const ob::GoalLazySamples *, ob::State *) { return false; }, false);
+    growing.addState(near.get());
+    const std::tuple<const char *, double, double> expected[] = {
+        {"sum", 6.0, 3.0}, {"makespan", 4.0, 2.0}, {"arrival", 6.0, 3.0}};
+    for (const auto &[name, toOne, toBoth] : expected)
+    {
+        SCOPED_TRACE(name);
+        const auto objective = makeObjective(name, si, far);
+        EXPECT_DOUBLE_EQ(objective->costToGo(from.get(), &one).value(), toOne);
+        EXPECT_DOUBLE_EQ(objective->costToGo(from.get(), &both).value(), toBoth);
+        EXPECT_DOUBLE_EQ(objective->costToGo(from.get(), &growing).value(), 0.0);
+        EXPECT_DOUBLE_EQ(objective->costToGo(from.get(), nullptr).value(), 0.0);
+    }
 }
 
 TEST(TeamObjective, HeuristicsAreLowerBoundsOfDetours)

@@ -48,6 +48,10 @@ namespace ompl_certificates
         TeamObjective(const ompl::base::SpaceInformationPtr &si, Kind kind,
                       std::vector<ompl::base::ScopedState<>> goal);
 
+        /** \brief A lower bound of the cost to the nearest state of \e goal; 0 for other goals. BIT* finds next to nothing
+            without it. */
+        ompl::base::Cost costToGoal(const ompl::base::State *state, const ompl::base::Goal *goal) const;
+
         double distance(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
         /** \brief How long a robot needs at least */
