@@ -4,6 +4,7 @@
 #include "TeamProjection.h"
 
 #include <algorithm>
+#include <optional>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -184,6 +185,24 @@ namespace ompl_certificates
         return metric_ == SUM ? sum : std::sqrt(sum);
     }
 
+    bool TeamStateSpace::isMetricSpace() const
+    {
+        return std::all_of(components_.begin(), components_.end(),
+                           [](const ob::StateSpacePtr &component) { return component->isMetricSpace(); });
+    }
+
+    bool TeamStateSpace::hasSymmetricDistance() const
+    {
+        return std::all_of(components_.begin(), components_.end(),
+                           [](const ob::StateSpacePtr &component) { return component->hasSymmetricDistance(); });
+    }
+
+    bool TeamStateSpace::hasSymmetricInterpolate() const
+    {
+        return std::all_of(components_.begin(), components_.end(),
+                           [](const ob::StateSpacePtr &component) { return component->hasSymmetricInterpolate(); });
+    }
+
     double TeamStateSpace::getMaximumExtent() const
     {
         return combine([this](unsigned int robot) { return components_[robot]->getMaximumExtent(); });
@@ -332,15 +351,20 @@ namespace ompl_certificates
         const std::lock_guard<std::recursive_mutex> lock(mutex);
         // Others may be using what is set up, and the space of a robot that they share. A planner that comes next draws
         // the same numbers nevertheless.
-        const bool isUnchanged = isSetUp(*this) && segmentCounts_.empty() != hasResolution_ &&
+        const bool isUnchanged = isSetUp(*this) && countsByResolution_ == hasResolution_ &&
                                  std::all_of(components_.begin(), components_.end(),
                                              [](const ob::StateSpacePtr &component) { return isSetUp(*component); });
         if (!isUnchanged)
         {
+            const std::optional<double> fraction =
+                hasResolution_ ? std::optional<double>(getLongestValidSegmentFraction()) : std::nullopt;
             segmentCounts_.clear();
-            if (hasResolution_)
-                for (const ob::StateSpacePtr &component : components_)
-                    segmentCounts_.emplace_back(component, getLongestValidSegmentFraction());
+            for (const ob::StateSpacePtr &component : components_)
+                segmentCounts_.emplace_back(component, fraction);
+            countsByResolution_ = hasResolution_;
+            if (!hasResolution_ && std::none_of(segmentCounts_.begin(), segmentCounts_.end(),
+                                                [](const SegmentCount &count) { return count.hasCurves(); }))
+                segmentCounts_.clear();
         }
         for (const ob::StateSpacePtr &component : components_)
             if (isSetUp(*component))

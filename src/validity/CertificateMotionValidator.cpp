@@ -205,10 +205,11 @@ namespace ompl_certificates
         const ob::StateSpacePtr &space = si_->getStateSpace();
         const unsigned int count = std::max(1U, space->validSegmentCount(s1, s2));
         ob::ScopedState<> sample(space);
+        MotionCurve curve(*space);
         for (unsigned int i = 1; i <= count && static_cast<double>(i) / count <= until; ++i)
         {
             if (i < count)
-                space->interpolate(s1, s2, static_cast<double>(i) / count, sample.get());
+                curve.interpolate(s1, s2, static_cast<double>(i) / count, sample.get());
             if (!checker->isValid(i < count ? sample.get() : s2))
             {
                 until = static_cast<double>(i - 1) / count;

@@ -1,7 +1,9 @@
 #ifndef OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 #define OMPL_CERTIFICATES_VALIDITY_CHECK_CONTEXT_
 
+#include "CellUse.h"
 #include "CertificatePolicy.h"
+#include "MotionCurve.h"
 #include "ProvenTimes.h"
 #include "SampleBatch.h"
 #include "ThreadNumber.h"
@@ -61,6 +63,24 @@ namespace ompl_certificates
         std::vector<MotionBound> motionBounds;
         std::vector<ompl::base::State *> samples;
 
+        /** \brief How the motion of each robot, and that of the team as a whole, is interpolated. Robots' curves are
+            also those of the team where it moves robots as their own spaces do. */
+        std::vector<MotionCurve> curves;
+        MotionCurve teamCurve;
+        const bool hasRobotCurves;
+
+        /** \brief Begins another motion */
+        void beginCurves()
+        {
+            teamCurve.begin();
+            for (MotionCurve &curve : curves)
+                curve.begin();
+        }
+
+        /** \brief Writes the team's state at \e t on the way from one state to another, since beginCurves() the same
+            two. Its references are of no use. */
+        void interpolate(const ompl::base::State *s1, const ompl::base::State *s2, double t, ompl::base::State *state);
+
         /** \brief For each robot: the state that its poses are those of */
         std::vector<const ompl::base::State *> placed;
 
@@ -81,6 +101,9 @@ namespace ompl_certificates
 
         /** \brief For each pair of bodies: across which planes they were last apart, or zero */
         std::vector<Eigen::Vector3d> bodyPairDirections;
+
+        /** \brief For each pair of bodies: whether it pays to prove small joint cells */
+        std::vector<CellUse> cellUses;
 
         /** \brief Notes that a body, or a pair of bodies, is free at less than \e interval from \e time */
         void noteFree(ProvenTimes &times, double time, double interval) const

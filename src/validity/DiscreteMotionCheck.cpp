@@ -175,7 +175,7 @@ namespace ompl_certificates
             if (time < 1.0)
             {
                 ompl::base::State *between = batch.robotSamples[robot * PoseBatch::SIZE + number];
-                check_.getTeam().getRobotSpace(robot).interpolate(from, to, time, between);
+                context_.curves[robot].interpolate(from, to, time, between);
                 batch.robotState(robot, number) = between;
             }
         };

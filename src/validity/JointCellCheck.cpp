@@ -46,20 +46,33 @@ namespace ompl_certificates
         return values;
     }
 
-    Answer JointCellCheck::settle(CheckContext &context) const
+    Answer JointCellCheck::settle(CheckContext &context, std::size_t number) const
     {
+        CellUse &use = context.cellUses[number];
         const JointCells::Values values = valuesOf(context.placed[robot_]);
         while (true)
         {
             const JointCells::Cell cell = cells_->find(values);
-            if (cell.answer != Answer::UNKNOWN && cell.answer != Answer::ASKED)
+            const bool isSmall = JointCells::isSmall(cell), isNew = cell.answer == Answer::UNKNOWN;
+            if (!isNew && cell.answer != Answer::ASKED)
+            {
+                if (isSmall && cell.answer != Answer::OPEN)
+                    use.countAnswer();
                 return cell.answer;
+            }
             // A motion passes most small ones once.
-            if (cell.answer == Answer::UNKNOWN && JointCells::isSmall(cell))
+            if (isSmall && !use.pays())
+            {
+                use.countRefusal();
+                return Answer::ASKED;
+            }
+            if (isSmall && isNew)
             {
                 cells_->note(cell, Answer::ASKED);
                 return Answer::ASKED;
             }
+            if (isSmall)
+                use.countProof();
             ompl::base::State *middle = context.spare[robot_];
             description_.getStateSpace()->copyState(middle, context.placed[robot_]);
             const Answer answer = prove(cell, values, middle, context.sparePoses.data(), context.counts);

@@ -23,10 +23,11 @@ namespace ompl_certificates
             return cells_->find(valuesOf(context.placed[robot_])).answer;
         }
 
-        /** \brief The same, but settles the cell if it is new; a small one when it is asked for again. By the gap
-            between convex covers and by balls inside meshes, which costs a few microseconds; by the contact test where
-            the cell is small enough for that. */
-        JointCells::Answer settle(CheckContext &context) const;
+        /** \brief The same, but settles the cell if it is new; a small one when it is asked for again, if that pays. By
+            the gap between convex covers and by balls inside meshes, which costs a few microseconds; by the contact
+            test where the cell is small enough for that.
+            \param number that of the pair of bodies among those of \e context */
+        JointCells::Answer settle(CheckContext &context, std::size_t number) const;
 
         /** \brief Settles the cells of one of the first two levels that are new, unless this was done before, by any
             checker

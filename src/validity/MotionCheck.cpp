@@ -52,6 +52,7 @@ namespace ompl_certificates
         before_ = context_.counts;
         ++context_.counts.motions;
         ++context_.motion;
+        context_.beginCurves();
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
         context_.knowsMotionBounds.assign(context_.knowsMotionBounds.size(), false);
         context_.knowsPairMotionBounds.assign(context_.knowsPairMotionBounds.size(), false);
@@ -97,14 +98,13 @@ namespace ompl_certificates
     {
         if (context_.sampledAt[robot] == t)
             return;
-        const Team &team = check_.getTeam();
         const ompl::base::State *from = context_.from[robot], *to = context_.to[robot];
         context_.sampledAt[robot] = t;
         const ompl::base::State *state = t == 0.0 ? from : to;
         if (t > 0.0 && t < 1.0)
         {
             state = context_.samples[robot];
-            team.getRobotSpace(robot).interpolate(from, to, t, context_.samples[robot]);
+            context_.curves[robot].interpolate(from, to, t, context_.samples[robot]);
         }
         check_.place(robot, state, context_);
     }

@@ -203,7 +203,8 @@ namespace ompl_certificates
                 verdict.before = verdict.after = INF;
             return verdict;
         }
-        if (bodies.cells && sample.requiredInterval == 0.0 && settleByCells(*bodies.cells, context, sample, verdict))
+        if (bodies.cells && sample.requiredInterval == 0.0 &&
+            settleByCells(*bodies.cells, number, context, sample, verdict))
             return verdict;
         verdict.widen(verdict.free
                           ? settleByGap(bodies, bodies.relativePose(context), bodies.relativeMotionBound(context),
@@ -212,11 +213,11 @@ namespace ompl_certificates
         return verdict;
     }
 
-    bool RobotPairs::settleByCells(const JointCellCheck &cells, CheckContext &context, const MotionSample &sample,
-                                   SubjectVerdict &verdict) const
+    bool RobotPairs::settleByCells(const JointCellCheck &cells, std::size_t number, CheckContext &context,
+                                   const MotionSample &sample, SubjectVerdict &verdict) const
     {
         // Where the bounding spheres are apart, new cells are not worth their proof.
-        switch (verdict.free ? cells.find(context) : cells.settle(context))
+        switch (verdict.free ? cells.find(context) : cells.settle(context, number))
         {
             case JointCells::Answer::TOUCHING:
                 return true;

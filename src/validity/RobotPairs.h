@@ -160,8 +160,8 @@ namespace ompl_certificates
         /** \brief Settles two bodies by their joint cells, if these have an answer
             \param verdict what their bounding spheres say; takes the times at which the cells know them apart
             \return whether the verdict stands */
-        bool settleByCells(const JointCellCheck &cells, CheckContext &context, const MotionSample &sample,
-                           SubjectVerdict &verdict) const;
+        bool settleByCells(const JointCellCheck &cells, std::size_t number, CheckContext &context,
+                           const MotionSample &sample, SubjectVerdict &verdict) const;
 
         /** \brief Settles two bodies in the environment's frame, where their bounding spheres do not decide */
         PoseVerdict settleBodies(const TwoBodies &bodies, std::size_t number, CheckContext &context,

@@ -76,7 +76,7 @@ namespace ompl_certificates
         ++context.counts.pairPoses;
         const auto mayBeApart = [&](const TwoBodies &bodies, std::size_t number)
         {
-            const auto answer = bodies.cells ? bodies.cells->settle(context) : JointCells::Answer::OPEN;
+            const auto answer = bodies.cells ? bodies.cells->settle(context, number) : JointCells::Answer::OPEN;
             if (answer == JointCells::Answer::APART)
                 context.batch.nearEachOther[number] &= static_cast<BatchMask>(~(1U << sample));
             return answer != JointCells::Answer::TOUCHING;

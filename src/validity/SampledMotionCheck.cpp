@@ -26,6 +26,7 @@ namespace ompl_certificates
       , posesBefore_(context.counts.robotPoses)
     {
         ++context_.counts.motions;
+        context_.beginCurves();
     }
 
     SampledMotionCheck::~SampledMotionCheck()
@@ -49,8 +50,7 @@ namespace ompl_certificates
 
     bool SampledMotionCheck::isSampleFree(int sample) const
     {
-        check_.getTeam().getStateSpace()->interpolate(s1_, s2_, static_cast<double>(sample) / segments_,
-                                                      context_.sample);
+        context_.interpolate(s1_, s2_, static_cast<double>(sample) / segments_, context_.sample);
         return isStateFree(context_.sample);
     }
 
@@ -81,8 +81,7 @@ namespace ompl_certificates
             if (sample < segments_)
             {
                 ompl::base::State *between = context_.batch.teamSamples[number];
-                check_.getTeam().getStateSpace()->interpolate(s1_, s2_, static_cast<double>(sample) / segments_,
-                                                              between);
+                context_.interpolate(s1_, s2_, static_cast<double>(sample) / segments_, between);
                 state = between;
             }
             context_.batch.setState(number, state);

@@ -139,7 +139,9 @@ namespace ompl_certificates
             \throws ompl::Exception if the fraction is not above 0 and below 1 */
         void setLongestValidSegmentFraction(double segmentFraction) override;
 
-        /** \brief The number of segments of a motion, the most that a robot's has; see ompl::base::StateSpace */
+        /** \brief The number of segments of a motion: the largest of all robots; see ompl::base::StateSpace. Those of
+            curves of Dubins and of Reeds and Shepp are counted along the curve. OMPL 1.5 counts along the straight
+            way. */
         unsigned int validSegmentCount(const ompl::base::State *state1, const ompl::base::State *state2) const override;
 
         /** \brief The number of segments of a motion of one robot, from a state of its component to another */
@@ -147,6 +149,15 @@ namespace ompl_certificates
                                        const ompl::base::State *state2) const;
 
         Composition getComposition() const override;
+
+        /** \brief Whether the spaces of all robots are metric: not so with one of DubinsStateSpace */
+        bool isMetricSpace() const override;
+
+        /** \brief Whether the distances of all robots are as long on the way back */
+        bool hasSymmetricDistance() const override;
+
+        /** \brief Whether the spaces of all robots say that the way back is the same way */
+        bool hasSymmetricInterpolate() const override;
 
         /** \brief The largest distance() of two states within the bounds */
         double getMaximumExtent() const override;
@@ -210,8 +221,9 @@ namespace ompl_certificates
         std::vector<unsigned int> vectors_;
         std::size_t vectorSum_{0};
         std::size_t bodyCount_{0};
-        /** Whether the resolution was set for the team, and how it then counts the segments of each robot's motions */
-        bool hasResolution_{false};
+        /** Whether the resolution was set for the team, and was known in the last setup(). How the team counts the
+            segments of each robot's motions, if it does not leave that to their spaces. */
+        bool hasResolution_{false}, countsByResolution_{false};
         std::vector<SegmentCount> segmentCounts_;
     };
 

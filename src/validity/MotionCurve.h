@@ -1,0 +1,53 @@
+#ifndef OMPL_CERTIFICATES_VALIDITY_MOTION_CURVE_
+#define OMPL_CERTIFICATES_VALIDITY_MOTION_CURVE_
+
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <variant>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief Interpolates motions as their space does, to the bit. But a curve of Dubins or of Reeds and Shepp is found
+        once for each motion; these spaces find it anew for each state. */
+    class MotionCurve
+    {
+    public:
+        explicit MotionCurve(const ompl::base::StateSpace &space);
+
+        /** \brief Whether the space is one of these two */
+        bool isCurve() const
+        {
+            return !std::holds_alternative<None>(curve_);
+        }
+
+        /** \brief Begins another motion */
+        void begin()
+        {
+            isNew_ = true;
+        }
+
+        /** \brief Writes the state at \e t into \e state. All calls since begin() have the same ends. */
+        void interpolate(const ompl::base::State *from, const ompl::base::State *to, double t,
+                         ompl::base::State *state);
+
+    private:
+        struct None
+        {
+        };
+
+        /** \brief The class of a space's curves, which has other names in other releases of OMPL */
+        template <typename Space, typename Path>
+        static Path curveOf(void (Space::*)(const ompl::base::State *, const ompl::base::State *, double, bool &,
+                                            Path &, ompl::base::State *) const);
+
+        using Dubins = decltype(curveOf(&ompl::base::DubinsStateSpace::interpolate));
+        using ReedsShepp = decltype(curveOf(&ompl::base::ReedsSheppStateSpace::interpolate));
+
+        const ompl::base::StateSpace &space_;
+        std::variant<None, Dubins, ReedsShepp> curve_;
+        bool isNew_{true};
+    };
+}
+
+#endif
