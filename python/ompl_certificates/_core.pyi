@@ -107,9 +107,17 @@ class AttachedBody:
 class Robot:
     """One member of a team: a rigid body, a car with a trailer, an arm, or a robot that moves by controls"""
     @staticmethod
-    def rigid(name: str, body: Body, low: ArrayLike, high: ArrayLike, turns: bool = True) -> Robot:
+    def rigid(
+        name: str,
+        body: Body,
+        low: ArrayLike,
+        high: ArrayLike,
+        turns: bool = True,
+        turning_radius: Optional[float] = None,
+    ) -> Robot:
         """A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y and, if it turns,
-        the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw."""
+        the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw. With a turning_radius it drives as a
+        car does, forward and backward along the curves of Reeds and Shepp; its x axis points ahead."""
     @staticmethod
     def car_with_trailer(
         name: str, car: Body, trailer: Body, hitch_length: float, low: ArrayLike, high: ArrayLike

@@ -29,9 +29,13 @@ namespace ompl_certificates_python
         }
 
         RobotHolder makeRigid(const std::string &name, const Body &body, const std::vector<double> &low,
-                              const std::vector<double> &high, bool turns)
+                              const std::vector<double> &high, bool turns, std::optional<double> turningRadius)
         {
             const auto bounds = toBounds(low, high);
+            if (turningRadius && (!turns || body.getDimension() == 3))
+                throw ompl::Exception("turning_radius", "is for planar bodies that turn");
+            if (turningRadius)
+                return hold(RigidRobot::inReedsShepp(name, body, *turningRadius, bounds));
             if (body.getDimension() == 2)
                 return hold(turns ? RigidRobot::inSE2(name, body, bounds) : RigidRobot::inR2(name, body, bounds));
             return hold(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
@@ -192,9 +196,11 @@ namespace ompl_certificates_python
         forbidNew(robots, "Robot.rigid(), Robot.arm() and other functions of the class make robots");
         robots
             .def_static("rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
-                        py::arg("turns") = true,
+                        py::arg("turns") = true, py::arg("turning_radius") = py::none(),
                         "A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y "
-                        "and, if it turns, the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw.")
+                        "and, if it turns, the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw. "
+                        "With a turning_radius it drives as a car does, forward and backward along the curves of Reeds "
+                        "and Shepp; its x axis points ahead.")
             .def_static(
                 "car_with_trailer",
                 [](const std::string &name, const Body &car, const Body &trailer, double hitchLength,

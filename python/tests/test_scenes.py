@@ -338,3 +338,25 @@ def test_python_runs_while_a_scene_is_read(turns_during: TurnsDuring) -> None:
     robot = "  - {name: disc, type: rigid, space: R2, shape: {type: disc, radius: 1}, start: [-5, 0], goal: [-5, 9]}"
     text = f"environment:\n  min: [-9, -9]\n  max: [99, 99]\n  obstacles:\n{obstacles}\nrobots:\n{robot}\n"
     assert turns_during(lambda: oc.scene_from_yaml(text)) > 20
+
+
+def test_cars_drive_the_way_that_they_point() -> None:
+    bounds = [0.0, 0.0], [10.0, 10.0]
+    car = oc.Robot.rigid("car", oc.Body.box(0.8, 0.4), *bounds, turning_radius=1.0)
+    assert car.coordinates == ["x", "y", "yaw"]
+    scene = oc.Scene(*bounds)
+    scene.add_obstacle(oc.Body.box(1, 4), (5, 4))
+    scene.add_robot(car, start=[2, 2, 0], goal=[8, 2, 1.5])
+    plan = oc.plan(scene, planner="RRTConnect", time=5, first=True, motion="continuous")
+    assert plan and plan.report["proved"]
+    steps = plan.at(np.linspace(0.0, plan.times[-1], 4001))
+    moves, headings = np.diff(steps[:, :2], axis=0), steps[:-1, 2]
+    lengths = np.hypot(*moves.T)
+    across = np.abs(moves[:, 1] * np.cos(headings) - moves[:, 0] * np.sin(headings))
+    assert np.all(across <= 0.01 * lengths + 1e-9)
+    with pytest.raises(oc.Error, match="^car: the turning radius must be finite and positive"):
+        oc.Robot.rigid("car", oc.Body.box(0.8, 0.4), *bounds, turning_radius=0.0)
+    with pytest.raises(oc.Error, match="^turning_radius: is for planar bodies that turn$"):
+        oc.Robot.rigid("car", oc.Body.box(0.8, 0.4), *bounds, turns=False, turning_radius=1.0)
+    with pytest.raises(oc.Error, match="^turning_radius: is for planar bodies that turn$"):
+        oc.Robot.rigid("car", oc.Body.sphere(0.4), [0] * 3, [1] * 3, turning_radius=1.0)

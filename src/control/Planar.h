@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Exception.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
@@ -51,7 +52,11 @@ namespace ompl_certificates
     /** \brief \throws ompl::Exception if \e robot does not move in SE(2) */
     inline const RobotPtr &requirePlanar(const RobotPtr &robot)
     {
-        if (robot && robot->getStateSpace()->getType() != ompl::base::STATE_SPACE_SE2)
+        if (!robot)
+            return robot;
+        // Cars that drive along curves move in spaces that are derived from this one.
+        const ompl::base::StateSpace &space = *robot->getStateSpace();
+        if (typeid(space) != typeid(ompl::base::SE2StateSpace))
             throw ompl::Exception(robot->getName(), "its shape must move in SE(2)");
         return robot;
     }

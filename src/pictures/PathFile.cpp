@@ -10,6 +10,8 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/StateSpaceTypes.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Exception.h>
 
@@ -34,7 +36,8 @@ namespace ompl_certificates
             if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
             {
                 // Position and rotation of one body need no further name.
-                const bool body = type == ob::STATE_SPACE_SE2 || type == ob::STATE_SPACE_SE3;
+                const bool body =
+                    dynamic_cast<const ob::SE2StateSpace *>(&space) || dynamic_cast<const ob::SE3StateSpace *>(&space);
                 for (const ob::StateSpacePtr &part : compound->getSubspaces())
                 {
                     const std::string &name = part->getName();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -41,19 +42,36 @@ namespace ompl_certificates
         return RobotPtr(new RigidRobot(name, body, Space::SE3, bounds));
     }
 
-    RigidRobot::RigidRobot(const std::string &name, const Body &body, Space kind, const ob::RealVectorBounds &bounds)
-      : Robot(name, makeSpace(name, kind, bounds), {body}), kind_(kind)
+    RobotPtr RigidRobot::inReedsShepp(const std::string &name, const Body &body, double turningRadius,
+                                      const ob::RealVectorBounds &bounds)
     {
-        const unsigned int dimension = kind == Space::R2 || kind == Space::SE2 ? 2 : 3;
+        return RobotPtr(new RigidRobot(name, body, Space::REEDS_SHEPP, bounds, turningRadius));
+    }
+
+    RigidRobot::RigidRobot(const std::string &name, const Body &body, Space kind, const ob::RealVectorBounds &bounds,
+                           double turningRadius)
+      : Robot(name, makeSpace(name, kind, bounds, turningRadius), {body}), kind_(kind), turningRadius_(turningRadius)
+    {
+        const unsigned int dimension = kind == Space::R3 || kind == Space::SE3 ? 3 : 2;
         if (body.getDimension() != dimension)
             throw ompl::Exception(name, "the body must have " + std::to_string(dimension) + " dimensions, not " +
                                             std::to_string(body.getDimension()));
     }
 
-    ob::StateSpacePtr RigidRobot::makeSpace(const std::string &name, Space kind, const ob::RealVectorBounds &bounds)
+    ob::StateSpacePtr RigidRobot::makeSpace(const std::string &name, Space kind, const ob::RealVectorBounds &bounds,
+                                            double turningRadius)
     {
-        const std::size_t dimension = kind == Space::R2 || kind == Space::SE2 ? 2 : 3;
+        const std::size_t dimension = kind == Space::R3 || kind == Space::SE3 ? 3 : 2;
         requirePositionBounds(name, bounds, dimension);
+        if (kind == Space::REEDS_SHEPP)
+        {
+            if (!(turningRadius > 0.0) || !std::isfinite(turningRadius))
+                throw ompl::Exception(name, "the turning radius must be finite and positive, not " +
+                                                std::to_string(turningRadius));
+            auto space = std::make_shared<ob::ReedsSheppStateSpace>(turningRadius);
+            space->setBounds(bounds);
+            return space;
+        }
         if (kind == Space::SE2)
         {
             auto space = std::make_shared<ob::SE2StateSpace>();
@@ -88,6 +106,7 @@ namespace ompl_certificates
                 break;
             }
             case Space::SE2:
+            case Space::REEDS_SHEPP:
             {
                 const auto *q = state->as<ob::SE2StateSpace::StateType>();
                 poses[0] = planarPose(q->getX(), q->getY(), q->getYaw());
@@ -125,13 +144,21 @@ namespace ompl_certificates
                 bounds[0] = {distanceOf(a, b), turnOf(a.rotation(), b.rotation())};
                 break;
             }
+            case Space::REEDS_SHEPP:
+            {
+                // Times run evenly along the curve.
+                const double length = getStateSpace()->distance(from, to);
+                bounds[0] = {length, length / turningRadius_};
+                break;
+            }
         }
     }
 
     bool RigidRobot::isLike(const Robot &other) const
     {
         const auto *rigid = dynamic_cast<const RigidRobot *>(&other);
-        return rigid && rigid->kind_ == kind_ && rigid->getBodies().front() == getBodies().front() &&
+        return rigid && rigid->kind_ == kind_ && rigid->turningRadius_ == turningRadius_ &&
+               rigid->getBodies().front() == getBodies().front() &&
                haveEqualBounds(*getStateSpace(), *rigid->getStateSpace());
     }
 }

@@ -105,11 +105,13 @@ namespace ompl_certificates
         Layout readSpace(const YamlNode &node, unsigned int dimension)
         {
             const std::string name = node.text();
-            if (dimension == 2 && (name == "R2" || name == "SE2"))
-                return name == "R2" ? Layout::R2 : Layout::SE2;
+            if (dimension == 2 && name == "R2")
+                return Layout::R2;
+            if (dimension == 2 && (name == "SE2" || name == "ReedsShepp"))
+                return Layout::SE2;
             if (dimension == 3 && (name == "R3" || name == "SE3"))
                 return name == "R3" ? Layout::R3 : Layout::SE3;
-            node.fail(std::string("must be ") + (dimension == 2 ? "R2 or SE2" : "R3 or SE3") + " in " +
+            node.fail(std::string("must be ") + (dimension == 2 ? "R2, SE2 or ReedsShepp" : "R3 or SE3") + " in " +
                       std::to_string(dimension) + " dimensions, not '" + name + "'");
         }
 
@@ -126,6 +128,18 @@ namespace ompl_certificates
                 default:
                     return RigidRobot::inSE2(name, body, bounds);
             }
+        }
+
+        /** A body that moves as "space" says */
+        RobotPtr makeRigid(const std::string &name, const YamlNode &node, Layout layout, const Body &body,
+                           const ob::RealVectorBounds &bounds)
+        {
+            const std::string space = node.at("space").text();
+            if (space == "ReedsShepp")
+                return RigidRobot::inReedsShepp(name, body, node.at("turning_radius").positive(), bounds);
+            if (node.has("turning_radius"))
+                node.at("turning_radius").fail("is for the space ReedsShepp, not " + space);
+            return makeRigid(name, layout, body, bounds);
         }
 
         RobotPtr makeKnown(const std::string &name, const KnownType &type, const ob::RealVectorBounds &bounds)
@@ -223,7 +237,8 @@ namespace ompl_certificates
         if (known)
             node.allow({"type", "name", "start", "goal", "weight", "speed", "bounds"});
         else if (type == "rigid")
-            node.allow({"type", "name", "space", "shape", "shapes", "start", "goal", "weight", "speed", "bounds"});
+            node.allow({"type", "name", "space", "turning_radius", "shape", "shapes", "start", "goal", "weight",
+                        "speed", "bounds"});
         else if (type == "car_with_trailer")
             node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
                         "speed", "bounds"});
@@ -286,7 +301,7 @@ namespace ompl_certificates
         else if (type == "rigid")
         {
             layout = readSpace(node.at("space"), dimension);
-            member.robot = makeRigid(name, layout, readBody(node, dimension, meshes), bounds);
+            member.robot = makeRigid(name, node, layout, readBody(node, dimension, meshes), bounds);
         }
         else
             member.robot = makeCarWithTrailer(name, node, meshes, bounds);

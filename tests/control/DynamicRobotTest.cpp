@@ -303,6 +303,8 @@ TEST(DynamicRobotTest, RefusesBadParts)
     const auto space = within({1.0, 1.0});
     const RobotPtr disc = RigidRobot::disc("disc", 0.1, space), box = RigidRobot::inSE2("box", Body::box(1, 1), space);
     EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(disc, space); }), "disc: its shape must move in SE(2)");
+    const RobotPtr car = RigidRobot::inReedsShepp("car", Body::disc(0.1), 1.0, space);
+    EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(car, space); }), "car: its shape must move in SE(2)");
     EXPECT_EQ(messageOf([&] { Integrator::firstOrder(box, space); }), "box: its shape must move in R^2 or R^3");
     EXPECT_EQ(messageOf([&] { Unicycle::firstOrder(box, within({1.0})); }),
               "box: the bounds of its controls must have 2 dimensions, not 1");

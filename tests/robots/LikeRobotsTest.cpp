@@ -28,6 +28,12 @@ TEST(LikeRobots, HaveEqualBodiesAndSpaces)
     EXPECT_FALSE(box->isLike(*RigidRobot::inSE2("upright", Body::box(0.2, 0.5), bounds)));
     EXPECT_FALSE(box->isLike(*disc));
 
+    const Body body = Body::box(0.5, 0.2);
+    const RobotPtr driver = RigidRobot::inReedsShepp("driver", body, 1.0, bounds);
+    EXPECT_TRUE(driver->isLike(*RigidRobot::inReedsShepp("other", body, 1.0, bounds)));
+    EXPECT_FALSE(driver->isLike(*RigidRobot::inReedsShepp("wider", body, 2.0, bounds)));
+    EXPECT_FALSE(driver->isLike(*box));
+
     EXPECT_TRUE(car("car", 0.5)->isLike(*car("other", 0.5)));
     EXPECT_FALSE(car("car", 0.5)->isLike(*car("longer", 0.6)));
     EXPECT_FALSE(car("car", 0.5)->isLike(*car("elsewhere", 0.5, 2.0 * HALF)));

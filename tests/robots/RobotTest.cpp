@@ -87,6 +87,9 @@ TEST(RigidRobot, RefusesBodiesAndBoundsOfAnotherDimension)
     EXPECT_THROW(RigidRobot::inSE3("a", Body::sphere(1.0), plane), ompl::Exception);
     EXPECT_THROW(RigidRobot::disc("", 1.0, plane), ompl::Exception);
     EXPECT_THROW(RigidRobot::disc("a", -1.0, plane), ompl::Exception);
+    EXPECT_THROW(RigidRobot::inReedsShepp("a", Body::disc(1.0), 1.0, space), ompl::Exception);
+    for (const double radius : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+        EXPECT_THROW(RigidRobot::inReedsShepp("a", Body::disc(1.0), radius, plane), ompl::Exception) << radius;
 }
 
 TEST(RigidRobot, RefusesBoundsThatCannotBeSampled)

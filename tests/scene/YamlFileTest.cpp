@@ -1,4 +1,5 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/robots/ZoneGoal.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "files/WholeFile.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -104,6 +106,22 @@ namespace ompl_certificates
                                               "types");
             EXPECT_EQ(scene.getMembers()[0].robot->getBodies()[0].isBall(), type.find("sphere") != std::string::npos);
         }
+    }
+
+    TEST(YamlFile, CarsDriveAlongCurves)
+    {
+        const std::string car =
+            "  - {type: rigid, space: ReedsShepp, turning_radius: 2, "
+            "shape: {type: box, size: [1, 0.5]}, start: [2, 2, 0], goal: ";
+        const Scene scene = sceneFromYaml("environment: {min: [0, 0], max: [9, 9]}\nrobots:\n" + car + "[2, 4, 0]}\n" +
+                                              car + "{min: [7, 7], max: [8, 8]}}\n",
+                                          "cars");
+        for (const Scene::Member &member : scene.getMembers())
+        {
+            EXPECT_EQ(dynamic_cast<const RigidRobot &>(*member.robot).getTurningRadius(), 2.0);
+            EXPECT_TRUE(dynamic_cast<const ompl::base::ReedsSheppStateSpace *>(member.robot->getStateSpace().get()));
+        }
+        EXPECT_TRUE(scene.hasRegions());
     }
 
     TEST(YamlFile, GoalsCanBeZones)

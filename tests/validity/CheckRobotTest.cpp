@@ -162,6 +162,9 @@ TEST(CheckRobot, FindsNoFaultInTheLibrarysOwn)
     EXPECT_EQ(complaintOf([&] { checkRobot(train, scaled(500)); }), "");
     const CarWithTrailer careful("train", Body::box(0.4, 0.2), Body::box(0.3, 0.2), 0.5, cubeBounds(2, HALF), true);
     EXPECT_EQ(complaintOf([&] { checkRobot(careful, scaled(500)); }), "");
+    const Body box = Body::box(0.4, 0.2);
+    const auto bounds = cubeBounds(2, HALF);
+    EXPECT_EQ(complaintOf([&] { checkRobot(*RigidRobot::inReedsShepp("car", box, 0.5, bounds), scaled(500)); }), "");
     EXPECT_EQ(complaintOf(Fault::NONE), "");
 }
 
