@@ -266,7 +266,7 @@ namespace ompl_certificates
             EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
             EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
         }
-        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 12u);
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 13u);
     }
 
     TEST(YamlFile, ReadsTheExamplesOfItsDocumentation)

@@ -205,8 +205,7 @@ TEST_P(Curves, OfTeamsHaveSamplesAllAlong)
     const std::vector<PlacedBody> walls{{wall, planarPose(0.0, 1.0)}, {wall, planarPose(0.0, -1.0)}};
     const TeamSetup setup(team, std::make_shared<FclObstacles>(walls, 2));
     setup.getSpaceInformation()->setup();
-    const auto &parts = robot()->getStateSpace()->as<ob::SE2StateSpace>()->getSubspaces();
-    const double longest = 0.01 * parts.front()->getMaximumExtent();
+    const double longest = 0.01 * team->as<ob::SE2StateSpace>(0)->getSubspace(0)->getMaximumExtent();
     ob::ScopedState<> from(team), to(team);
     from = std::vector<double>{0.0, 0.0, 0.0};
     for (const double y : {0.0, 0.1, 0.5, 4.0})
