@@ -348,7 +348,7 @@ def test_cars_drive_the_way_that_they_point() -> None:
     scene.add_obstacle(oc.Body.box(1, 4), (5, 4))
     scene.add_robot(car, start=[2, 2, 0], goal=[8, 2, 1.5])
     plan = oc.plan(scene, planner="RRTConnect", time=5, first=True, motion="continuous")
-    assert plan and plan.report["proved"]
+    assert plan and plan.prove().proved
     steps = plan.at(np.linspace(0.0, plan.times[-1], 4001))
     moves, headings = np.diff(steps[:, :2], axis=0), steps[:-1, 2]
     lengths = np.hypot(*moves.T)
