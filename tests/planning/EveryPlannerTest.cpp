@@ -13,7 +13,6 @@
 
 #include <atomic>
 #include <gtest/gtest.h>
-#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
@@ -192,11 +191,16 @@ TEST(EveryCost, IsLoweredByPlannersThatLookAhead)
         {
             SCOPED_TRACE(cost);
             ompl::RNG::setSeed(1);
-            const auto setup = easyProblem();
+            auto team = std::make_shared<TeamStateSpace>();
+            team->addRobot(RigidRobot::disc("disc", 0.5, cubeBounds(2, 6.0)));
+            const auto setup = std::make_shared<TeamSetup>(
+                team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(2.0, 6.0)}}, 2));
             const auto &si = setup->getSpaceInformation();
             setup->setPlanner(planner(si));
-            ob::ScopedState<> goal(setup->getStateSpace());
-            goal = setup->getGoal()->as<ob::GoalState>()->getState();
+            ob::ScopedState<> start(team), goal(team);
+            start = std::vector<double>{-4.0, 0.0};
+            goal = std::vector<double>{4.0, 0.0};
+            setup->setStartAndGoalStates(start, goal);
             setup->setOptimizationObjective(makeObjective(cost, si, goal));
             setup->solve(ob::plannerOrTerminationCondition(
                 ob::timedPlannerTerminationCondition(10.0),
