@@ -110,12 +110,14 @@ namespace demos
         options.objective = "duration";
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(options.seed);
-        const std::string planner = options.planner.empty() ? "RRT" : options.planner;
         if (isMoveItScene(options.scene))
             throw ompl::Exception("--dynamics", "is for scenes whose robots move by controls; " + options.scene +
                                                     " is a planning scene of MoveIt");
         const Scene scene = loadScene(options.scene, true);
         scene.validate();
+        const std::string planner = options.planner.empty()
+                                        ? defaultControlPlanner(static_cast<unsigned int>(scene.getMembers().size()))
+                                        : options.planner;
         const TeamControlSetupPtr owner =
             scene.makeControlSetup(options.goalTolerance, methodOf(options.method), modeOf(options));
         TeamControlSetup &setup = *owner;

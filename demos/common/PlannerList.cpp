@@ -51,7 +51,9 @@ namespace demos
             const auto controls = std::make_shared<oc::RealVectorControlSpace>(space, 1);
             const auto controlled = std::make_shared<oc::SpaceInformation>(space, controls);
             for (const std::string &name : controlPlannerNames())
-                list(text, name, "OMPL's planner of that name for controls: with --dynamics",
+                list(text, name,
+                     name == "PrioritizedRRT" ? "robot by robot, for teams that move by controls: with --dynamics"
+                                              : "OMPL's planner of that name for controls: with --dynamics",
                      *makeControlPlanner(name, controlled));
         }
         ompl::msg::setLogLevel(level);

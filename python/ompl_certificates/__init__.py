@@ -170,7 +170,7 @@ def plan(
 
 def plan_controls(
     scene: Scene,
-    planner: str = "RRT",
+    planner: Optional[str] = None,
     method: str = "shared",
     time: float = 10.0,
     seed: int = 1,
@@ -189,7 +189,8 @@ def plan_controls(
 ) -> ControlPlan:
     """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
 
-    planner: one of control_planner_names()
+    planner: one of control_planner_names(); by default PrioritizedRRT for several robots, which plans robot by robot,
+        and RRT for one
     motion: discrete checks the states at the ends of steps, continuous proves each step free between them; limits are
         checked at the ends in both
     goal_tolerance: how far from the goal the team may end, in its space's distance (docs/controls.md)
@@ -211,7 +212,7 @@ def plan_controls(
         _require_kind(name, value, (int, float, np.integer, np.floating), "a number")
     return _plan_controls(
         scene,
-        planner,
+        planner or "",
         method,
         time,
         iterations or 0,

@@ -129,7 +129,7 @@ namespace ompl_certificates_python
             return interrupt;
         }
 
-        ControlPlan planControls(const Scene &original, const ControlOptions &options, const py::object &start,
+        ControlPlan planControls(const Scene &original, ControlOptions options, const py::object &start,
                                  const py::object &goal)
         {
             requireSense(original, options);
@@ -137,6 +137,8 @@ namespace ompl_certificates_python
             seedRandomNumbers(options.seed);
             const auto scene = std::make_shared<const Scene>(withEnds(original, start, goal));
             scene->validate();
+            if (options.planner.empty())
+                options.planner = defaultControlPlanner(static_cast<unsigned int>(scene->getMembers().size()));
 
             ControlPlan plan;
             plan.scene = scene;

@@ -45,7 +45,7 @@ def closed() -> oc.Scene:
 @pytest.mark.parametrize("motion", ["discrete", "continuous"])
 def test_scene_of_a_file_is_solved(scenes: pathlib.Path, motion: str) -> None:
     scene = oc.load_scene(scenes / "controls" / "doorway.yaml", dynamics=True)
-    plan = oc.plan_controls(scene, motion=motion, goal_tolerance=2.0, time=60, seed=1)
+    plan = oc.plan_controls(scene, "RRT", motion=motion, goal_tolerance=2.0, time=60, seed=1)
     assert plan.solved and plan and plan.reason is None
     assert re.fullmatch(r"<ControlPlan: solved, [\d.]+ s, \d+ steps>", repr(plan))
     puck = ["puck.pose.x", "puck.pose.y", "puck.velocity.x", "puck.velocity.y"]
@@ -127,14 +127,15 @@ def test_same_seed_grows_the_same_tree_whatever_the_method(crowd: oc.Scene, plan
     assert trees[1] != trees[2]
 
 
+@pytest.mark.parametrize("planner", ["RRT", "PrioritizedRRT"])
 @pytest.mark.parametrize("motion, methods", [("discrete", ["fcl", "standard"]), ("continuous", ["partial", "basic"])])
-def test_same_seed_finds_the_same_path(scenes: pathlib.Path, motion: str, methods: List[str]) -> None:
+def test_same_seed_finds_the_same_path(scenes: pathlib.Path, motion: str, methods: List[str], planner: str) -> None:
     scene = oc.load_scene(scenes / "controls" / "doorway.yaml", dynamics=True)
     for seed in (1, 2, 3):
-        plan = oc.plan_controls(scene, time=60, motion=motion, seed=seed, goal_tolerance=1.0)
+        plan = oc.plan_controls(scene, planner, time=60, motion=motion, seed=seed, goal_tolerance=1.0)
         assert plan.solved
         for method in ["shared", *methods]:
-            same = oc.plan_controls(scene, "RRT", method, time=60, motion=motion, seed=seed, goal_tolerance=1.0)
+            same = oc.plan_controls(scene, planner, method, time=60, motion=motion, seed=seed, goal_tolerance=1.0)
             assert (same.path == plan.path).all() and (same.controls == plan.controls).all()
 
 
@@ -210,12 +211,21 @@ def test_paths_pages_and_pictures_are_written(yard: oc.Scene, tmp_path: pathlib.
         plan.save_picture(tmp_path / "plan.png")
 
 
+def test_several_robots_are_planned_for_one_by_one(scenes: pathlib.Path) -> None:
+    scene = oc.load_scene(scenes / "controls" / "doorway.yaml", dynamics=True)
+    plan = oc.plan_controls(scene, time=60, motion="continuous")
+    assert plan.solved and plan.report["planner"] == "PrioritizedRRT" and plan.report["unproved_motions"] == 0
+    assert np.allclose(plan.path[-1, 5:], 0.0)  # It ends at rest.
+
+
 def test_planners_have_names_and_parameters(yard: oc.Scene, capfd: pytest.CaptureFixture[str]) -> None:
-    assert {"EST", "KPIECE1", "PDST", "RRT", "SST"} <= set(oc.control_planner_names())
+    assert {"EST", "KPIECE1", "PDST", "PrioritizedRRT", "RRT", "SST"} <= set(oc.control_planner_names())
     for name in oc.control_planner_names():
         assert oc.control_planner_parameters(name)["goal_bias"][0]
         plan = oc.plan_controls(yard, name, time=60, iterations=200, parameters={"goal_bias": 0.2})
-        assert plan.report["planner"] == name and plan.report["tree"]["states"] > 1
+        assert plan.report["planner"] == name
+        # PrioritizedRRT has trees of single robots: it tells of its path alone.
+        assert plan.report["tree"]["states"] > 1 or (name == "PrioritizedRRT" and not plan.solved)
 
     def tree(**kwargs: Any) -> str:
         return str(oc.plan_controls(yard, time=60, iterations=200, **kwargs).report["tree"]["digest"])

@@ -138,6 +138,28 @@ namespace ompl_certificates
         /** \brief The best way */
         std::atomic<std::uint32_t> best_{WITH_CLEARANCES};
     };
+
+    /** \brief The policies of one body: what pays for poses alone does not tell what pays in motions, where a proof
+        settles many samples. */
+    class SwitchingPolicies
+    {
+    public:
+        /** \brief The policy for a pose after which \e samplesAhead samples of its motion are open */
+        SwitchingPolicy &of(double samplesAhead)
+        {
+            return samplesAhead > 0.0 ? ofMotions_ : ofPoses_;
+        }
+
+        /** \brief Forgets all measurements */
+        void reset()
+        {
+            ofPoses_.reset();
+            ofMotions_.reset();
+        }
+
+    private:
+        SwitchingPolicy ofPoses_, ofMotions_;
+    };
 }
 
 #endif

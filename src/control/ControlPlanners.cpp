@@ -1,5 +1,7 @@
 #include "ompl_certificates/control/ControlPlanners.h"
 
+#include "ompl_certificates/control/PrioritizedRRT.h"
+
 #include <map>
 #include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/kpiece/KPIECE1.h>
@@ -22,11 +24,9 @@ namespace ompl_certificates
         }
 
         const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr &)> PLANNERS{
-            {"EST", make<oc::EST>},
-            {"KPIECE1", make<oc::KPIECE1>},
-            {"PDST", make<oc::PDST>},
-            {"RRT", make<oc::RRT>},
-            {"SST", make<oc::SST>}};
+            {"EST", make<oc::EST>},   {"KPIECE1", make<oc::KPIECE1>},
+            {"PDST", make<oc::PDST>}, {"PrioritizedRRT", make<PrioritizedRRT>},
+            {"RRT", make<oc::RRT>},   {"SST", make<oc::SST>}};
     }
 
     std::vector<std::string> controlPlannerNames()
@@ -36,6 +36,11 @@ namespace ompl_certificates
         for (const auto &planner : PLANNERS)
             names.push_back(planner.first);
         return names;
+    }
+
+    std::string defaultControlPlanner(unsigned int robots)
+    {
+        return robots > 1 ? "PrioritizedRRT" : "RRT";
     }
 
     ob::PlannerPtr makeControlPlanner(const std::string &name, const oc::SpaceInformationPtr &si)

@@ -119,6 +119,14 @@ namespace ompl_certificates
         return shape_->getTracedBody();
     }
 
+    void DynamicRobot::computeBrake(const ob::State *state, double duration, double *control) const
+    {
+        const double *velocities = velocityCount_ == controlNames_.size() ? velocitiesOf(state) : nullptr;
+        for (std::size_t i = 0; i < controlNames_.size(); ++i)
+            control[i] = std::clamp(velocities ? (0.0 - velocities[i]) / duration : 0.0, controlBounds_.low[i],
+                                    controlBounds_.high[i]);
+    }
+
     bool DynamicRobot::isWithinLimits(const ob::State *state) const
     {
         // OMPL takes NaN to be within any bounds.

@@ -30,7 +30,29 @@ namespace ompl_certificates
 
     bool StepProof::succeeds()
     {
-        const Team &team = check_.getTeam();
+        bool free = begin();
+        for (unsigned int robot = 0; robot < check_.getTeam().getRobotCount(); ++robot)
+            free = free && computeBounds(robot);
+        free = free && areFree(check_.getSubjects().data(), check_.getSubjects().size());
+        context_.counts.motionSamples += context_.counts.robotPoses;
+        return free;
+    }
+
+    bool StepProof::succeeds(unsigned int robot, const std::vector<unsigned int> &others)
+    {
+        bool free = begin() && computeBounds(robot);
+        for (const unsigned int other : others)
+            free = free && computeBounds(other);
+        const SubjectRange own = check_.getRobotSubjects(robot);
+        free = free && areFree(own.begin, own.count);
+        for (const unsigned int other : others)
+            free = free && areFree(check_.getPair(robot, other).begin, 1);
+        context_.counts.motionSamples += context_.counts.robotPoses;
+        return free;
+    }
+
+    bool StepProof::begin()
+    {
         ++context_.counts.motions;
         // Bounds are for steps forward. NaN is none, either.
         if (!(duration_ >= 0.0))
@@ -38,29 +60,32 @@ namespace ompl_certificates
         ++context_.motion;
         std::fill(context_.sampledAt.begin(), context_.sampledAt.end(), -1.0);
         check_.takeReferences(from_, from_, context_);
-        for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+        return true;
+    }
+
+    bool StepProof::computeBounds(unsigned int robot)
+    {
+        const Team &team = check_.getTeam();
+        MotionBound *bounds = context_.motionBounds.data() + team.getFirstBody(robot);
+        robotAt(robot).computeStepBounds(team.getRobotState(from_, robot), controls_ + firstControl_[robot], duration_,
+                                         bounds);
+        // Pays for the errors of numeric integration. A body that stands still is checked once, so its bound stays 0.
+        constexpr double factor = 1.0 + 1e-6;
+        for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
         {
-            MotionBound *bounds = context_.motionBounds.data() + team.getFirstBody(robot);
-            robotAt(robot).computeStepBounds(team.getRobotState(from_, robot), controls_ + firstControl_[robot],
-                                             duration_, bounds);
-            // Pays for the errors of numeric integration. A body that stands still is checked once, so its bound stays
-            // 0.
-            constexpr double factor = 1.0 + 1e-6;
-            for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
-            {
-                bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};
-                if (!isBound(bounds[body]))
-                    return false;
-            }
-            // The bounds of a shape's own pairs are for interpolations; those of Robot add up, which always holds.
-            robotAt(robot).Robot::computePairMotionBounds(from_, from_, bounds,
-                                                          context_.pairMotionBounds[robot].data());
+            bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};
+            if (!isBound(bounds[body]))
+                return false;
         }
-        bool free = true;
-        for (const Subject &subject : check_.getSubjects())
-            free = free && isFree(subject, 0.0, 1.0, 0);
-        context_.counts.motionSamples += context_.counts.robotPoses;
-        return free;
+        // The bounds of a shape's own pairs are for interpolations; those of Robot add up, which always holds.
+        robotAt(robot).Robot::computePairMotionBounds(from_, from_, bounds, context_.pairMotionBounds[robot].data());
+        return true;
+    }
+
+    bool StepProof::areFree(const Subject *subjects, std::size_t count)
+    {
+        return std::all_of(subjects, subjects + count,
+                           [this](const Subject &subject) { return isFree(subject, 0.0, 1.0, 0); });
     }
 
     void StepProof::place(unsigned int robot, double time)

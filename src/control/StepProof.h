@@ -20,7 +20,21 @@ namespace ompl_certificates
         /** \brief Whether each robot and each pair of robots is proved free at all times of the step */
         bool succeeds();
 
+        /** \brief The same for one robot, and its pairs with some others */
+        bool succeeds(unsigned int robot, const std::vector<unsigned int> &others);
+
     private:
+        /** \brief Begins a proof
+            \return false if the step goes back */
+        bool begin();
+
+        /** \brief Computes a robot's bounds
+            \return false if they are none */
+        bool computeBounds(unsigned int robot);
+
+        /** \brief Whether some subjects are proved free throughout the step */
+        bool areFree(const Subject *subjects, std::size_t count);
+
         /** \brief Whether a subject is proved free from time \e first to \e last of the step, which runs from 0 to 1 */
         bool isFree(const Subject &subject, double first, double last, int depth);
 

@@ -96,6 +96,17 @@ namespace ompl_certificates
         return true;
     }
 
+    bool TeamPropagator::isRobotStepFree(const TeamValidityChecker &checker, const ob::State *state,
+                                         const oc::Control *control, double duration, unsigned int robot,
+                                         const std::vector<unsigned int> &others) const
+    {
+        requireTeamOf(checker);
+        const TeamCheck &check = checker.getTeamCheck();
+        const TeamCheck::Scope context(check);
+        return StepProof(check, *context, state, controlOf(control, 0), firstControl_, duration)
+            .succeeds(robot, others);
+    }
+
     void TeamPropagator::propagate(const ob::State *state, const oc::Control *control, double duration,
                                    ob::State *result) const
     {

@@ -1,6 +1,7 @@
 #include "ompl_certificates/pictures/PlanReport.h"
 
 #include "files/WholeFile.h"
+#include "ompl_certificates/control/PrioritizedRRT.h"
 #include "ompl_certificates/planning/DRRTstar.h"
 
 #include <algorithm>
@@ -131,6 +132,10 @@ namespace ompl_certificates
         const auto *byRoadmaps = dynamic_cast<const DRRTstar *>(&planner);
         if (byRoadmaps && !byRoadmaps->getStuckRobot().empty())
             return "robot '" + byRoadmaps->getStuckRobot() + "' found no way from its start to its goal even alone";
+        const auto *byPriorities = dynamic_cast<const PrioritizedRRT *>(&planner);
+        if (byPriorities && !byPriorities->getStuckRobot().empty())
+            return "robot '" + byPriorities->getStuckRobot() +
+                   "' found no way in the last order of robots that was tried";
         const ob::ProblemDefinition &problem = *planner.getProblemDefinition();
         if (problem.hasApproximateSolution())
         {

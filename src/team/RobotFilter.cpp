@@ -68,7 +68,8 @@ namespace ompl_certificates
         const double distance = (padding + cloud.radius) * (1.0 + 1e-9) + 1e-12;
         std::vector<bool> are(cloud.points.size());
         for (std::size_t i = 0; i < are.size(); ++i)
-            are[i] = std::any_of(parts.begin(), parts.end(),
+            are[i] = cloud.points[i].allFinite() &&
+                     std::any_of(parts.begin(), parts.end(),
                                  [&](const PlacedPart &part) { return isNear(part, cloud.points[i], distance); });
         return are;
     }

@@ -24,8 +24,8 @@ namespace ompl_certificates
     void BasicMethod::clear()
     {
         environment_.clear();
-        for (SwitchingPolicy &policy : policies_)
-            policy.reset();
+        for (SwitchingPolicies &policies : policies_)
+            policies.reset();
         limit_->give(getCertificateCount());
         certificates_.clear();
         teamCertificates_ = 0;
@@ -103,7 +103,8 @@ namespace ompl_certificates
             const PoseVerdict one =
                 context.team.mayTouchObstacles(body)
                     ? verdictOfUnchecked(query.pose)
-                    : environment_.ask(query, adaptive_ ? policies_[body] : untrained, context.counts);
+                    : environment_.ask(query, adaptive_ ? policies_[body].of(query.samplesAhead) : untrained,
+                                       context.counts);
             whole.free = one.free;
             whole.narrow(one.validInterval);
             by = std::max(by, one.by);

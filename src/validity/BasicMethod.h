@@ -94,7 +94,7 @@ namespace ompl_certificates
         const std::shared_ptr<CertificateLimit> limit_;
         CertifiedEnvironment environment_;
         /** \brief One for each body of the team */
-        mutable std::vector<SwitchingPolicy> policies_;
+        mutable std::vector<SwitchingPolicies> policies_;
         bool adaptive_{true};
         mutable std::mutex insertMutex_;
         /** \brief Team certificates one after the other, each with one certificate for each body */

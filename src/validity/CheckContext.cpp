@@ -13,6 +13,11 @@ namespace ompl_certificates
                 curves.emplace_back(team.getRobotSpace(robot));
             return curves;
         }
+
+        bool hasAny(const std::vector<MotionCurve> &curves)
+        {
+            return std::any_of(curves.begin(), curves.end(), [](const MotionCurve &curve) { return curve.isCurve(); });
+        }
     }
 
     CheckContext::CheckContext(const Team &theTeam, std::size_t bodyPairs)
@@ -27,9 +32,8 @@ namespace ompl_certificates
       , motionBounds(team.getBodyCount())
       , curves(curvesOf(team))
       , teamCurve(*team.getStateSpace())
-      , hasRobotCurves(
-            team.interpolatesRobots() && !teamCurve.isCurve() &&
-            std::any_of(curves.begin(), curves.end(), [](const MotionCurve &curve) { return curve.isCurve(); }))
+      , hasRobotCurves(team.interpolatesRobots() && !teamCurve.isCurve() && hasAny(curves))
+      , hasCurves(teamCurve.isCurve() || hasAny(curves))
       , placed(team.getRobotCount())
       , sparePoses(team.getBodyCount())
       , knowsMotionBounds(team.getRobotCount())

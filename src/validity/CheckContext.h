@@ -67,11 +67,13 @@ namespace ompl_certificates
             also those of the team where it moves robots as their own spaces do. */
         std::vector<MotionCurve> curves;
         MotionCurve teamCurve;
-        const bool hasRobotCurves;
+        const bool hasRobotCurves, hasCurves;
 
         /** \brief Begins another motion */
         void beginCurves()
         {
+            if (!hasCurves)
+                return;
             teamCurve.begin();
             for (MotionCurve &curve : curves)
                 curve.begin();

@@ -34,7 +34,7 @@ namespace ompl_certificates
                     continue;
                 }
             SwitchingPolicy untrained;  // A new policy tries everything.
-            SwitchingPolicy &policy = adaptive_ ? policies_[body] : untrained;
+            SwitchingPolicy &policy = adaptive_ ? policies_[body].of(sample.samplesAhead) : untrained;
             CertificateIndex &hint = context.hints[body];
             const PoseVerdict one =
                 context.team.mayTouchObstacles(body)
@@ -84,8 +84,8 @@ namespace ompl_certificates
     {
         for (const auto &environment : environments_)
             environment->clear();
-        for (SwitchingPolicy &policy : policies_)
-            policy.reset();
+        for (SwitchingPolicies &policies : policies_)
+            policies.reset();
     }
 
     std::vector<CertificateStore *> ProjectedMethod::getStores()

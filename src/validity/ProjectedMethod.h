@@ -50,7 +50,7 @@ namespace ompl_certificates
 
         std::vector<std::unique_ptr<CertifiedEnvironment>> environments_;
         /** \brief One for each body of the team */
-        mutable std::vector<SwitchingPolicy> policies_;
+        mutable std::vector<SwitchingPolicies> policies_;
         bool adaptive_{true};
     };
 }

@@ -138,6 +138,19 @@ TEST(SwitchingPolicy, IsNotMisledForLongByAnotherProgramsTurn)
     EXPECT_GT(settle(policy, 10000, clearancesOf(2, 500, 20)), 9000U);
 }
 
+TEST(SwitchingPolicies, LearnOfMotionsNothingFromPosesAlone)
+{
+    SwitchingPolicies policies;
+    settle(policies.of(0.0), 1000, clearancesOf(10, 100, 5));
+    EXPECT_FALSE(policies.of(0.0).asksClearances(false));
+    EXPECT_TRUE(policies.of(12.0).asksClearances(false));
+    settle(policies.of(0.5), 1000, clearancesOf(10, 100, 5));
+    EXPECT_FALSE(policies.of(12.0).asksClearances(false));
+    policies.reset();
+    EXPECT_TRUE(policies.of(0.0).asksClearances(false));
+    EXPECT_TRUE(policies.of(12.0).asksClearances(false));
+}
+
 TEST(SwitchingPolicy, JudgesAnewAfterReset)
 {
     SwitchingPolicy policy;

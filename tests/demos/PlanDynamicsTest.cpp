@@ -26,7 +26,7 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
     const Folder folder;
     for (const char *motion : {"discrete", "continuous"})
     {
-        Program program("plan_team", {DOORWAY, "--dynamics", "--goal-tolerance", "3", "--motion", motion, "--time",
+        Program program("plan_team", {DOORWAY, "--dynamics", "--goal-tolerance", "1", "--motion", motion, "--time",
                                       "30", "--path", folder / "path.csv", "--picture", folder / "plan.svg", "--view",
                                       folder / "plan.html", "--picture-tree", "--report", folder / "report.json"});
         EXPECT_EQ(program.wait(), 0) << program.errors();
@@ -77,8 +77,8 @@ TEST(PlanDynamicsTest, TellsOfAllFilesThatCannotBeWritten)
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     Program program("plan_team",
-                    {DOORWAY, "--dynamics", "--goal-tolerance", "3", "--time", "30", "--path", folder / "path.csv",
-                     "--picture", folder / "plan.svg", "--view", folder / "plan.html"});
+                    {DOORWAY, "--dynamics", "--planner", "RRT", "--goal-tolerance", "3", "--time", "30", "--path",
+                     folder / "path.csv", "--picture", folder / "plan.svg", "--view", folder / "plan.html"});
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(program.wait(), 2);
@@ -93,7 +93,7 @@ TEST(PlanDynamicsTest, RefusesBadInput)
     const std::string maze = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/maze.yaml";
     const std::pair<std::vector<std::string>, std::string> inputs[]{
         {{maze, "--dynamics"}, "maze.yaml:9: robots[0].type: 'rigid' has no dynamics"},
-        {{DOORWAY, "--dynamics", "--planner", "RRTConnect"}, "known are: EST, KPIECE1, PDST, RRT, SST"},
+        {{DOORWAY, "--dynamics", "--planner", "RRTConnect"}, "known are: EST, KPIECE1, PDST, PrioritizedRRT, RRT, SST"},
         {{DOORWAY, "--dynamics", "--simplify"}, "--simplify excludes --dynamics"},
         {{DOORWAY, "--dynamics", "--goal-tolerance", "0"}, "--goal-tolerance"},
         {{DOORWAY, "--goal-tolerance", "1"}, "--dynamics"},

@@ -12,6 +12,10 @@ namespace ompl_certificates
         also needs a decomposition of the workspace, so it is not among them. */
     std::vector<std::string> controlPlannerNames();
 
+    /** \brief What makeControlPlanner() makes for a team of so many robots if nothing else is asked for: PrioritizedRRT
+        for several, as OMPL's planners hardly plan for more than three, and RRT for one */
+    std::string defaultControlPlanner(unsigned int robots);
+
     /** \brief A new control planner of that name
         \throws ompl::Exception that lists the names if there is no such planner */
     ompl::base::PlannerPtr makeControlPlanner(const std::string &name, const ompl::control::SpaceInformationPtr &si);

@@ -56,6 +56,12 @@ namespace ompl_certificates
         virtual void computeStepBounds(const ompl::base::State *from, const double *control, double duration,
                                        MotionBound *bounds) const = 0;
 
+        /** \brief Write controls that bring the robot to rest, or as near to it as it can get within \e duration
+            seconds; at rest, those that keep it there. The default is 0, within the bounds; of as many controls as
+            velocities, that which lets each velocity become 0, as for accelerations. PrioritizedRRT lets robots stay at
+            their goals so. */
+        virtual void computeBrake(const ompl::base::State *state, double duration, double *control) const;
+
         /** \brief Whether position and velocities are numbers within their bounds. As OMPL's validity checkers do not
             ask, a LimitedValidityChecker does. */
         virtual bool isWithinLimits(const ompl::base::State *state) const;

@@ -26,6 +26,12 @@ namespace ompl_certificates
 
         using ompl::base::StateValidityChecker::clearance;
 
+        /** \brief The checker of the team, which ignores limits */
+        const std::shared_ptr<const TeamValidityChecker> &getTeamChecker() const
+        {
+            return checker_;
+        }
+
     private:
         bool isWithinLimits(const ompl::base::State *state) const;
 

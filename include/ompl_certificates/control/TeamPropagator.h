@@ -50,6 +50,19 @@ namespace ompl_certificates
         bool isStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
                         const ompl::control::Control *control, double duration, const ompl::base::State *result) const;
 
+        /** \brief Whether a robot is proved free throughout a step of the team: of obstacles, of itself and of some
+            others, not of the rest
+            \throws ompl::Exception if \e checker uses a method without certificates, or is of another team */
+        bool isRobotStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
+                             const ompl::control::Control *control, double duration, unsigned int robot,
+                             const std::vector<unsigned int> &others) const;
+
+        /** \brief The checker of requireProof(), or null */
+        const std::shared_ptr<const TeamValidityChecker> &getProofChecker() const
+        {
+            return proof_;
+        }
+
         /** \brief Write to \e result where \e control, held for \e duration seconds, brings the team, with the
             references of
             \e state. Both states may be one. */

@@ -1,0 +1,146 @@
+#include "ompl_certificates/control/PrioritizedRRT.h"
+
+#include "RobotTree.h"
+
+#include "ompl_certificates/control/LimitedValidityChecker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/util/Exception.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+    namespace oc = ompl::control;
+
+    namespace
+    {
+        /** The team's checker, which may be within one that asks for limits, too; or null */
+        const TeamValidityChecker *checkerOf(const ob::SpaceInformation &si)
+        {
+            const ob::StateValidityChecker *checker = si.getStateValidityChecker().get();
+            if (const auto *limited = dynamic_cast<const LimitedValidityChecker *>(checker))
+                return limited->getTeamChecker().get();
+            return dynamic_cast<const TeamValidityChecker *>(checker);
+        }
+
+        const ob::State *partOf(const ob::State *state, unsigned int robot)
+        {
+            return state->as<ob::CompoundState>()->components[robot];
+        }
+    }
+
+    PrioritizedRRT::PrioritizedRRT(const oc::SpaceInformationPtr &si)
+      : Planner(si, "PrioritizedRRT"), controlSpaceInformation_(si.get())
+    {
+        Planner::declareParam<double>("goal_bias", this, &PrioritizedRRT::setGoalBias, &PrioritizedRRT::getGoalBias,
+                                      "0.:.05:1.");
+        Planner::declareParam<unsigned int>("iterations", this, &PrioritizedRRT::setIterations,
+                                            &PrioritizedRRT::getIterations, "100:100:1000000");
+    }
+
+    void PrioritizedRRT::setup()
+    {
+        Planner::setup();
+        if (!dynamic_cast<const TeamStateSpace *>(si_->getStateSpace().get()))
+            throw ompl::Exception(getName(), "needs a TeamStateSpace");
+        if (!dynamic_cast<const TeamPropagator *>(controlSpaceInformation_->getStatePropagator().get()))
+            throw ompl::Exception(getName(), "needs a TeamPropagator");
+        if (!checkerOf(*si_))
+            throw ompl::Exception(getName(), "needs a LimitedValidityChecker or a TeamValidityChecker");
+    }
+
+    void PrioritizedRRT::clear()
+    {
+        Planner::clear();
+        path_.reset();
+        stuckRobot_.clear();
+    }
+
+    void PrioritizedRRT::setGoalBias(double bias)
+    {
+        if (!(bias >= 0.0 && bias <= 1.0))
+            throw ompl::Exception(getName(), "goal_bias must be from 0 to 1, not " + std::to_string(bias));
+        goalBias_ = bias;
+    }
+
+    void PrioritizedRRT::setIterations(unsigned int iterations)
+    {
+        if (iterations == 0)
+            throw ompl::Exception(getName(), "iterations must be positive, not 0");
+        iterations_ = iterations;
+    }
+
+    ob::PlannerStatus PrioritizedRRT::solve(const ob::PlannerTerminationCondition &condition)
+    {
+        checkValidity();
+        pis_.restart();
+        stuckRobot_.clear();
+        const auto *region = dynamic_cast<const ob::GoalSampleableRegion *>(pdef_->getGoal().get());
+        if (!region)
+            return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+        const ob::State *start = pis_.nextStart();
+        if (!start)
+            return ob::PlannerStatus::INVALID_START;
+        const ob::State *goal = pis_.nextGoal(condition);
+        if (!goal)
+            return ob::PlannerStatus::INVALID_GOAL;
+
+        const auto &team = *si_->getStateSpace()->as<TeamStateSpace>();
+        const unsigned int robots = team.getSubspaceCount();
+        // If all robots use up their shares, the team uses up its threshold.
+        const double share = team.getMetric() == TeamStateSpace::EUCLIDEAN ? std::sqrt(robots) : robots;
+        const RobotTree::Durations durations{controlSpaceInformation_->getMinControlDuration(),
+                                             controlSpaceInformation_->getMaxControlDuration()};
+        RobotTrajectories trajectories(std::static_pointer_cast<oc::SpaceInformation>(si_), *checkerOf(*si_));
+        std::vector<unsigned int> order(robots);
+        std::iota(order.begin(), order.end(), 0U);
+        for (unsigned int attempt = 0; !condition; ++attempt)
+        {
+            trajectories.clear();
+            const auto plan = [&](unsigned int robot)
+            {
+                const double tolerance = region->getThreshold() / share / team.getSubspaceWeight(robot);
+                RobotTree tree(trajectories, {robot, partOf(start, robot), partOf(goal, robot), tolerance}, durations,
+                               random_);
+                auto trajectory = tree.search(iterations_ * (1 + attempt / robots), goalBias_, condition);
+                if (trajectory)
+                    trajectories.add(robot, *std::move(trajectory));
+                return trajectory.has_value();
+            };
+            const auto failed = std::find_if_not(order.begin(), order.end(), plan);
+            if (failed != order.end())
+            {
+                stuckRobot_ = team.getRobots()[*failed]->getName();
+                std::rotate(order.begin(), failed, failed + 1);
+                continue;
+            }
+            const auto path = trajectories.toPath(start);
+            if (!path || !region->isSatisfied(path->getStates().back()))
+            {
+                random_.shuffle(order.begin(), order.end());
+                continue;
+            }
+            path_ = path;
+            ob::PlannerSolution solution(std::make_shared<oc::PathControl>(*path));
+            solution.setPlannerName(getName());
+            pdef_->addSolutionPath(solution);
+            return ob::PlannerStatus::EXACT_SOLUTION;
+        }
+        return ob::PlannerStatus::TIMEOUT;
+    }
+
+    void PrioritizedRRT::getPlannerData(ob::PlannerData &data) const
+    {
+        Planner::getPlannerData(data);
+        if (!path_)
+            return;
+        const auto &states = path_->as<oc::PathControl>()->getStates();
+        data.addStartVertex(ob::PlannerDataVertex(states.front()));
+        data.addGoalVertex(ob::PlannerDataVertex(states.back()));
+        for (std::size_t i = 1; i < states.size(); ++i)
+            data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+    }
+}

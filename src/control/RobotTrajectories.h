@@ -1,0 +1,100 @@
+#ifndef OMPL_CERTIFICATES_CONTROL_ROBOT_TRAJECTORIES_
+#define OMPL_CERTIFICATES_CONTROL_ROBOT_TRAJECTORIES_
+
+#include "ompl_certificates/control/TeamPropagator.h"
+
+#include <memory>
+#include <ompl/base/ScopedState.h>
+#include <ompl/control/PathControl.h>
+#include <vector>
+
+namespace ompl_certificates
+{
+    /** \brief What some robots of a team do, step by step, and whether another one may move among them */
+    class RobotTrajectories
+    {
+    public:
+        using State = std::shared_ptr<ompl::base::State>;
+        using Control = std::vector<double>;
+
+        /** \brief The states of a robot before and after each step, and the control of each. After the last one it
+            stays where it is. */
+        struct Trajectory
+        {
+            std::vector<State> states;
+            std::vector<Control> controls;
+        };
+
+        /** \brief No trajectory yet
+            \param si has a TeamPropagator
+            \param checker must outlive this */
+        RobotTrajectories(ompl::control::SpaceInformationPtr si, const TeamValidityChecker &checker);
+        ~RobotTrajectories();
+
+        RobotTrajectories(const RobotTrajectories &) = delete;
+        RobotTrajectories &operator=(const RobotTrajectories &) = delete;
+
+        /** \brief Forget all trajectories */
+        void clear();
+
+        /** \brief Let a robot without a trajectory move among the others */
+        void add(unsigned int robot, Trajectory trajectory);
+
+        /** \brief After how many steps all robots stay where they are */
+        std::size_t getSteps() const
+        {
+            return steps_;
+        }
+
+        /** \brief How long a step takes */
+        double getStepSize() const
+        {
+            return si_->getPropagationStepSize();
+        }
+
+        const DynamicRobot &getRobot(unsigned int robot) const
+        {
+            return static_cast<const DynamicRobot &>(team_.getRobot(robot));
+        }
+
+        const ompl::base::StateSpace &getSpace(unsigned int robot) const
+        {
+            return team_.getRobotSpace(robot);
+        }
+
+        /** \brief A copy of a robot's state */
+        State clone(unsigned int robot, const ompl::base::State *state) const;
+
+        /** \brief Move a robot by a control during step number \e step
+            \param to set to where that brings it
+            \return whether it stays within its limits, and touches neither obstacles, nor itself, nor the robots that have
+            a trajectory: at the end of the step, and throughout if the propagator proves steps */
+        bool move(unsigned int robot, const ompl::base::State *from, const Control &control, std::size_t step,
+                  ompl::base::State *to);
+
+        /** \brief The trajectories of all robots as a path of the team
+            \return null if a step of the team is not valid */
+        std::shared_ptr<ompl::control::PathControl> toPath(const ompl::base::State *start) const;
+
+    private:
+        const ompl::base::State *stateOf(unsigned int robot, std::size_t step) const;
+
+        /** \brief The control of a robot in a step: that of its trajectory, then its brake */
+        void copyControl(unsigned int robot, std::size_t step, double *control) const;
+
+        /** \brief Whether a robot's step is proved free */
+        bool isProved(unsigned int robot, const ompl::base::State *from, const Control &control, std::size_t step);
+
+        const ompl::control::SpaceInformationPtr si_;
+        const TeamValidityChecker &checker_;
+        const TeamPropagator &propagator_;
+        const Team &team_;
+        std::vector<Trajectory> trajectories_;
+        std::vector<unsigned int> planned_;
+        std::size_t steps_{0};
+        ompl::base::ScopedState<> teamState_;
+        ompl::control::Control *control_;
+    };
+}
+
+#endif
