@@ -18,6 +18,22 @@ namespace ompl_certificates
         {
             return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
         }
+
+        /** Takes out what is in both, each point as often as it is */
+        void dropEqual(std::vector<Eigen::Vector3d> &first, std::vector<Eigen::Vector3d> &second)
+        {
+            if (first.empty() || second.empty())
+                return;
+            std::sort(first.begin(), first.end(), isPointBefore);
+            std::sort(second.begin(), second.end(), isPointBefore);
+            std::vector<Eigen::Vector3d> ofFirst, ofSecond;
+            std::set_difference(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(ofFirst),
+                                isPointBefore);
+            std::set_difference(second.begin(), second.end(), first.begin(), first.end(), std::back_inserter(ofSecond),
+                                isPointBefore);
+            first = std::move(ofFirst);
+            second = std::move(ofSecond);
+        }
     }
 
     /** Points in a tree that obstacles may share. The mask is copied before it changes if obstacles share it. */
@@ -200,26 +216,22 @@ namespace ompl_certificates
             layer.isShared = layer.isShared || !isWhole;
             layers.push_back({layer.tree, isWhole ? nullptr : layer.mask, layer.count});
         }
-        std::sort(inserted_.begin(), inserted_.end(), isPointBefore);
-        std::sort(removed_.begin(), removed_.end(), isPointBefore);
-        std::vector<Eigen::Vector3d> added, removed;
-        std::set_difference(inserted_.begin(), inserted_.end(), removed_.begin(), removed_.end(),
-                            std::back_inserter(added), isPointBefore);
-        std::set_difference(removed_.begin(), removed_.end(), inserted_.begin(), inserted_.end(),
-                            std::back_inserter(removed), isPointBefore);
+        dropEqual(inserted_, removed_);
         const auto obstaclesOf = [this](std::vector<Eigen::Vector3d> points) -> ObstaclesPtr {
             return std::make_shared<PointCloudObstacles>(PointCloud{std::move(points), radius_}, dimension_);
         };
         ObstacleChange change;
         change.after.reset(
             new PointCloudObstacles(std::make_unique<const PointForest>(std::move(layers)), radius_, dimension_));
-        if (!added.empty())
-            change.added = obstaclesOf(std::move(added));
-        if (!removed.empty())
-            change.removed = obstaclesOf(std::move(removed));
+        change.before = after_ ? after_ : obstaclesOf({});
+        // Of a frame that replaces all of the one before, both are there already.
+        const std::size_t before = size() - inserted_.size() + removed_.size();
+        if (!inserted_.empty())
+            change.added = inserted_.size() == size() ? change.after : obstaclesOf(std::move(inserted_));
+        if (!removed_.empty())
+            change.removed = removed_.size() == before ? change.before : obstaclesOf(std::move(removed_));
         inserted_.clear();
         removed_.clear();
-        change.before = after_ ? after_ : obstaclesOf({});
         after_ = change.after;
         return change;
     }

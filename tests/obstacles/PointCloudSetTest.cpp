@@ -271,6 +271,31 @@ TEST(PointCloudSet, ForgetsPointsThatComeAndGoBetweenChanges)
     EXPECT_EQ(set.takeChange().after->clearance(here), infinity);
 }
 
+TEST(PointCloudSet, AFrameThatReplacesAllIsNotCopied)
+{
+    Random random(1);
+    PointCloudSet set(RADIUS);
+    const Points first = sorted(randomPoints(random, 3, 300, 2.0)), second = sorted(randomPoints(random, 3, 200, 2.0));
+    set.insert(first);
+    const ObstacleChange begin = set.takeChange();
+    EXPECT_EQ(begin.added, begin.after);
+    EXPECT_FALSE(begin.removed);
+    set.removeWithin({Eigen::Vector3d::Constant(-3.0), Eigen::Vector3d::Constant(3.0)});
+    set.insert(second);
+    const ObstacleChange change = set.takeChange();
+    EXPECT_EQ(change.added, change.after);
+    EXPECT_EQ(change.removed, begin.after);
+    EXPECT_EQ(pointsOf(change.after), second);
+    // One point stays.
+    Points third = sorted(randomPoints(random, 3, 100, 2.0));
+    third.push_back(second.front());
+    set.remove(second);
+    set.insert(third);
+    const ObstacleChange last = set.takeChange();
+    EXPECT_EQ(pointsOf(last.removed), Points(second.begin() + 1, second.end()));
+    EXPECT_EQ(pointsOf(last.added), sorted(Points(third.begin(), third.end() - 1)));
+}
+
 TEST(PointCloudSet, RefusesWhatMakesNoSense)
 {
     EXPECT_THROW(PointCloudSet(RADIUS, 4), ompl::Exception);
