@@ -27,11 +27,46 @@ namespace ompl_certificates
             return box.low[0] >= box.high[0] || box.low[1] >= box.high[1] || box.low[2] >= box.high[2];
         }
 
+        /** The nodes of an octree as MapNodes has them */
+        class OcTreeNodes
+        {
+        public:
+            using Node = octomap::OcTreeNode;
+
+            explicit OcTreeNodes(const octomap::OcTree &map) : map_(map)
+            {
+            }
+
+            const Node *getRoot() const
+            {
+                return map_.getRoot();
+            }
+
+            const Node *getChild(const Node &node, unsigned int i) const
+            {
+                return map_.nodeChildExists(&node, i) ? map_.getNodeChild(&node, i) : nullptr;
+            }
+
+            bool hasChildren(const Node &node) const
+            {
+                return map_.nodeHasChildren(&node);
+            }
+
+            bool isOccupied(const Node &leaf) const
+            {
+                return map_.isNodeOccupied(&leaf);
+            }
+
+        private:
+            const octomap::OcTree &map_;
+        };
+
         /** Goes through the nodes of a map with the cubes that they stand for */
+        template <typename Map>
         class MapWalk
         {
         public:
-            MapWalk(const octomap::OcTree &map, const OctomapOptions &options, const CellBox &region)
+            MapWalk(const Map &map, const OctomapOptions &options, const CellBox &region)
               : map_(map), options_(options), region_(region)
             {
                 if (options.unknownIsOccupied && map.getRoot())
@@ -53,6 +88,8 @@ namespace ompl_certificates
                 bool unknown{false};
             };
 
+            using Node = typename Map::Node;
+
             static CellBox childOf(const CellBox &cube, unsigned int i)
             {
                 const std::int32_t half = (cube.high[0] - cube.low[0]) / 2;
@@ -65,15 +102,10 @@ namespace ompl_certificates
                 return child;
             }
 
-            const octomap::OcTreeNode *childOf(const octomap::OcTreeNode *node, unsigned int i) const
-            {
-                return map_.nodeChildExists(node, i) ? map_.getNodeChild(node, i) : nullptr;
-            }
-
             /** Extends the box of what is known by the leaves below a node */
-            void extend(const octomap::OcTreeNode *node, const CellBox &cube)
+            void extend(const Node *node, const CellBox &cube)
             {
-                if (!map_.nodeHasChildren(node))
+                if (!map_.hasChildren(*node))
                 {
                     for (std::size_t axis = 0; axis < 3; ++axis)
                     {
@@ -83,19 +115,19 @@ namespace ompl_certificates
                     return;
                 }
                 for (unsigned int i = 0; i < 8; ++i)
-                    if (const octomap::OcTreeNode *child = childOf(node, i))
+                    if (const Node *child = map_.getChild(*node, i))
                         extend(child, childOf(cube, i));
             }
 
             /** Notes the obstacles in a cube; \e node is null where nothing is known. */
-            void collect(const octomap::OcTreeNode *node, const CellBox &cube, unsigned int depth)
+            void collect(const Node *node, const CellBox &cube, unsigned int depth)
             {
                 if (isEmpty(intersection(cube, region_)))
                     return;
-                if (node && map_.nodeHasChildren(node) && depth < options_.depth)
+                if (node && map_.hasChildren(*node) && depth < options_.depth)
                 {
                     for (unsigned int i = 0; i < 8; ++i)
-                        collect(childOf(node, i), childOf(cube, i), depth + 1);
+                        collect(map_.getChild(*node, i), childOf(cube, i), depth + 1);
                     return;
                 }
                 const Content content = contentOf(node, cube);
@@ -105,23 +137,23 @@ namespace ompl_certificates
                     cells_.push_back(intersection(intersection(cube, known_), region_));
             }
 
-            Content contentOf(const octomap::OcTreeNode *node, const CellBox &cube) const
+            Content contentOf(const Node *node, const CellBox &cube) const
             {
                 if (!node)
                     return {false, options_.unknownIsOccupied && !isEmpty(intersection(cube, known_))};
-                if (!map_.nodeHasChildren(node))
-                    return {map_.isNodeOccupied(node), false};
+                if (!map_.hasChildren(*node))
+                    return {map_.isOccupied(*node), false};
                 Content all;
                 for (unsigned int i = 0; i < 8 && !all.occupied; ++i)
                 {
-                    const Content content = contentOf(childOf(node, i), childOf(cube, i));
+                    const Content content = contentOf(map_.getChild(*node, i), childOf(cube, i));
                     all.occupied = content.occupied;
                     all.unknown = all.unknown || content.unknown;
                 }
                 return all;
             }
 
-            const octomap::OcTree &map_;
+            const Map &map_;
             const OctomapOptions &options_;
             const CellBox &region_;
 
@@ -146,14 +178,26 @@ namespace ompl_certificates
                                   box.low[2] < options.slice->high / resolution - ROUNDING);
     }
 
+    namespace
+    {
+        std::vector<CellBox> inSlice(std::vector<CellBox> cells, const OctomapOptions &options, double resolution)
+        {
+            const auto isOutside = [&](const CellBox &box) { return !isInSlice(options, resolution, box); };
+            if (options.slice)
+                cells.erase(std::remove_if(cells.begin(), cells.end(), isOutside), cells.end());
+            return cells;
+        }
+    }
+
     std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options, const CellBox &region)
     {
         requireValid(options);
-        std::vector<CellBox> cells = MapWalk(map, options, region).getCells();
-        if (!options.slice)
-            return cells;
-        const auto isOutside = [&](const CellBox &box) { return !isInSlice(options, map.getResolution(), box); };
-        cells.erase(std::remove_if(cells.begin(), cells.end(), isOutside), cells.end());
-        return cells;
+        return inSlice(MapWalk(OcTreeNodes(map), options, region).getCells(), options, map.getResolution());
+    }
+
+    std::vector<CellBox> cellsOf(const MapNodes &map, const OctomapOptions &options)
+    {
+        requireValid(options);
+        return inSlice(MapWalk(map, options, WHOLE_OCTOMAP).getCells(), options, map.getResolution());
     }
 }

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_OCTOMAP_OCTOMAP_CELLS_
 #define OMPL_CERTIFICATES_OCTOMAP_OCTOMAP_CELLS_
 
+#include "MapNodes.h"
+
 #include "ompl_certificates/octomap/OctomapObstacles.h"
 
 #include <octomap/OcTree.h>
@@ -30,6 +32,9 @@ namespace ompl_certificates
         \throws ompl::Exception if the depth or the slice is not valid */
     std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options,
                                  const CellBox &region = WHOLE_OCTOMAP);
+
+    /** \brief The same for a map that was read from a file */
+    std::vector<CellBox> cellsOf(const MapNodes &map, const OctomapOptions &options);
 }
 
 #endif

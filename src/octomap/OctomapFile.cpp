@@ -3,6 +3,8 @@
 #include "OctomapCells.h"
 #include "files/WholeFile.h"
 
+#include <algorithm>
+#include <cstring>
 #include <limits>
 #include <locale>
 #include <ompl/util/Exception.h>
@@ -89,24 +91,27 @@ namespace ompl_certificates
                 fail("ends before its data");
             }
 
-            /** The nodes as octomap's OcTree reads them
+            /** The nodes
                 \throws ompl::Exception unless there are as many as the header says, none deeper than octomap can count,
                 and nothing after them */
-            std::string takeNodes(const Header &header) const
+            MapNodes readNodes(const Header &header) const
             {
+                // The number of nodes may be wrong.
+                MapNodes nodes(header.resolution, std::min<std::size_t>(header.nodes, text_.size()));
                 std::size_t at = header.data;
-                std::uint64_t nodes = 0;
-                std::string data;
                 if (header.nodes > 0)
                 {
-                    nodes = 1;
-                    header.isBinary ? walkBinary(at, nodes, 0) : walkFull(at, nodes, 0, header.getColorBytes(), data);
+                    const std::size_t root = nodes.addRoot();
+                    // Of a binary file's root without children octomap says so.
+                    nodes.setOccupied(root, header.isBinary);
+                    header.isBinary ? readBinary(at, nodes, root, 0, header) : readFull(at, nodes, root, 0, header);
                 }
-                if (nodes != header.nodes)
-                    fail("size: there are " + std::to_string(nodes) + " nodes, not " + std::to_string(header.nodes));
+                if (nodes.size() != header.nodes)
+                    fail("size: there are " + std::to_string(nodes.size()) + " nodes, not " +
+                         std::to_string(header.nodes));
                 if (text_.find_first_not_of('\n', at) != std::string::npos)
                     fail("goes on after its last node");
-                return header.isBinary ? text_.substr(header.data) : data;
+                return nodes;
             }
 
         private:
@@ -132,8 +137,8 @@ namespace ompl_certificates
                 // Centers of all cells are then coordinates that shapes may have, too.
                 if (!(header.resolution >= 1e-9 && header.resolution <= 1e4))
                     fail("res: must be a number from 1e-9 to 1e4");
-                if (!header.hasNodes)
-                    fail("size: must be the number of nodes");
+                if (!header.hasNodes || header.nodes > std::numeric_limits<std::uint32_t>::max())
+                    fail("size: must be the number of nodes, at most 4294967295");
             }
 
             const char *take(std::size_t &at, std::size_t bytes, unsigned int depth) const
@@ -146,33 +151,54 @@ namespace ompl_certificates
                 return text_.data() + at - bytes;
             }
 
-            /** An inner node has two bits for each child: 00 if unknown, 11 if it is an inner node, too. */
-            void walkBinary(std::size_t &at, std::uint64_t &nodes, unsigned int depth) const
+            /** Adds children unless there are too many: a small damaged file may tell of more than there is memory for. */
+            std::size_t addChildren(MapNodes &nodes, std::size_t node, std::uint8_t children,
+                                    const Header &header) const
+            {
+                const std::size_t first = nodes.addChildren(node, children);
+                if (nodes.size() > header.nodes)
+                    fail("size: there are more nodes than " + std::to_string(header.nodes));
+                return first;
+            }
+
+            /** An inner node has two bits for each child: 00 if unknown, 01 if free, 10 if occupied, 11 if it is an inner
+                node, too. */
+            void readBinary(std::size_t &at, MapNodes &nodes, std::size_t node, unsigned int depth,
+                            const Header &header) const
             {
                 const char *const bytes = take(at, 2, depth + 1);
+                const auto stateOf = [bytes](unsigned int i)
+                { return static_cast<unsigned char>(bytes[i / 4]) >> (2 * (i % 4)) & 3U; };
+                unsigned int children = 0;
+                for (unsigned int i = 0; i < 8; ++i)
+                    children |= stateOf(i) != 0 ? 1U << i : 0U;
+                std::size_t child = addChildren(nodes, node, static_cast<std::uint8_t>(children), header);
                 for (unsigned int i = 0; i < 8; ++i)
                 {
-                    const unsigned int child = static_cast<unsigned char>(bytes[i / 4]) >> (2 * (i % 4)) & 3U;
-                    nodes += child != 0 ? 1 : 0;
-                    if (child == 3)
-                        walkBinary(at, nodes, depth + 1);
+                    const unsigned int state = stateOf(i);
+                    if (state == 0)
+                        continue;
+                    nodes.setOccupied(child, state == 2);
+                    if (state == 3)
+                        readBinary(at, nodes, child, depth + 1, header);
+                    ++child;
                 }
             }
 
-            /** A node has a number, maybe a color, and a bit for each child. All but colors goes to \e data. */
-            void walkFull(std::size_t &at, std::uint64_t &nodes, unsigned int depth, std::size_t colorBytes,
-                          std::string &data) const
+            /** A node has a number, which is positive or 0 if it is occupied, maybe a color, and a bit for each child. */
+            void readFull(std::size_t &at, MapNodes &nodes, std::size_t node, unsigned int depth,
+                          const Header &header) const
             {
-                const char *const bytes = take(at, sizeof(float) + colorBytes + 1, depth);
-                const char last = bytes[sizeof(float) + colorBytes];
-                const auto children = static_cast<unsigned char>(last);
-                data.append(bytes, sizeof(float)).push_back(last);
+                const std::size_t last = sizeof(float) + header.getColorBytes();
+                const char *const bytes = take(at, last + 1, depth);
+                float logOdds = 0.0F;
+                std::memcpy(&logOdds, bytes, sizeof(float));
+                nodes.setOccupied(node, logOdds >= 0.0F);
+                const auto children = static_cast<std::uint8_t>(bytes[last]);
+                std::size_t child = addChildren(nodes, node, children, header);
                 for (unsigned int i = 0; i < 8; ++i)
                     if ((children >> i & 1U) != 0)
-                    {
-                        ++nodes;
-                        walkFull(at, nodes, depth + 1, colorBytes, data);
-                    }
+                        readFull(at, nodes, child++, depth + 1, header);
             }
 
             const std::string &text_;
@@ -180,22 +206,10 @@ namespace ompl_certificates
         };
     }
 
-    std::unique_ptr<octomap::OcTree> readOctomap(const std::string &file)
+    MapNodes readOctomap(const std::string &file)
     {
         const std::string content = readRegularFile(file, MOST_BYTES);
         const OctomapText text(content, file);
-        const Header header = text.readHeader();
-        const std::string nodes = text.takeNodes(header);
-        auto map = std::make_unique<octomap::OcTree>(header.resolution);
-        if (header.nodes == 0)
-            return map;
-        std::istringstream data = streamOf(nodes);
-        if (header.isBinary)
-            map->readBinaryData(data);
-        else
-            map->readData(data);
-        if (map->size() != header.nodes)
-            text.fail("octomap cannot read it");
-        return map;
+        return text.readNodes(text.readHeader());
     }
 }

@@ -1,15 +1,15 @@
 #ifndef OMPL_CERTIFICATES_OCTOMAP_OCTOMAP_FILE_
 #define OMPL_CERTIFICATES_OCTOMAP_OCTOMAP_FILE_
 
-#include <memory>
-#include <octomap/OcTree.h>
+#include "MapNodes.h"
+
 #include <string>
 
 namespace ompl_certificates
 {
-    /** \brief The map in a .bt or .ot file
+    /** \brief The map in a .bt or .ot file, as octomap reads it
         \throws ompl::Exception that names the file if it cannot be read, is damaged or holds another kind of map */
-    std::unique_ptr<octomap::OcTree> readOctomap(const std::string &file);
+    MapNodes readOctomap(const std::string &file);
 }
 
 #endif

@@ -11,7 +11,12 @@ namespace ompl_certificates
     }
 
     OctomapObstacles::OctomapObstacles(const std::string &file, const OctomapOptions &options)
-      : OctomapObstacles(*readOctomap(file), options)
+      : OctomapObstacles(readOctomap(file), options)
+    {
+    }
+
+    OctomapObstacles::OctomapObstacles(const MapNodes &map, const OctomapOptions &options)
+      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3)
     {
     }
 }

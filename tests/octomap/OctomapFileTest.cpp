@@ -89,7 +89,9 @@ TEST_P(OctomapFile, IsRefusedWhenDamaged)
     expectRefusal(changed("size ", "size 1"), "size");
     expectRefusal(changed("size ", "length "), "size");
     // All nodes are inner ones, deeper and deeper.
-    expectRefusal(content.substr(0, data) + std::string(100000, '\xFF'), "deeper");
+    expectRefusal(content.substr(0, data) + std::string(100000, '\xFF'), "more nodes");
+    expectRefusal(changed("size ", "size 9").substr(0, data + 1) + std::string(100000, '\xFF'), "deeper");
+    expectRefusal(changed("size ", "size 99999999"), "size");
     for (unsigned int seed = 0; seed < scaled(200); ++seed)
     {
         // Whatever it makes of it, it neither hangs nor crashes.

@@ -14,6 +14,8 @@ namespace octomap
 
 namespace ompl_certificates
 {
+    class MapNodes;
+
     /** \brief Which cells of an octomap are obstacles */
     struct OctomapOptions
     {
@@ -45,6 +47,9 @@ namespace ompl_certificates
         /** \brief The obstacles of a map in a file, .bt or .ot
             \throws ompl::Exception that names the file if it cannot be read, is damaged or holds another kind of map */
         explicit OctomapObstacles(const std::string &file, const OctomapOptions &options = {});
+
+    private:
+        OctomapObstacles(const MapNodes &map, const OctomapOptions &options);
     };
 }
 
