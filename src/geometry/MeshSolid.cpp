@@ -4,6 +4,8 @@
 #include "Weld.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ompl_certificates
@@ -121,6 +123,9 @@ namespace ompl_certificates
             return matrix;
         }
 
+        /** In how many columns triangles may be, in the mean */
+        constexpr std::size_t MOST_ENTRIES = 8;
+
         /** On which side of the edge from \e a to \e b a point is, seen along z */
         double sideOf(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &point)
         {
@@ -157,21 +162,69 @@ namespace ompl_certificates
                 for (const Eigen::Vector3d &corner : piece.triangles.back())
                     piece.box.extend(corner);
             }
+            piece.sort();
             pieces_.push_back(std::move(piece));
         }
+    }
+
+    void MeshSolid::Piece::sort()
+    {
+        std::vector<Eigen::AlignedBox3d> bounds(triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            for (const Eigen::Vector3d &corner : triangles[i])
+                bounds[i].extend(corner);
+        const auto countColumns = [&](std::size_t axis, const Eigen::AlignedBox3d &of)
+        {
+            const auto i = static_cast<Eigen::Index>(axis);
+            return columnOf(axis, of.max()[i]) - columnOf(axis, of.min()[i]) + 1;
+        };
+        const auto countEntries = [&]
+        {
+            return std::accumulate(bounds.begin(), bounds.end(), std::size_t(0),
+                                   [&](std::size_t sum, const Eigen::AlignedBox3d &of)
+                                   { return sum + countColumns(0, of) * countColumns(1, of); });
+        };
+        // Large triangles are in many columns.
+        columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(triangles.size()))));
+        while (columns > 1 && countEntries() > MOST_ENTRIES * triangles.size())
+            columns /= 2;
+        const auto forEachColumn = [&](const Eigen::AlignedBox3d &of, const auto &visit)
+        {
+            for (std::size_t x = columnOf(0, of.min().x()); x <= columnOf(0, of.max().x()); ++x)
+                for (std::size_t y = columnOf(1, of.min().y()); y <= columnOf(1, of.max().y()); ++y)
+                    visit(x * columns + y);
+        };
+        begins.assign(columns * columns + 1, 0);
+        for (const Eigen::AlignedBox3d &of : bounds)
+            forEachColumn(of, [this](std::size_t column) { ++begins[column + 1]; });
+        std::partial_sum(begins.begin(), begins.end(), begins.begin());
+        sorted.resize(begins.back());
+        std::vector<std::uint32_t> next = begins;
+        for (std::uint32_t i = 0; i < bounds.size(); ++i)
+            forEachColumn(bounds[i], [&](std::size_t column) { sorted[next[column]++] = i; });
+    }
+
+    std::size_t MeshSolid::Piece::columnOf(std::size_t axis, double coordinate) const
+    {
+        const auto i = static_cast<Eigen::Index>(axis);
+        const double extent = box.max()[i] - box.min()[i];
+        const double part = extent > 0.0 ? (coordinate - box.min()[i]) / extent : 0.0;
+        return std::min(static_cast<std::size_t>(part * static_cast<double>(columns)), columns - 1);
+    }
+
+    bool MeshSolid::Piece::contains(const Eigen::Vector3d &point) const
+    {
+        if (!box.contains(point))
+            return false;
+        const std::size_t column = columnOf(0, point.x()) * columns + columnOf(1, point.y());
+        const auto isMetBy = [&](std::uint32_t i) { return isMet(triangles[i], point); };
+        return std::count_if(sorted.begin() + begins[column], sorted.begin() + begins[column + 1], isMetBy) % 2 != 0;
     }
 
     bool MeshSolid::contains(const Eigen::Vector3d &point) const
     {
         const Eigen::Vector3d turned = turn() * point;
         return std::any_of(pieces_.begin(), pieces_.end(),
-                           [&turned](const Piece &piece)
-                           {
-                               return piece.box.contains(turned) &&
-                                      std::count_if(piece.triangles.begin(), piece.triangles.end(),
-                                                    [&](const auto &triangle) { return isMet(triangle, turned); }) %
-                                              2 !=
-                                          0;
-                           });
+                           [&turned](const Piece &piece) { return piece.contains(turned); });
     }
 }

@@ -216,6 +216,17 @@ namespace ompl_certificates
         }
     }
 
+    namespace
+    {
+        void noteWithoutDynamics(const KnownType &type, const std::string &name, Scene &scene)
+        {
+            if (type.velocities > 0)
+                scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
+            else if (type.layout != Layout::R2)
+                scene.addNote("robot '" + name + "' may move in any direction: plans are geometric");
+        }
+    }
+
     ob::RealVectorBounds readBounds(const YamlNode &node, unsigned int dimension)
     {
         ob::RealVectorBounds bounds(dimension);
@@ -313,8 +324,8 @@ namespace ompl_certificates
         else
             member.goal = readState(goal, layout, velocities, dynamics, scene);
         chooseGoal(node, member);
-        if (velocities > 0 && !dynamics)
-            scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
+        if (known && !dynamics)
+            noteWithoutDynamics(*known, name, scene);
         scene.addMember(member);
     }
 }

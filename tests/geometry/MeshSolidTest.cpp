@@ -88,6 +88,34 @@ TEST(MeshSolid, IsThatOfABallOfManyTriangles)
     }
 }
 
+TEST(MeshSolid, IsThatOfAPrismWhoseTrianglesAreLong)
+{
+    // Each of them is in many columns of any grid.
+    constexpr unsigned int sides = 2000;
+    std::vector<Eigen::Vector3d> corners;
+    for (unsigned int i = 0; i < sides; ++i)
+        for (const double z : {-1.0, 1.0})
+            corners.emplace_back(std::cos(2.0 * M_PI * i / sides), std::sin(2.0 * M_PI * i / sides), z);
+    corners.emplace_back(0.0, 0.0, -1.0);
+    corners.emplace_back(0.0, 0.0, 1.0);
+    std::vector<TriangleMesh::Triangle> triangles;
+    for (unsigned int i = 0; i < sides; ++i)
+    {
+        const unsigned int a = 2 * i, b = 2 * ((i + 1) % sides);
+        triangles.insert(triangles.end(),
+                         {{a, b, a + 1}, {b, b + 1, a + 1}, {a, b, 2 * sides}, {a + 1, b + 1, 2 * sides + 1}});
+    }
+    const MeshSolid prism(TriangleMesh(corners, triangles));
+    Random random(1);
+    for (int i = 0; i < 5000; ++i)
+    {
+        const Eigen::Vector3d point = random.point(3, 1.2);
+        const double radius = point.head<2>().norm();
+        if (std::abs(radius - 1.0) > 1e-5)
+            ASSERT_EQ(prism.contains(point), radius < 1.0 && std::abs(point.z()) < 1.0) << point.transpose();
+    }
+}
+
 TEST(MeshSolid, OfPiecesIsTheirUnion)
 {
     const Eigen::Vector3d size(1.0, 1.0, 1.0), shifted(0.5, 0.4, 0.3);

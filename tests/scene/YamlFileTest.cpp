@@ -183,8 +183,9 @@ namespace ompl_certificates
         EXPECT_EQ(member.goal[2], -M_PI);
         EXPECT_EQ(member.goal[3], 3.0);
         EXPECT_EQ(scene.getNotes(),
-                  std::vector<std::string>{"robots[0].start: an angle is more than a whole turn; angles "
-                                           "are in radians"});
+                  (std::vector<std::string>{"robots[0].start: an angle is more than a whole turn; angles "
+                                            "are in radians",
+                                            "robot 'robot_0' may move in any direction: plans are geometric"}));
         scene.validate();
     }
 
