@@ -112,7 +112,9 @@ TEST(MeshSolid, IsThatOfAPrismWhoseTrianglesAreLong)
         const Eigen::Vector3d point = random.point(3, 1.2);
         const double radius = point.head<2>().norm();
         if (std::abs(radius - 1.0) > 1e-5)
+        {
             ASSERT_EQ(prism.contains(point), radius < 1.0 && std::abs(point.z()) < 1.0) << point.transpose();
+        }
     }
 }
 
