@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/control/PathControl.h>
+#include <ompl/control/PlannerData.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -35,6 +37,7 @@ namespace ompl_certificates
     PrioritizedRRT::PrioritizedRRT(const oc::SpaceInformationPtr &si)
       : Planner(si, "PrioritizedRRT"), controlSpaceInformation_(si.get())
     {
+        specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
         Planner::declareParam<double>("goal_bias", this, &PrioritizedRRT::setGoalBias, &PrioritizedRRT::getGoalBias,
                                       "0.:.05:1.");
         Planner::declareParam<unsigned int>("iterations", this, &PrioritizedRRT::setIterations,
@@ -100,12 +103,15 @@ namespace ompl_certificates
         for (unsigned int attempt = 0; !condition; ++attempt)
         {
             trajectories.clear();
+            if (const ob::State *next = attempt > 0 && pis_.haveMoreGoalStates() ? pis_.nextGoal() : nullptr)
+                goal = next;
             const auto plan = [&](unsigned int robot)
             {
                 const double tolerance = region->getThreshold() / share / team.getSubspaceWeight(robot);
                 RobotTree tree(trajectories, {robot, partOf(start, robot), partOf(goal, robot), tolerance}, durations,
                                random_);
-                auto trajectory = tree.search(iterations_ * (1 + attempt / robots), goalBias_, condition);
+                auto trajectory =
+                    tree.search(iterations_ * (1 + std::uint64_t(attempt / robots)), goalBias_, condition);
                 if (trajectory)
                     trajectories.add(robot, *std::move(trajectory));
                 return trajectory.has_value();
@@ -113,7 +119,8 @@ namespace ompl_certificates
             const auto failed = std::find_if_not(order.begin(), order.end(), plan);
             if (failed != order.end())
             {
-                stuckRobot_ = team.getRobots()[*failed]->getName();
+                if (!condition)
+                    stuckRobot_ = team.getRobots()[*failed]->getName();
                 std::rotate(order.begin(), failed, failed + 1);
                 continue;
             }
@@ -124,6 +131,7 @@ namespace ompl_certificates
                 continue;
             }
             path_ = path;
+            stuckRobot_.clear();
             ob::PlannerSolution solution(std::make_shared<oc::PathControl>(*path));
             solution.setPlannerName(getName());
             pdef_->addSolutionPath(solution);
@@ -137,10 +145,18 @@ namespace ompl_certificates
         Planner::getPlannerData(data);
         if (!path_)
             return;
-        const auto &states = path_->as<oc::PathControl>()->getStates();
+        auto &path = *path_->as<oc::PathControl>();
+        const auto &states = path.getStates();
         data.addStartVertex(ob::PlannerDataVertex(states.front()));
         data.addGoalVertex(ob::PlannerDataVertex(states.back()));
-        for (std::size_t i = 1; i < states.size(); ++i)
-            data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+        for (unsigned int i = 1; i < states.size(); ++i)
+        {
+            const ob::PlannerDataVertex from(states[i - 1]), to(states[i]);
+            if (data.hasControls())
+                data.addEdge(from, to,
+                             oc::PlannerDataEdgeControl(path.getControl(i - 1), path.getControlDuration(i - 1)));
+            else
+                data.addEdge(from, to);
+        }
     }
 }

@@ -105,6 +105,7 @@ namespace ompl_certificates
         auto path = std::make_shared<oc::PathControl>(si_);
         ob::ScopedState<> state(si_->getStateSpace(), start);
         oc::Control *last = nullptr;
+        unsigned int held = 0;
         for (std::size_t step = 0; step < steps_; ++step)
         {
             double *next = valuesOf(control_);
@@ -113,10 +114,14 @@ namespace ompl_certificates
                 copyControl(robot, step, next);
                 next += getRobot(robot).getControlNames().size();
             }
-            if (last && si_->equalControls(last, control_))
-                path->getControlDurations().back() += getStepSize();
+            if (last && held < si_->getMaxControlDuration() && si_->equalControls(last, control_))
+            {
+                ++held;
+                path->getControlDurations().back() = held * getStepSize();
+            }
             else
             {
+                held = 1;
                 path->append(state.get(), control_, getStepSize());
                 last = path->getControls().back();
             }

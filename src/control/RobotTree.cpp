@@ -12,11 +12,10 @@ namespace ompl_certificates
         /** How many controls are tried from a node */
         constexpr unsigned int CONTROLS = 6;
 
-        /** A robot brakes from no farther than so many times the tolerance, and for at most so many steps */
-        constexpr double BRAKING_DISTANCE = 2.0;
-        constexpr unsigned int BRAKING_STEPS = 50;
+        /** A robot brakes from no farther than so many times the tolerance, and for no longer than so many seconds */
+        constexpr double BRAKING_DISTANCE = 2.0, BRAKING_SECONDS = 10.0;
 
-        /** A robot rests where a step moves it by no more than rounding, as a part of the tolerance. */
+        /** A robot rests where a step moves it by no more than rounding, as a part of the tolerance or of its space. */
         constexpr double LEAST_MOTION = 1e-9;
 
         constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max();
@@ -45,7 +44,7 @@ namespace ompl_certificates
         near_.add(0);
     }
 
-    std::optional<RobotTree::Trajectory> RobotTree::search(unsigned int iterations, double goalBias,
+    std::optional<RobotTree::Trajectory> RobotTree::search(std::uint64_t iterations, double goalBias,
                                                            const ob::PlannerTerminationCondition &condition)
     {
         const auto isNearGoal = [this]
@@ -54,7 +53,7 @@ namespace ompl_certificates
         for (; !condition; --iterations)
         {
             if (isNew && isNearGoal())
-                if (const auto end = rest())
+                if (const auto end = rest(condition))
                 {
                     Trajectory all = trajectoryTo(static_cast<Number>(nodes_.size() - 1));
                     all.states.insert(all.states.end(), end->states.begin(), end->states.end());
@@ -110,22 +109,23 @@ namespace ompl_certificates
         return true;
     }
 
-    std::optional<RobotTree::Trajectory> RobotTree::rest()
+    std::optional<RobotTree::Trajectory> RobotTree::rest(const ob::PlannerTerminationCondition &condition)
     {
         const Node &last = nodes_.back();
         space_.copyState(before_.get(), last.state.get());
         Trajectory end;
+        const double leastMotion = LEAST_MOTION * std::min(task_.tolerance, space_.getMaximumExtent());
         bool rests = false;
         // Once at rest, until the others are, too. From then on nothing changes.
         for (unsigned int steps = 0; !rests || last.step + steps < others_.getSteps(); ++steps)
         {
-            if (!rests && steps == BRAKING_STEPS)
+            if (condition || (!rests && steps * others_.getStepSize() > BRAKING_SECONDS))
                 return std::nullopt;
             RobotTrajectories::Control control(robot_.getControlNames().size());
             robot_.computeBrake(before_.get(), others_.getStepSize(), control.data());
             if (!others_.move(task_.robot, before_.get(), control, last.step + steps, after_.get()))
                 return std::nullopt;
-            rests = rests || space_.distance(before_.get(), after_.get()) <= LEAST_MOTION * task_.tolerance;
+            rests = rests || space_.distance(before_.get(), after_.get()) <= leastMotion;
             end.states.push_back(others_.clone(task_.robot, after_.get()));
             end.controls.push_back(std::move(control));
             std::swap(before_, after_);

@@ -37,7 +37,7 @@ namespace ompl_certificates
         /** \brief Let the tree grow until the robot reaches its goal and can stay there
             \param goalBias how often it grows towards the goal
             \return nothing if it does not within \e iterations, or \e condition becomes true */
-        std::optional<Trajectory> search(unsigned int iterations, double goalBias,
+        std::optional<Trajectory> search(std::uint64_t iterations, double goalBias,
                                          const ompl::base::PlannerTerminationCondition &condition);
 
     private:
@@ -60,7 +60,7 @@ namespace ompl_certificates
 
         /** \brief Brake after the last node, and stay until all others do
             \return the steps for that, if the robot rests near its goal and nothing is in its way */
-        std::optional<Trajectory> rest();
+        std::optional<Trajectory> rest(const ompl::base::PlannerTerminationCondition &condition);
 
         Trajectory trajectoryTo(Number node) const;
 

@@ -40,13 +40,15 @@ namespace ompl_certificates
 
     bool StepProof::succeeds(unsigned int robot, const std::vector<unsigned int> &others)
     {
+        // First what refuses robots that are not there.
+        const SubjectRange own = check_.getRobotSubjects(robot);
+        std::vector<Subject> subjects(own.begin, own.begin + own.count);
+        for (const unsigned int other : others)
+            subjects.push_back(*check_.getPair(robot, other).begin);
         bool free = begin() && computeBounds(robot);
         for (const unsigned int other : others)
             free = free && computeBounds(other);
-        const SubjectRange own = check_.getRobotSubjects(robot);
-        free = free && areFree(own.begin, own.count);
-        for (const unsigned int other : others)
-            free = free && areFree(check_.getPair(robot, other).begin, 1);
+        free = free && areFree(subjects.data(), subjects.size());
         context_.counts.motionSamples += context_.counts.robotPoses;
         return free;
     }

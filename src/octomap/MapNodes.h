@@ -8,7 +8,7 @@
 namespace ompl_certificates
 {
     /** \brief The nodes of an octomap that was read: which there are, and which leaves are occupied. An octree of octomap
-        takes ten times the memory and several times the time. */
+        takes several times the memory and the time. */
     class MapNodes
     {
     public:

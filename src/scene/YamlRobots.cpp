@@ -222,7 +222,7 @@ namespace ompl_certificates
         {
             if (type.velocities > 0)
                 scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
-            else if (type.layout != Layout::R2)
+            if (type.layout != Layout::R2)
                 scene.addNote("robot '" + name + "' may move in any direction: plans are geometric");
         }
     }

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/control/PlannerData.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/util/Exception.h>
 
@@ -79,6 +81,14 @@ TEST_F(PrioritizedRRTTest, LetsATeamChangePlacesAndComeToRest)
         EXPECT_EQ(data.numVertices(), path.getStateCount());
         EXPECT_EQ(data.numStartVertices(), 1U);
         EXPECT_EQ(data.numGoalVertices(), 1U);
+        oc::PlannerData withControls(setup->getSpaceInformation());
+        setup->getPlanner()->getPlannerData(withControls);
+        EXPECT_EQ(withControls.numEdges(), path.getControlCount());
+        withControls.decoupleFromPlanner();
+        EXPECT_TRUE(static_cast<const PrioritizedRRT &>(*setup->getPlanner()).getStuckRobot().empty());
+        const auto &si = *setup->getSpaceInformation();
+        for (const double duration : path.getControlDurations())
+            EXPECT_LE(duration, si.getMaxControlDuration() * si.getPropagationStepSize() * (1.0 + 1e-9));
     }
 }
 
@@ -151,6 +161,28 @@ TEST_F(PrioritizedRRTTest, EndsWithoutAPathWhereThereIsNone)
     EXPECT_EQ(setup.solve(1.0), ob::PlannerStatus::INVALID_GOAL);
 }
 
+TEST_F(PrioritizedRRTTest, TriesAnotherGoalWithEachOrder)
+{
+    const auto space = within({2.0, 2.0});
+    TeamControlSetup setup(teamOf({Integrator::firstOrder(RigidRobot::disc("disc", 0.2, space), within({0.5, 0.5}))}),
+                           boxes({{{0.0, 0.0, 0.2, 4.0}}}));
+    ob::ScopedState<> state(setup.getStateSpace());
+    state = std::vector<double>{-1.0, 0.0};
+    setup.setStartState(state);
+    const auto goals = std::make_shared<ob::GoalStates>(setup.getSpaceInformation());
+    for (const double x : {1.0, -1.5})
+    {
+        state = std::vector<double>{x, 1.0};
+        goals->addState(state);
+    }
+    goals->setThreshold(0.1);
+    setup.setGoal(goals);
+    auto planner = std::make_shared<PrioritizedRRT>(setup.getSpaceInformation());
+    planner->setIterations(200);
+    setup.setPlanner(planner);
+    EXPECT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
 TEST_F(PrioritizedRRTTest, RefusesWhatItCannotUse)
 {
     const auto setup = swapping(Method::STANDARD, CertificateMotionValidator::DISCRETE);
@@ -218,6 +250,9 @@ TEST_F(PrioritizedRRTTest, RobotStepsAreProvedAmongThoseAskedForAlone)
     EXPECT_FALSE(isFree(1, {3, 0}));
     EXPECT_FALSE(isFree(2, {}));
     EXPECT_TRUE(isFree(3, {0, 1, 2}));
+    EXPECT_THROW(isFree(4, {}), ompl::Exception);
+    EXPECT_THROW(isFree(0, {4}), ompl::Exception);
+    EXPECT_THROW(isFree(0, {0}), ompl::Exception);
     EXPECT_FALSE(propagator.isStepFree(checker, state.get(), control, 0.1, result.get()));
     si->freeControl(control);
 }

@@ -95,6 +95,18 @@ namespace ompl_certificates
         EXPECT_EQ(scene.getName(), "velocities");
     }
 
+    TEST(YamlFile, NotesThatDynamicsDoNotCount)
+    {
+        const Scene scene = sceneFromYaml(
+            "environment: {min: [0, 0], max: [5, 5]}\n"
+            "robots: [{type: unicycle_second_order_0, start: [1, 2, 0, 0, 0], goal: [3, 3, 0, 0, 0]}, "
+            "{type: single_integrator_0, start: [1, 4], goal: [4, 4]}]",
+            "unicycle");
+        EXPECT_EQ(scene.getNotes(),
+                  (std::vector<std::string>{"velocities of robot 'robot_0' dropped: plans are geometric",
+                                            "robot 'robot_0' may move in any direction: plans are geometric"}));
+    }
+
     TEST(YamlFile, KnowsTypesWithAndWithoutVersion)
     {
         for (const std::string type : {"unicycle_first_order", "unicycle_first_order_0", "unicycle_first_order_sphere",

@@ -19,12 +19,15 @@ namespace ompl_certificates
         arrived; DynamicRobot::computeBrake() tells how. One that finds no way moves to the front of the order, and
         planning begins anew.
 
-        Not complete: some problems need robots that make way for others. It ends with the first path, which is not the
-        quickest. The path is checked as a whole by the space information's propagator and validity checker, which in
+        Not complete: some problems need robots that make way for others. A robot that cannot stop, or whose goal has
+        more speed than the tolerance allows at rest, finds no way. It ends with the first path, which is not the
+        quickest. Controls are held for as long as the space information tells until a robot brakes; those of the team
+        change whenever a robot's do. The path is checked as a whole by the space information's propagator and validity checker, which in
         continuous mode prove its steps.
 
         Needs a TeamStateSpace, a TeamPropagator, and a LimitedValidityChecker or a TeamValidityChecker; all of them are
-        in place in a TeamControlSetup. Of a GoalRegion with a threshold, each robot gets its share.
+        in place in a TeamControlSetup. Of the goal's threshold
+        each robot gets its share. The first start counts, and each order tries another goal if there are more.
 
         @par External documentation
         M. Erdmann, T. Lozano-Pérez, On multiple moving objects, 1987; S. LaValle, J. Kuffner, Randomized kinodynamic
@@ -70,8 +73,8 @@ namespace ompl_certificates
             return iterations_;
         }
 
-        /** \brief The name of the robot that found no way around others in the last order that solve() tried; empty if
-            there was none */
+        /** \brief The name of the robot that found no way in the last order that solve() tried to the end; empty if there
+            was none, or one led to a path */
         const std::string &getStuckRobot() const
         {
             return stuckRobot_;

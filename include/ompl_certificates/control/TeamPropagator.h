@@ -52,7 +52,8 @@ namespace ompl_certificates
 
         /** \brief Whether a robot is proved free throughout a step of the team: of obstacles, of itself and of some
             others, not of the rest
-            \throws ompl::Exception if \e checker uses a method without certificates, or is of another team */
+            \throws ompl::Exception if \e checker uses a method without certificates or is of another team, if there is
+            no such robot, or if \e others contain it */
         bool isRobotStepFree(const TeamValidityChecker &checker, const ompl::base::State *state,
                              const ompl::control::Control *control, double duration, unsigned int robot,
                              const std::vector<unsigned int> &others) const;
