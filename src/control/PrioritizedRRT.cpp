@@ -112,9 +112,10 @@ namespace ompl_certificates
                                random_);
                 auto trajectory =
                     tree.search(iterations_ * (1 + std::uint64_t(attempt / robots)), goalBias_, condition);
-                if (trajectory)
-                    trajectories.add(robot, *std::move(trajectory));
-                return trajectory.has_value();
+                if (!trajectory)
+                    return false;
+                trajectories.add(robot, std::move(*trajectory));
+                return true;
             };
             const auto failed = std::find_if_not(order.begin(), order.end(), plan);
             if (failed != order.end())
