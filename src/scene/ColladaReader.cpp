@@ -1,4 +1,5 @@
 #include "MeshReaders.h"
+#include "ColladaIds.h"
 #include "LineReader.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <map>
 #include <pugixml.hpp>
 #include <stdexcept>
-#include <tuple>
 
 namespace ompl_certificates
 {
@@ -19,7 +19,6 @@ namespace ompl_certificates
         constexpr std::size_t MOST_CONTENT_BYTES = 128U << 20U, MOST_NODES = 100000, MOST_LEVELS = 1000;
         const NameList COUNTED{"triangles", "polylist", "polygons"},
             UNCOUNTED{"tristrips", "trifans", "lines", "linestrips"};
-        constexpr const char *LIBRARY = "library_nodes";
         constexpr const char *SEMANTICS[] = {"POSITION", "NORMAL", "TEXCOORD"};
 
         bool isOneOf(const NameList &names, std::string_view name)
@@ -57,7 +56,7 @@ namespace ompl_certificates
             std::size_t level;
         };
 
-        class ColladaReader : private pugi::xml_tree_walker
+        class ColladaReader
         {
         public:
             ColladaReader(std::string_view content, MeshCollector &mesh) : content_(content), mesh_(mesh)
@@ -73,7 +72,7 @@ namespace ompl_certificates
                 const Node root = document_.child("COLLADA");
                 if (!root)
                     throw std::runtime_error("it has no element <COLLADA>");
-                document_.traverse(*this);
+                ids_.read(document_);
                 const Eigen::Affine3d frame = frameOf(root.child("asset"));
                 const Node instance = root.child("scene").child("instance_visual_scene");
                 const Node scene = instance ? require(instance, "url", "visual_scene")
@@ -101,41 +100,16 @@ namespace ompl_certificates
                 fail(node.offset_debug(), std::string("<") + node.name() + "> " + complaint);
             }
 
-            bool for_each(Node &node) override
-            {
-                const bool isOfLibrary = std::string_view(node.parent().name()) == LIBRARY;
-                if (depth() <= walkedDepth_)
-                    walkedMesh_ = {};
-                if (!walkedMesh_ && std::string_view(node.name()) == "mesh")
-                {
-                    walkedMesh_ = node;
-                    walkedDepth_ = depth();
-                }
-                if (!node.attribute("id"))
-                    return true;
-                const std::string_view name = isOfLibrary ? LIBRARY : node.name(), id = valueOf(node, "id");
-                ids_.emplace(Key{name, id, Node()}, node);
-                if (walkedMesh_)
-                    ids_.emplace(Key{name, id, walkedMesh_}, node);
-                return true;
-            }
-
-            /** The element of that name whose id the attribute gives, if it is there. Some programs write an id once
-                in each mesh: then that of the mesh that is read counts. */
+            /** The element of that name whose id the attribute gives, if it is there */
             Node find(const Node &from, const char *attribute, std::string_view name) const
             {
                 const std::string_view url = valueOf(from, attribute);
                 if (url.substr(0, 1) != "#")
                     return {};
-                const std::string_view id = url.substr(1);
-                auto [first, last] = ids_.equal_range({name, id, readMesh_});
-                if (first == last)
-                    std::tie(first, last) = ids_.equal_range({name, id, Node()});
-                if (first == last)
-                    return {};
-                if (std::next(first) != last)
+                const auto [node, hasOthers] = ids_.find(name, url.substr(1), readMesh_);
+                if (hasOthers)
                     fail(from, "is of " + inQuotes(url) + ", but there are two <" + std::string(name) + "> of that id");
-                return first->second;
+                return node;
             }
 
             Node require(const Node &from, const char *attribute, const std::string &name) const
@@ -417,7 +391,7 @@ namespace ompl_certificates
             /** A node of the library, or else any other, or a scene */
             Node nodeOf(const Node &instance) const
             {
-                for (const char *name : {LIBRARY, "visual_scene"})
+                for (const char *name : {ColladaIds::LIBRARY, "visual_scene"})
                     if (const Node node = find(instance, "url", name))
                         return node;
                 return require(instance, "url", "node");
@@ -436,12 +410,9 @@ namespace ompl_certificates
             std::string_view content_;
             MeshCollector &mesh_;
             pugi::xml_document document_;
-            /** The name of an element, its id, and the mesh that it is in. Those of meshes are there without it, too. */
-            using Key = std::tuple<std::string_view, std::string_view, Node>;
-            std::multimap<Key, Node> ids_;
-            /** The mesh around the element where the walk is, if any, how deep it is, and the one that is read */
-            Node walkedMesh_, readMesh_;
-            int walkedDepth_{0};
+            ColladaIds ids_;
+            /** The mesh that is read */
+            Node readMesh_;
             std::map<Node, Source> sources_;
             std::size_t corners_{0};
             std::map<Node, std::vector<MeshPart>> parts_;
