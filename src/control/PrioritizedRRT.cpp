@@ -2,8 +2,6 @@
 
 #include "RobotTree.h"
 
-#include "ompl_certificates/control/LimitedValidityChecker.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,15 +17,6 @@ namespace ompl_certificates
 
     namespace
     {
-        /** The team's checker, which may be within one that asks for limits, too; or null */
-        const TeamValidityChecker *checkerOf(const ob::SpaceInformation &si)
-        {
-            const ob::StateValidityChecker *checker = si.getStateValidityChecker().get();
-            if (const auto *limited = dynamic_cast<const LimitedValidityChecker *>(checker))
-                return limited->getTeamChecker().get();
-            return dynamic_cast<const TeamValidityChecker *>(checker);
-        }
-
         const ob::State *partOf(const ob::State *state, unsigned int robot)
         {
             return state->as<ob::CompoundState>()->components[robot];
@@ -47,12 +36,7 @@ namespace ompl_certificates
     void PrioritizedRRT::setup()
     {
         Planner::setup();
-        if (!dynamic_cast<const TeamStateSpace *>(si_->getStateSpace().get()))
-            throw ompl::Exception(getName(), "needs a TeamStateSpace");
-        if (!dynamic_cast<const TeamPropagator *>(controlSpaceInformation_->getStatePropagator().get()))
-            throw ompl::Exception(getName(), "needs a TeamPropagator");
-        if (!checkerOf(*si_))
-            throw ompl::Exception(getName(), "needs a LimitedValidityChecker or a TeamValidityChecker");
+        RobotTrajectories::requireTeam(*controlSpaceInformation_, getName());
     }
 
     void PrioritizedRRT::clear()
@@ -97,7 +81,7 @@ namespace ompl_certificates
         const double share = team.getMetric() == TeamStateSpace::EUCLIDEAN ? std::sqrt(robots) : robots;
         const RobotTree::Durations durations{controlSpaceInformation_->getMinControlDuration(),
                                              controlSpaceInformation_->getMaxControlDuration()};
-        RobotTrajectories trajectories(std::static_pointer_cast<oc::SpaceInformation>(si_), *checkerOf(*si_));
+        RobotTrajectories trajectories(std::static_pointer_cast<oc::SpaceInformation>(si_), getName());
         std::vector<unsigned int> order(robots);
         std::iota(order.begin(), order.end(), 0U);
         for (unsigned int attempt = 0; !condition; ++attempt)

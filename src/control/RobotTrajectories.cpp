@@ -1,8 +1,10 @@
 #include "RobotTrajectories.h"
 
+#include "ompl_certificates/control/LimitedValidityChecker.h"
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <algorithm>
+#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -18,11 +20,26 @@ namespace ompl_certificates
         }
     }
 
-    RobotTrajectories::RobotTrajectories(oc::SpaceInformationPtr si, const TeamValidityChecker &checker)
+    const TeamValidityChecker &RobotTrajectories::requireTeam(const oc::SpaceInformation &si, const std::string &user)
+    {
+        if (!dynamic_cast<const TeamStateSpace *>(si.getStateSpace().get()))
+            throw ompl::Exception(user, "needs a TeamStateSpace");
+        if (!dynamic_cast<const TeamPropagator *>(si.getStatePropagator().get()))
+            throw ompl::Exception(user, "needs a TeamPropagator");
+        const ob::StateValidityChecker *checker = si.getStateValidityChecker().get();
+        if (const auto *limited = dynamic_cast<const LimitedValidityChecker *>(checker))
+            checker = limited->getTeamChecker().get();
+        const auto *team = dynamic_cast<const TeamValidityChecker *>(checker);
+        if (!team)
+            throw ompl::Exception(user, "needs a LimitedValidityChecker or a TeamValidityChecker");
+        return *team;
+    }
+
+    RobotTrajectories::RobotTrajectories(oc::SpaceInformationPtr si, const std::string &user)
       : si_(std::move(si))
-      , checker_(checker)
+      , checker_(requireTeam(*si_, user))
       , propagator_(static_cast<const TeamPropagator &>(*si_->getStatePropagator()))
-      , team_(checker.getTeam())
+      , team_(checker_.getTeam())
       , trajectories_(team_.getRobotCount())
       , teamState_(si_->getStateSpace())
       , control_(si_->allocControl())
@@ -46,6 +63,46 @@ namespace ompl_certificates
         steps_ = std::max(steps_, trajectory.controls.size());
         trajectories_[robot] = std::move(trajectory);
         planned_.push_back(robot);
+    }
+
+    RobotTrajectories::Trajectory RobotTrajectories::take(unsigned int robot)
+    {
+        Trajectory trajectory = std::move(trajectories_[robot]);
+        trajectories_[robot] = Trajectory();
+        planned_.erase(std::remove(planned_.begin(), planned_.end(), robot), planned_.end());
+        steps_ = 0;
+        for (const auto &other : trajectories_)
+            steps_ = std::max(steps_, other.controls.size());
+        return trajectory;
+    }
+
+    void RobotTrajectories::read(const oc::PathControl &path)
+    {
+        clear();
+        oc::PathControl steps(path);
+        steps.interpolate();
+        std::size_t firstControl = 0;
+        for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
+        {
+            const std::size_t controls = getRobot(robot).getControlNames().size();
+            Trajectory trajectory;
+            std::size_t moving = 0;
+            for (std::size_t i = 0; i < steps.getStateCount(); ++i)
+            {
+                trajectory.states.push_back(
+                    clone(robot, steps.getState(static_cast<unsigned int>(i))->as<ob::CompoundState>()->components[robot]));
+                if (i == 0)
+                    continue;
+                const double *control = valuesOf(steps.getControl(static_cast<unsigned int>(i - 1))) + firstControl;
+                trajectory.controls.emplace_back(control, control + controls);
+                if (getSpace(robot).distance(trajectory.states[i - 1].get(), trajectory.states[i].get()) > 0.0)
+                    moving = i;
+            }
+            trajectory.states.resize(moving + 1);
+            trajectory.controls.resize(moving);
+            add(robot, std::move(trajectory));
+            firstControl += controls;
+        }
     }
 
     RobotTrajectories::State RobotTrajectories::clone(unsigned int robot, const ob::State *state) const

@@ -6,6 +6,7 @@
 #include <memory>
 #include <ompl/base/ScopedState.h>
 #include <ompl/control/PathControl.h>
+#include <string>
 #include <vector>
 
 namespace ompl_certificates
@@ -25,20 +26,36 @@ namespace ompl_certificates
             std::vector<Control> controls;
         };
 
-        /** \brief No trajectory yet
-            \param si has a TeamPropagator
-            \param checker must outlive this */
-        RobotTrajectories(ompl::control::SpaceInformationPtr si, const TeamValidityChecker &checker);
+        /** \brief No trajectory yet; \throws ompl::Exception as requireTeam() does */
+        RobotTrajectories(ompl::control::SpaceInformationPtr si, const std::string &user);
         ~RobotTrajectories();
 
         RobotTrajectories(const RobotTrajectories &) = delete;
         RobotTrajectories &operator=(const RobotTrajectories &) = delete;
+
+        /** \brief The team's checker in \e si, which may be within one that asks for limits, too
+            \throws ompl::Exception if there is none, no TeamStateSpace or no TeamPropagator, in the name of \e user */
+        static const TeamValidityChecker &requireTeam(const ompl::control::SpaceInformation &si,
+                                                      const std::string &user);
 
         /** \brief Forget all trajectories */
         void clear();
 
         /** \brief Let a robot without a trajectory move among the others */
         void add(unsigned int robot, Trajectory trajectory);
+
+        /** \brief Read those of all robots from a path whose durations are whole steps. A robot's trajectory ends where
+            it comes to rest. */
+        void read(const ompl::control::PathControl &path);
+
+        /** \brief Take a robot's trajectory away */
+        Trajectory take(unsigned int robot);
+
+        /** \brief That of a robot; empty if it has none */
+        const Trajectory &getTrajectory(unsigned int robot) const
+        {
+            return trajectories_[robot];
+        }
 
         /** \brief After how many steps all robots stay where they are */
         std::size_t getSteps() const

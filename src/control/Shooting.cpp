@@ -1,0 +1,198 @@
+#include "Shooting.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        constexpr unsigned int ITERATIONS = 12;
+
+        /** Of the range of a control, for differences; and of that of a number, to stay within its bounds */
+        constexpr double DIFFERENCE = 1e-6, MARGIN = 1e-6;
+
+        /** Of the sum of the squares of derivatives: keeps steps finite where controls have no effect */
+        constexpr double DAMPING = 1e-12;
+
+        double rangeOf(const DynamicRobot &robot, std::size_t control)
+        {
+            const auto &bounds = robot.getControlBounds();
+            return bounds.high[control] - bounds.low[control];
+        }
+    }
+
+    Shooting::Shooting(const DynamicRobot &robot, const ob::StateSpace &space, double stepSize)
+      : robot_(robot)
+      , space_(space)
+      , stepSize_(stepSize)
+      , accuracy_(1e-7 * space.getMaximumExtent())
+      , less_(makeState())
+      , more_(makeState())
+    {
+        for (const auto &location : space.getValueLocations())
+        {
+            const ob::StateSpace *part = location.stateLocation.space;
+            Coordinate coordinate{location, dynamic_cast<const ob::SO2StateSpace *>(part) != nullptr, -HUGE_VAL, HUGE_VAL};
+            if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(part))
+            {
+                const auto &bounds = vector->getBounds();
+                const double margin = MARGIN * (bounds.high[location.index] - bounds.low[location.index]);
+                coordinate.low = bounds.low[location.index] + margin;
+                coordinate.high = bounds.high[location.index] - margin;
+            }
+            coordinates_.push_back(coordinate);
+        }
+    }
+
+    Shooting::StatePtr Shooting::makeState() const
+    {
+        return {space_.allocState(), [this](ob::State *state) { space_.freeState(state); }};
+    }
+
+    double Shooting::valueOf(const Coordinate &coordinate, const ob::State *state) const
+    {
+        return *space_.getValueAddressAtLocation(state, coordinate.location);
+    }
+
+    double Shooting::difference(const Coordinate &coordinate, const ob::State *state, double value) const
+    {
+        const double straight = valueOf(coordinate, state) - value;
+        return coordinate.isAngle ? std::remainder(straight, 2.0 * M_PI) : straight;
+    }
+
+    bool Shooting::solve(const ob::State *from, const ob::State *to, std::vector<Piece> &pieces)
+    {
+        while (ends_.size() < pieces.size() + 1)
+            ends_.push_back(makeState());
+        conditions_.clear();
+        for (std::size_t i = 0; i < coordinates_.size(); ++i)
+            conditions_.push_back({pieces.size(), i, valueOf(coordinates_[i], to)});
+        for (unsigned int iteration = 0; iteration < ITERATIONS; ++iteration)
+        {
+            run(from, pieces);
+            const bool isWithin = !addLimits(pieces.size());
+            if (isWithin && space_.distance(ends_[pieces.size()].get(), to) <= accuracy_)
+                return true;
+            const Eigen::VectorXd errors = computeErrors();
+            if (!errors.allFinite())
+                return false;
+            improve(pieces, errors, computeDerivatives(pieces));
+        }
+        return false;
+    }
+
+    void Shooting::run(const ob::State *from, const std::vector<Piece> &pieces)
+    {
+        space_.copyState(ends_[0].get(), from);
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+        {
+            ob::State *state = ends_[i + 1].get();
+            space_.copyState(state, ends_[i].get());
+            for (unsigned int step = 0; step < pieces[i].steps; ++step)
+                robot_.propagate(state, pieces[i].control.data(), stepSize_, state);
+        }
+    }
+
+    bool Shooting::addLimits(std::size_t pieces)
+    {
+        // What was once beyond its limit stays at it.
+        bool isBeyond = false;
+        for (std::size_t piece = 1; piece <= pieces; ++piece)
+            for (std::size_t i = 0; i < coordinates_.size(); ++i)
+            {
+                const double value = valueOf(coordinates_[i], ends_[piece].get());
+                const double limited = std::clamp(value, coordinates_[i].low, coordinates_[i].high);
+                if (value == limited)
+                    continue;
+                isBeyond = true;
+                const auto isSame = [&](const Condition &known) { return known.piece == piece && known.coordinate == i; };
+                if (std::none_of(conditions_.begin(), conditions_.end(), isSame))
+                    conditions_.push_back({piece, i, limited});
+            }
+        return isBeyond;
+    }
+
+    Eigen::VectorXd Shooting::computeErrors() const
+    {
+        Eigen::VectorXd errors(static_cast<Eigen::Index>(conditions_.size()));
+        for (std::size_t i = 0; i < conditions_.size(); ++i)
+            errors[static_cast<Eigen::Index>(i)] = difference(coordinates_[conditions_[i].coordinate],
+                                                              ends_[conditions_[i].piece].get(), conditions_[i].value);
+        return errors;
+    }
+
+    Eigen::MatrixXd Shooting::computeDerivatives(const std::vector<Piece> &pieces)
+    {
+        // Pieces in one go, not step by step: derivatives need not be exact, but both sides must be alike.
+        const std::size_t controls = pieces.front().control.size();
+        Eigen::MatrixXd derivatives =
+            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(conditions_.size()),
+                                  static_cast<Eigen::Index>(pieces.size() * controls));
+        for (std::size_t i = 0; i < pieces.size() * controls; ++i)
+        {
+            const std::size_t first = i / controls, c = i % controls;
+            std::vector<double> less = pieces[first].control, more = less;
+            const double range = rangeOf(robot_, c);
+            less[c] -= DIFFERENCE * range;
+            more[c] += DIFFERENCE * range;
+            space_.copyState(less_.get(), ends_[first].get());
+            space_.copyState(more_.get(), ends_[first].get());
+            for (std::size_t piece = first; piece < pieces.size(); ++piece)
+            {
+                const double duration = pieces[piece].steps * stepSize_;
+                const double *control = pieces[piece].control.data();
+                robot_.propagate(less_.get(), piece == first ? less.data() : control, duration, less_.get());
+                robot_.propagate(more_.get(), piece == first ? more.data() : control, duration, more_.get());
+                for (std::size_t row = 0; row < conditions_.size(); ++row)
+                    if (conditions_[row].piece == piece + 1)
+                    {
+                        const Coordinate &coordinate = coordinates_[conditions_[row].coordinate];
+                        derivatives(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)) =
+                            difference(coordinate, more_.get(), valueOf(coordinate, less_.get())) / (2.0 * DIFFERENCE);
+                    }
+            }
+        }
+        return derivatives;
+    }
+
+    void Shooting::improve(std::vector<Piece> &pieces, const Eigen::VectorXd &errors,
+                           Eigen::MatrixXd derivatives) const
+    {
+        // Controls count by their ranges. One that a step would press against its bound stays there.
+        const auto &bounds = robot_.getControlBounds();
+        const std::size_t controls = pieces.front().control.size();
+        Eigen::VectorXd step;
+        for (bool isFree = false; !isFree;)
+        {
+            Eigen::MatrixXd squares = derivatives * derivatives.transpose();
+            squares.diagonal().array() += DAMPING * (squares.trace() + std::numeric_limits<double>::min());
+            step = derivatives.transpose() * squares.ldlt().solve(-errors);
+            if (!step.allFinite())
+                return;
+            isFree = true;
+            for (Eigen::Index i = 0; i < step.size(); ++i)
+            {
+                const std::size_t c = static_cast<std::size_t>(i) % controls;
+                const double value = pieces[static_cast<std::size_t>(i) / controls].control[c];
+                if ((step[i] > 0.0 && value >= bounds.high[c]) || (step[i] < 0.0 && value <= bounds.low[c]))
+                {
+                    derivatives.col(i).setZero();
+                    isFree = false;
+                }
+            }
+        }
+        for (Eigen::Index i = 0; i < step.size(); ++i)
+        {
+            const std::size_t c = static_cast<std::size_t>(i) % controls;
+            double &value = pieces[static_cast<std::size_t>(i) / controls].control[c];
+            value = std::clamp(value + step[i] * rangeOf(robot_, c), bounds.low[c], bounds.high[c]);
+        }
+    }
+}
