@@ -17,22 +17,25 @@ namespace ompl_certificates
             return *state->as<ob::CompoundState>()->components[1]->as<ob::SO2StateSpace::StateType>();
         }
 
-        /** The heading of a trailer behind a car that drives along an arc, by Runge and Kutta's method */
+        /** The heading of a trailer behind a car that drives along an arc: d' = turnRate - pull * sin(d), where d is the
+            angle of the hinge. The tangent of d / 2 obeys a Riccati equation, whose numerator and denominator obey a
+            linear one. Its matrix's square is a multiple of the unit matrix, so its exponential is elementary. */
         double trailerAfter(double trailer, double yaw, double speed, double turnRate, double hitch, double duration)
         {
-            const double turn = (std::abs(turnRate) + std::abs(speed) / hitch) * std::abs(duration);
-            const int pieces = 1 + static_cast<int>(std::min(1e4, turn / 0.1));
-            const double h = duration / pieces;
-            const auto rate = [&](double t, double heading)
-            { return speed / hitch * std::sin(yaw + turnRate * t - heading); };
-            for (int piece = 0; piece < pieces; ++piece)
+            const double pull = speed / hitch;
+            const double square = 0.25 * (pull - turnRate) * (pull + turnRate), root = std::sqrt(std::abs(square));
+            double same = 1.0, change = duration;
+            if (square > 0.0)
+                change = std::tanh(root * duration) / root;  // both are divided by a cosh, which may overflow
+            else if (root > 0.0)
             {
-                const double t = piece * h;
-                const double k1 = rate(t, trailer), k2 = rate(t + 0.5 * h, trailer + 0.5 * h * k1),
-                             k3 = rate(t + 0.5 * h, trailer + 0.5 * h * k2), k4 = rate(t + h, trailer + h * k3);
-                trailer += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+                same = std::cos(root * duration);
+                change = std::sin(root * duration) / root;
             }
-            return trailer;
+            const double half = 0.5 * std::remainder(yaw - trailer, 2.0 * M_PI), s = std::sin(half), c = std::cos(half);
+            const double hinge = 2.0 * std::atan2(same * s + 0.5 * change * (turnRate * c - pull * s),
+                                                  same * c + 0.5 * change * (pull * c - turnRate * s));
+            return yaw + turnRate * duration - hinge;
         }
     }
 

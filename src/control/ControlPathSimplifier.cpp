@@ -50,7 +50,8 @@ namespace ompl_certificates
         std::deque<RobotShortcuts> robots;
         for (unsigned int i = 0; i < si_->getStateSpace()->as<TeamStateSpace>()->getSubspaceCount(); ++i)
             robots.emplace_back(trajectories, i, goal ? goal->as<ob::CompoundState>()->components[i] : nullptr,
-                                si_->getMinControlDuration(), si_->getMaxControlDuration(), random_);
+                                Shooting::Durations{si_->getMinControlDuration(), si_->getMaxControlDuration()},
+                                random_);
         bool isChanged = false;
         for (auto &robot : robots)
             for (unsigned int i = 0; i < GOAL_ATTEMPTS && !robot.isAtGoal() && !condition; ++i)

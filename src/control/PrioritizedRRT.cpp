@@ -79,7 +79,7 @@ namespace ompl_certificates
         const unsigned int robots = team.getSubspaceCount();
         // If all robots use up their shares, the team uses up its threshold.
         const double share = team.getMetric() == TeamStateSpace::EUCLIDEAN ? std::sqrt(robots) : robots;
-        const RobotTree::Durations durations{controlSpaceInformation_->getMinControlDuration(),
+        const Shooting::Durations durations{controlSpaceInformation_->getMinControlDuration(),
                                              controlSpaceInformation_->getMaxControlDuration()};
         RobotTrajectories trajectories(std::static_pointer_cast<oc::SpaceInformation>(si_), getName());
         std::vector<unsigned int> order(robots);

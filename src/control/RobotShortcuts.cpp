@@ -9,20 +9,16 @@ namespace ompl_certificates
 
     namespace
     {
-        /** In how many pieces a part's controls are sought: more cost more, fewer turn and stop less */
-        constexpr std::size_t PIECES = 12;
-
         /** How far a trajectory may end from where it should, and how far it moves at rest, as parts of the accuracy of
             shooting: controls after a change are repeated from a state that is so near the old one. */
         constexpr double DRIFT = 100.0, REST = 0.01;
     }
 
     RobotShortcuts::RobotShortcuts(RobotTrajectories &others, unsigned int robot, const ob::State *goal,
-                                   unsigned int least, unsigned int most, ompl::RNG &random)
+                                   const Shooting::Durations &durations, ompl::RNG &random)
       : others_(others)
       , robot_(robot)
-      , least_(least)
-      , most_(most)
+      , durations_(durations)
       , random_(random)
       , space_(others.getSpace(robot))
       , shooting_(others.getRobot(robot), space_, others.getStepSize())
@@ -73,36 +69,25 @@ namespace ompl_certificates
 
     std::vector<Shooting::Piece> RobotShortcuts::guess(const Part &part)
     {
-        // As many steps each as may be; what is over goes to the first ones. Controls are those of the old part, at
-        // the pace of the new one, or the mean of all: the way is like the old one, or the old one without its turns.
-        const std::size_t most = std::max<std::size_t>(1, part.steps / least_);
-        const std::size_t fewest = (part.steps + most_ - 1) / most_;
-        const std::size_t count = std::min(most, std::max(fewest, PIECES));
-        const bool smooth = random_.uniformBool();
-        const double pace = static_cast<double>(part.end - part.begin) / static_cast<double>(part.steps);
-        std::vector<Shooting::Piece> pieces;
-        const std::size_t controls = others_.getRobot(robot_).getControlNames().size();
-        std::size_t begin = 0;
-        for (std::size_t i = 0; i < count; ++i)
+        std::vector<Shooting::Piece> pieces = Shooting::divide(part.steps, durations_);
+        const DynamicRobot &robot = others_.getRobot(robot_);
+        const std::size_t controls = robot.getControlNames().size(), old = part.end - part.begin;
+        // The old controls at the new pace, or the mean of all: the way is like the old one, or without its turns.
+        const bool isMean = random_.uniformBool();
+        std::size_t step = 0;
+        for (auto &piece : pieces)
         {
-            const std::size_t steps = part.steps / count + (i < part.steps % count ? 1 : 0);
-            const auto oldStep = [&](std::size_t step)
-            { return part.begin + static_cast<std::size_t>(pace * static_cast<double>(step)); };
-            if (part.begin == part.end)
-            {
-                pieces.push_back({std::vector<double>(controls), static_cast<unsigned int>(steps)});
-                others_.getRobot(robot_).computeBrake(trajectory_.states[part.begin].get(), others_.getStepSize(),
-                                                      pieces.back().control.data());
-                continue;
-            }
-            const std::size_t from = smooth ? part.begin : oldStep(begin);
-            const std::size_t to = smooth ? part.end : std::max(from + 1, std::min(part.end, oldStep(begin + steps)));
-            std::vector<double> mean(controls, 0.0);
-            for (std::size_t step = from; step < to; ++step)
-                for (std::size_t c = 0; c < mean.size(); ++c)
-                    mean[c] += trajectory_.controls[step][c] / static_cast<double>(to - from);
-            pieces.push_back({std::move(mean), static_cast<unsigned int>(steps)});
-            begin += steps;
+            piece.control.assign(controls, 0.0);
+            const std::size_t next = step + piece.steps;
+            const std::size_t from = isMean ? 0 : old * step / part.steps;
+            const std::size_t to = isMean ? old : std::max(from + 1, old * next / part.steps);
+            if (old == 0)
+                robot.computeBrake(trajectory_.states[part.begin].get(), others_.getStepSize(), piece.control.data());
+            else
+                for (std::size_t i = from; i < to; ++i)
+                    for (std::size_t c = 0; c < controls; ++c)
+                        piece.control[c] += trajectory_.controls[part.begin + i][c] / static_cast<double>(to - from);
+            step = next;
         }
         return pieces;
     }

@@ -17,9 +17,9 @@ namespace ompl_certificates
 
         /** \brief For a robot of \e others, which must outlive this, as must \e random
             \param goal where the robot should end; null if it is to end where it ends now
-            \param least, most for how many steps a control is held */
-        RobotShortcuts(RobotTrajectories &others, unsigned int robot, const ompl::base::State *goal, unsigned int least,
-                       unsigned int most, ompl::RNG &random);
+            \param durations how long controls are held */
+        RobotShortcuts(RobotTrajectories &others, unsigned int robot, const ompl::base::State *goal,
+                       const Shooting::Durations &durations, ompl::RNG &random);
 
         /** \brief Whether the robot ends where it should */
         bool isAtGoal() const
@@ -49,7 +49,8 @@ namespace ompl_certificates
         bool keep(const Part &part, const ompl::base::State *target, std::size_t mostSteps);
 
         RobotTrajectories &others_;
-        const unsigned int robot_, least_, most_;
+        const unsigned int robot_;
+        const Shooting::Durations durations_;
         ompl::RNG &random_;
         const ompl::base::StateSpace &space_;
         Shooting shooting_;

@@ -1,6 +1,7 @@
 #include "RobotTree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ompl_certificates
@@ -12,6 +13,9 @@ namespace ompl_certificates
         /** How many controls are tried from a node */
         constexpr unsigned int CONTROLS = 6;
 
+        /** How often a new node is tried as the start of a shot to the goal; after a step towards the goal always */
+        constexpr double SHOTS = 0.1;
+
         /** A robot brakes from no farther than so many times the tolerance, and for no longer than so many seconds */
         constexpr double BRAKING_DISTANCE = 2.0, BRAKING_SECONDS = 10.0;
 
@@ -21,7 +25,8 @@ namespace ompl_certificates
         constexpr std::uint32_t TARGET = std::numeric_limits<std::uint32_t>::max();
     }
 
-    RobotTree::RobotTree(RobotTrajectories &others, const Task &task, const Durations &durations, ompl::RNG &random)
+    RobotTree::RobotTree(RobotTrajectories &others, const Task &task, const Shooting::Durations &durations,
+                         ompl::RNG &random)
       : others_(others)
       , task_(task)
       , durations_(durations)
@@ -29,6 +34,7 @@ namespace ompl_certificates
       , space_(others.getSpace(task.robot))
       , robot_(others.getRobot(task.robot))
       , sampler_(space_.allocStateSampler())
+      , shooting_(robot_, space_, others.getStepSize())
       , before_(others.clone(task.robot, task.start))
       , after_(others.clone(task.robot, task.start))
       , nearest_(others.clone(task.robot, task.start))
@@ -49,20 +55,19 @@ namespace ompl_certificates
     {
         const auto isNearGoal = [this]
         { return space_.distance(nodes_.back().state.get(), task_.goal) <= BRAKING_DISTANCE * task_.tolerance; };
-        bool isNew = true;
+        bool isNew = true, toGoal = true;
         for (; !condition; --iterations)
         {
             if (isNew && isNearGoal())
-                if (const auto end = rest(condition))
-                {
-                    Trajectory all = trajectoryTo(static_cast<Number>(nodes_.size() - 1));
-                    all.states.insert(all.states.end(), end->states.begin(), end->states.end());
-                    all.controls.insert(all.controls.end(), end->controls.begin(), end->controls.end());
-                    return all;
-                }
+                if (auto trajectory = rest(condition))
+                    return trajectory;
+            if (isNew && (toGoal || random_.uniform01() < SHOTS) && shoot())
+                if (auto trajectory = rest(condition))
+                    return trajectory;
             if (iterations == 0)
                 break;
-            if (random_.uniform01() < goalBias)
+            toGoal = random_.uniform01() < goalBias;
+            if (toGoal)
                 space_.copyState(target_.get(), task_.goal);
             else
                 sampler_->sampleUniform(target_.get());
@@ -109,6 +114,42 @@ namespace ompl_certificates
         return true;
     }
 
+    bool RobotTree::shoot()
+    {
+        // From one control to as many as a way is divided into, short ways as often as long ones.
+        const double most = Shooting::PIECES * durations_.most, least = durations_.least;
+        auto pieces = Shooting::divide(
+            static_cast<std::size_t>(least * std::pow(most / least, random_.uniform01())), durations_);
+        RobotTrajectories::Control control;
+        const ob::RealVectorBounds &bounds = robot_.getControlBounds();
+        for (std::size_t k = 0; k < bounds.low.size(); ++k)
+            control.push_back(random_.uniformReal(bounds.low[k], bounds.high[k]));
+        for (auto &piece : pieces)
+            piece.control = control;
+        if (!shooting_.solve(nodes_.back().state.get(), task_.goal, pieces))
+            return false;
+        const std::size_t size = nodes_.size();
+        space_.copyState(before_.get(), nodes_.back().state.get());
+        for (const auto &piece : pieces)
+        {
+            std::size_t step = nodes_.back().step;
+            for (unsigned int i = 0; i < piece.steps; ++i, ++step)
+            {
+                if (!others_.move(task_.robot, before_.get(), piece.control, step, after_.get()))
+                {
+                    nodes_.resize(size);
+                    return false;
+                }
+                std::swap(before_, after_);
+            }
+            nodes_.push_back({others_.clone(task_.robot, before_.get()), static_cast<Number>(nodes_.size() - 1),
+                              piece.control, piece.steps, step});
+        }
+        for (std::size_t i = size; i < nodes_.size(); ++i)
+            near_.add(static_cast<Number>(i));
+        return true;
+    }
+
     std::optional<RobotTree::Trajectory> RobotTree::rest(const ob::PlannerTerminationCondition &condition)
     {
         const Node &last = nodes_.back();
@@ -132,7 +173,10 @@ namespace ompl_certificates
         }
         if (space_.distance(before_.get(), task_.goal) > task_.tolerance)
             return std::nullopt;
-        return end;
+        Trajectory all = trajectoryTo(static_cast<Number>(nodes_.size() - 1));
+        all.states.insert(all.states.end(), end.states.begin(), end.states.end());
+        all.controls.insert(all.controls.end(), end.controls.begin(), end.controls.end());
+        return all;
     }
 
     RobotTree::Trajectory RobotTree::trajectoryTo(Number node) const

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_CONTROL_ROBOT_TREE_
 
 #include "RobotTrajectories.h"
+#include "Shooting.h"
 
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/StateSampler.h>
@@ -25,14 +26,9 @@ namespace ompl_certificates
             double tolerance;
         };
 
-        /** \brief For how many steps controls are held */
-        struct Durations
-        {
-            unsigned int least, most;
-        };
-
         /** \brief A tree with nothing but the start. All arguments must outlive it. */
-        RobotTree(RobotTrajectories &others, const Task &task, const Durations &durations, ompl::RNG &random);
+        RobotTree(RobotTrajectories &others, const Task &task, const Shooting::Durations &durations,
+                  ompl::RNG &random);
 
         /** \brief Let the tree grow until the robot reaches its goal and can stay there
             \param goalBias how often it grows towards the goal
@@ -58,20 +54,25 @@ namespace ompl_certificates
             \return whether there is one */
         bool extend();
 
+        /** \brief Add controls that lead from the last node to the goal, if they are found and nothing is in their way
+            \return whether that is so */
+        bool shoot();
+
         /** \brief Brake after the last node, and stay until all others do
-            \return the steps for that, if the robot rests near its goal and nothing is in its way */
+            \return all of the trajectory, if the robot rests near its goal and nothing is in its way */
         std::optional<Trajectory> rest(const ompl::base::PlannerTerminationCondition &condition);
 
         Trajectory trajectoryTo(Number node) const;
 
         RobotTrajectories &others_;
         const Task task_;
-        const Durations durations_;
+        const Shooting::Durations durations_;
         ompl::RNG &random_;
         const ompl::base::StateSpace &space_;
         const DynamicRobot &robot_;
         ompl::base::StateSamplerPtr sampler_;
         std::vector<Node> nodes_;
+        Shooting shooting_;
         /** \brief States that anyone may use for a moment, and the one to which the tree grows, as node TARGET */
         RobotTrajectories::State before_, after_, nearest_, target_;
         ompl::NearestNeighborsGNATNoThreadSafety<Number> near_;

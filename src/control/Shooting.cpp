@@ -51,6 +51,17 @@ namespace ompl_certificates
         }
     }
 
+    std::vector<Shooting::Piece> Shooting::divide(std::size_t steps, const Durations &durations)
+    {
+        const std::size_t fewest = (steps + durations.most - 1) / durations.most;
+        const std::size_t most = std::max<std::size_t>(1, steps / durations.least);
+        const std::size_t count = std::min(most, std::max<std::size_t>(fewest, PIECES));
+        std::vector<Piece> pieces;
+        for (std::size_t i = 0; i < count; ++i)
+            pieces.push_back({{}, static_cast<unsigned int>(steps / count + (i < steps % count ? 1 : 0))});
+        return pieces;
+    }
+
     Shooting::StatePtr Shooting::makeState() const
     {
         return {space_.allocState(), [this](ob::State *state) { space_.freeState(state); }};

@@ -27,6 +27,20 @@ namespace ompl_certificates
             unsigned int steps;
         };
 
+        /** \brief For how many steps a control may be held */
+        struct Durations
+        {
+            unsigned int least, most;
+        };
+
+        /** \brief Into so many pieces a way is divided, if their durations allow that: more cost more, with fewer a
+            robot turns and stops less */
+        static constexpr unsigned int PIECES = 12;
+
+        /** \brief Divide a number of steps into pieces, without controls yet. A way shorter than the least duration is
+            one piece. */
+        static std::vector<Piece> divide(std::size_t steps, const Durations &durations);
+
         /** \brief Shoots with a robot whose states are those of \e space; both must outlive this */
         Shooting(const DynamicRobot &robot, const ompl::base::StateSpace &space, double stepSize);
 
