@@ -42,14 +42,14 @@ namespace ompl_certificates
         if (!validator)
         {
             if (!ownValidator_ || checker != checker_)
-                ownValidator_ = std::make_shared<CertificateMotionValidator>(checker);
+                ownValidator_ = std::make_shared<CertificateMotionValidator>(si_, checker);
             validator = ownValidator_;
         }
         if (&validator->getChecker() != checker.get() && validator->getFurtherChecker() == checker.get())
             throw ompl::Exception(
                 getName(),
-                "the motion validator knows another validity checker, among other obstacles: make one "
-                "with the new checker, too");
+                "the motion validator knows another validity checker, among other obstacles or for other robots: "
+                "make one with the new checker, too");
         if (validator->getFurtherChecker())
             throw ompl::Exception(getName(),
                                   "asks robots and pairs of robots one by one, so it cannot heed a validity "

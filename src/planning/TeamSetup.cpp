@@ -21,11 +21,11 @@ namespace ompl_certificates
     namespace
     {
         /** Whether the checkers know what this library's do, and no more, so that DRRTstar may ask for single robots */
-        bool isAskedByRobots(const ob::SpaceInformation &si)
+        bool isAskedByRobots(const ob::SpaceInformationPtr &si)
         {
-            const auto checker = std::dynamic_pointer_cast<const TeamValidityChecker>(si.getStateValidityChecker());
-            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si.getMotionValidator().get());
-            return checker && !CertificateMotionValidator(checker).getFurtherChecker() &&
+            const auto checker = std::dynamic_pointer_cast<const TeamValidityChecker>(si->getStateValidityChecker());
+            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si->getMotionValidator().get());
+            return checker && !CertificateMotionValidator(si, checker).getFurtherChecker() &&
                    !(validator && validator->getFurtherChecker());
         }
     }
@@ -116,7 +116,7 @@ namespace ompl_certificates
         // Other goals are left to OMPL's choice.
         if (planner_ || pa_ || !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
             return;
-        if (getTeam().getRobotCount() > 1 && isAskedByRobots(*si_))
+        if (getTeam().getRobotCount() > 1 && isAskedByRobots(si_))
             planner_ = std::make_shared<DRRTstar>(si_);
         else
             planner_ = std::make_shared<og::RRTConnect>(si_);

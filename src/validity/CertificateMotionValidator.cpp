@@ -50,6 +50,11 @@ namespace ompl_certificates
             CertificateMotionValidator::Rule rule_;
         };
 
+        const TeamValidityChecker &existing(const std::shared_ptr<const TeamValidityChecker> &checker)
+        {
+            return checker ? *checker : throw ompl::Exception("A motion validator needs a validity checker");
+        }
+
         /** Whether a checker knows what this library's certificates know, and no more */
         bool isOfLibrary(const ob::StateValidityChecker &checker)
         {
@@ -95,14 +100,32 @@ namespace ompl_certificates
         }
     }
 
-    CertificateMotionValidator::CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker,
+    CertificateMotionValidator::CertificateMotionValidator(const std::shared_ptr<const TeamValidityChecker> &checker,
                                                            Mode mode)
-      : MotionValidator(checker ? checker->getSpaceInformation()
-                                : throw ompl::Exception("A motion validator needs a validity checker"))
+      : CertificateMotionValidator(existing(checker).getSpaceInformation(), existing(checker).watchSpaceInformation(),
+                                   checker, mode)
+    {
+    }
+
+    CertificateMotionValidator::CertificateMotionValidator(const ob::SpaceInformationPtr &si,
+                                                           const std::shared_ptr<const TeamValidityChecker> &checker,
+                                                           Mode mode)
+      : CertificateMotionValidator(si.get(), si, checker, mode)
+    {
+        if (si->getStateSpace() != existing(checker).getTeam().getStateSpace())
+            throw ompl::Exception(si->getStateSpace()->getName(), "is not the space of the validity checker");
+    }
+
+    CertificateMotionValidator::CertificateMotionValidator(ob::SpaceInformation *si,
+                                                           std::weak_ptr<ob::SpaceInformation> watched,
+                                                           std::shared_ptr<const TeamValidityChecker> checker,
+                                                           Mode mode)
+      : MotionValidator(si ? si : throw ompl::Exception("A motion validator needs space information"))
+      , spaceInformation_(std::move(watched))
       , checker_(std::move(checker))
       , mode_(mode)
     {
-        const Team &team = checker_->getTeam();
+        const Team &team = existing(checker_).getTeam();
         const Method method = checker_->getMethod();
         if (dynamic_cast<const ob::ConstrainedStateSpace *>(team.getStateSpace().get()))
             throw ompl::Exception(
@@ -116,7 +139,8 @@ namespace ompl_certificates
                                             "robots as their own spaces do"
                                       : "The method " + nameOf(method) +
                                             " makes no certificates and so cannot check motions continuously");
-        if (mode == CONTINUOUS && dynamic_cast<const ompl::control::SpaceInformation *>(si_))
+        if (mode == CONTINUOUS && !spaceInformation_.expired() &&
+            dynamic_cast<const ompl::control::SpaceInformation *>(si_))
             OMPL_WARN(
                 "CertificateMotionValidator: planners by controls ask no motion validator, so this one proves nothing. "
                 "Their steps are proved by TeamPropagator::requireProof(), or in a TeamControlSetup.");
@@ -176,24 +200,36 @@ namespace ompl_certificates
     {
         if (rule_)
             return rule_.get();
-        const ob::StateValidityChecker *set = si_->getStateValidityChecker().get();
-        if (set && set != checker_.get() && (!isOfLibrary(*set) || knowsOtherObstacles(*set)))
+        const ob::StateValidityChecker *set = getInformedChecker();
+        if (set && set != checker_.get() && (!isOfLibrary(*set) || knowsOtherWorld(*set)))
             return set;
         return isOfLibrary(*checker_) ? nullptr : checker_.get();
     }
 
-    bool CertificateMotionValidator::knowsOtherObstacles(const ob::StateValidityChecker &checker) const
+    const ob::StateValidityChecker *CertificateMotionValidator::getInformedChecker() const
+    {
+        if (!spaceInformation_.expired())
+            return si_->getStateValidityChecker().get();
+        if (!warnedOfLoss_.exchange(true))
+            OMPL_WARN(
+                "CertificateMotionValidator: the space information that it was made for is gone, and with it any "
+                "validity checker of your own there. Make a motion validator with the new space information.");
+        return nullptr;
+    }
+
+    bool CertificateMotionValidator::knowsOtherWorld(const ob::StateValidityChecker &checker) const
     {
         // Others, as of a proof or of a change, are made to look at a world of their own.
         if (si_->getMotionValidator().get() != this)
             return false;
         const auto *other = dynamic_cast<const TeamValidityChecker *>(&checker);
-        if (!other || other->getTeamCheck().shareObstacles() == checker_->getTeamCheck().shareObstacles())
+        if (!other || (other->getTeam().getRobots() == checker_->getTeam().getRobots() &&
+                       other->getTeamCheck().shareObstacles() == checker_->getTeamCheck().shareObstacles()))
             return false;
         if (!warnedOfOther_.exchange(true))
             OMPL_WARN(
                 "CertificateMotionValidator: the space information has another validity checker, among other "
-                "obstacles. Both are asked; make a motion validator with that one, too.");
+                "obstacles or for other robots. Both are asked; make a motion validator with that one, too.");
         return true;
     }
 
@@ -202,7 +238,7 @@ namespace ompl_certificates
         const ob::StateValidityChecker *checker = getFurtherChecker();
         if (!checker)
             return true;
-        const ob::StateSpacePtr &space = si_->getStateSpace();
+        const ob::StateSpacePtr &space = checker_->getTeam().getStateSpace();
         const unsigned int count = std::max(1U, space->validSegmentCount(s1, s2));
         ob::ScopedState<> sample(space);
         MotionCurve curve(*space);

@@ -45,7 +45,7 @@ namespace ompl_certificates
         if (!added)
             return;
         // The constructor for a user's team is private.
-        checker_.reset(new TeamValidityChecker(checker.getSpaceInformation(), checker.getTeam(), added,
+        checker_.reset(new TeamValidityChecker(checker.si_, checker.spaceInformation_, checker.getTeam(), added,
                                                Method::SHARED_PROJECTION));
         // There are few obstacles, so certificates pay at once.
         checker_->setAdaptive(false);

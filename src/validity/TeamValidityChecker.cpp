@@ -56,24 +56,26 @@ namespace ompl_certificates
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                                              Method method)
-      : TeamValidityChecker(si.get(), Team(spaceOf(si)), obstacles, method)
+      : TeamValidityChecker(si.get(), si, Team(spaceOf(si)), obstacles, method)
     {
     }
 
     TeamValidityChecker::TeamValidityChecker(const ob::SpaceInformationPtr &si, const ObstaclesPtr &obstacles,
                                              const std::vector<RobotPtr> &robots, Method method)
-      : TeamValidityChecker(si.get(), Team(spaceOf(si), robots), obstacles, method)
+      : TeamValidityChecker(si.get(), si, Team(spaceOf(si), robots), obstacles, method)
     {
     }
 
     TeamValidityChecker::TeamValidityChecker(const TeamValidityChecker &other, Method method)
-      : TeamValidityChecker(other.getSpaceInformation(), other.getTeam(), other.check_->shareObstacles(), method)
+      : TeamValidityChecker(other.si_, other.spaceInformation_, other.getTeam(), other.check_->shareObstacles(), method)
     {
     }
 
-    TeamValidityChecker::TeamValidityChecker(ob::SpaceInformation *si, Team team, const ObstaclesPtr &obstacles,
-                                             Method method)
-      : StateValidityChecker(si), check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))
+    TeamValidityChecker::TeamValidityChecker(ob::SpaceInformation *si, std::weak_ptr<ob::SpaceInformation> owned,
+                                             Team team, const ObstaclesPtr &obstacles, Method method)
+      : StateValidityChecker(si)
+      , spaceInformation_(std::move(owned))
+      , check_(std::make_unique<TeamCheck>(std::move(team), obstacles, method))
     {
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::BOUNDED_APPROXIMATE;
         declareCount(

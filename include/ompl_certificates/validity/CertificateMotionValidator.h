@@ -59,7 +59,15 @@ namespace ompl_certificates
             \throws ompl::Exception if \e checker is null, or if its space is constrained:
             ompl::base::ConstrainedMotionValidator checks such motions. Continuous mode also throws for a method without
             certificates, and for a space that does not move the robots as their own spaces do. */
-        explicit CertificateMotionValidator(std::shared_ptr<const TeamValidityChecker> checker, Mode mode = DISCRETE);
+        explicit CertificateMotionValidator(const std::shared_ptr<const TeamValidityChecker> &checker,
+                                            Mode mode = DISCRETE);
+
+        /** \brief The same for another space information \e si than that of \e checker, with the same space: its
+            validity checker is then asked too, see getFurtherChecker(). So one checker, with its certificates, serves
+            one query's SimpleSetup after the other, each with a motion validator of its own.
+            \throws ompl::Exception as above, and if \e si is null or has another space */
+        CertificateMotionValidator(const ompl::base::SpaceInformationPtr &si,
+                                   const std::shared_ptr<const TeamValidityChecker> &checker, Mode mode = DISCRETE);
 
         /** \brief Whether the motion from \e s1 to \e s2 is valid, if \e s1 is */
         bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
@@ -87,8 +95,9 @@ namespace ompl_certificates
 
         /** \brief The validity checker that knows more than this validator's certificates: that of the space
             information, or the one this validator was made with, if its class is not one of this library's; or that of
-            the space information if it checks among other obstacles, and this is the motion validator there, which is
-            warned of. Null if neither is. Where a motion is free, its samples are asked of it as well, as
+            the space information if it checks among other obstacles or for other robots, and this is the motion
+            validator there, which is warned of. Null if neither is. That a space information is gone is warned of, too.
+            Where a motion is free, its samples are asked of it as well, as
             ompl::base::DiscreteMotionValidator does, in continuous mode too. That costs what it costs; see setRule().
 
             It can only forbid more: a motion is valid if both say so. In discrete mode a warning tells, once, of one
@@ -128,21 +137,31 @@ namespace ompl_certificates
             that is not valid */
         bool areSamplesValid(const ompl::base::State *s1, const ompl::base::State *s2, double &until) const;
 
-        /** \brief Whether the space information's checker is another one of this library, among other obstacles, while
-            this is its motion validator. Warns once. */
-        bool knowsOtherObstacles(const ompl::base::StateValidityChecker &checker) const;
+        CertificateMotionValidator(ompl::base::SpaceInformation *si,
+                                   std::weak_ptr<ompl::base::SpaceInformation> watched,
+                                   std::shared_ptr<const TeamValidityChecker> checker, Mode mode);
+
+        /** \brief The validity checker of the space information; null if one of them is not there. Warns once of a
+            space information that is gone. */
+        const ompl::base::StateValidityChecker *getInformedChecker() const;
+
+        /** \brief Whether the space information's checker is another one of this library, among other obstacles or for
+            other robots, while this is its motion validator. Warns once. */
+        bool knowsOtherWorld(const ompl::base::StateValidityChecker &checker) const;
 
         /** \brief Warns once if the further checker permits a motion that is refused. Looks at the first refused
             motions, and at few later ones. */
         void lookForPermission(const ompl::base::State *s1, const ompl::base::State *s2) const;
 
+        /** \brief OMPL's pointer to it does not tell whether it still exists. */
+        const std::weak_ptr<ompl::base::SpaceInformation> spaceInformation_;
         std::shared_ptr<const TeamValidityChecker> checker_;
         Mode mode_;
         bool isSampled_;
         /** \brief A checker that asks the rule; null without one */
         std::shared_ptr<const ompl::base::StateValidityChecker> rule_;
         mutable std::atomic<std::uint32_t> refused_{0};
-        mutable std::atomic<bool> warnedOfOther_{false}, warnedOfPermission_{false};
+        mutable std::atomic<bool> warnedOfLoss_{false}, warnedOfOther_{false}, warnedOfPermission_{false};
     };
 }
 

@@ -87,10 +87,18 @@ namespace ompl_certificates
         /** \brief The method */
         Method getMethod() const;
 
-        /** \brief The space information that this checker was made for */
+        /** \brief The space information that this checker was made for, whether it still exists or not; see
+            watchSpaceInformation() */
         ompl::base::SpaceInformation *getSpaceInformation() const
         {
             return si_;
+        }
+
+        /** \brief The same, to learn whether it still exists. A checker may outlive it, and serve another one of the
+            same space, such as that of the next query's SimpleSetup. */
+        const std::weak_ptr<ompl::base::SpaceInformation> &watchSpaceInformation() const
+        {
+            return spaceInformation_;
         }
 
         /** \brief The robots, and how to read their states from those of the space */
@@ -183,8 +191,10 @@ namespace ompl_certificates
     private:
         friend class Revalidation;
 
-        TeamValidityChecker(ompl::base::SpaceInformation *si, Team team, const ObstaclesPtr &obstacles, Method method);
+        TeamValidityChecker(ompl::base::SpaceInformation *si, std::weak_ptr<ompl::base::SpaceInformation> owned,
+                            Team team, const ObstaclesPtr &obstacles, Method method);
 
+        const std::weak_ptr<ompl::base::SpaceInformation> spaceInformation_;
         const std::unique_ptr<TeamCheck> check_;
         ompl::base::ParamSet params_;
     };
