@@ -253,7 +253,7 @@ namespace ompl_certificates
                                 : mesh_->getTree().distance(point, limit)) <= distance;
     }
 
-    bool Shape::snapToPlane(Eigen::Isometry3d &pose) const
+    bool Shape::snapToPlane(Pose &pose) const
     {
         constexpr double rounding = 1e-12;
         if (dimension_ != 2)

@@ -8,6 +8,10 @@
 using namespace ompl_certificates;
 using namespace ompl_certificates::test;
 
+// Eigen aligns by how a program is compiled, and the library may be compiled otherwise.
+static_assert(alignof(Pose) == alignof(double), "poses must lie alike in all programs");
+static_assert(alignof(Body::Part) <= alignof(std::max_align_t), "parts must lie alike in all programs");
+
 TEST(Body, RefusesSizesThatAreNotPositiveAndFinite)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -33,7 +33,7 @@ namespace
     {
         const fcl::CollisionRequestd request;
         fcl::CollisionResultd result;
-        return fcl::collide(&a, poseA, &b, poseB, request, result) > 0;
+        return fcl::collide(&a, fcl::Transform3d(poseA), &b, fcl::Transform3d(poseB), request, result) > 0;
     }
 }
 

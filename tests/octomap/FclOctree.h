@@ -32,7 +32,8 @@ namespace ompl_certificates
                     fcl::CollisionRequestd request;
                     fcl::CollisionResultd result;
                     if (fcl::collide(octree_.get(), fcl::Transform3d::Identity(),
-                                     part.shape.getCollisionGeometry().get(), placed, request, result) > 0)
+                                     part.shape.getCollisionGeometry().get(), fcl::Transform3d(placed), request,
+                                     result) > 0)
                         return true;
                 }
                 return false;

@@ -16,7 +16,7 @@ namespace ompl_certificates
             for (const auto &partA : a.getParts())
                 for (const auto &partB : b.getParts())
                 {
-                    Pose first = poseA * partA.pose, second = poseB * partB.pose;
+                    fcl::Transform3d first(poseA * partA.pose), second(poseB * partB.pose);
                     first.translation() *= Shape::FCL_SCALE;
                     second.translation() *= Shape::FCL_SCALE;
                     fcl::CollisionRequestd request;

@@ -7,8 +7,9 @@
 namespace ompl_certificates
 {
     /** \brief Where a body is: the rigid transform from the body's frame to the workspace. In the plane: z = 0 and a
-        rotation about the z axis. */
-    using Pose = Eigen::Isometry3d;
+        rotation about the z axis. An Eigen::Isometry3d, and converts from and to one, but is not aligned: Eigen aligns
+        that by how a program is compiled, such as with -march=native, and the library may be compiled otherwise. */
+    using Pose = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
     /** \brief The pose at \e position without rotation */
     inline Pose poseAt(const Eigen::Vector3d &position)

@@ -2,6 +2,7 @@
 #define OMPL_CERTIFICATES_GEOMETRY_SHAPE_
 
 #include "ompl_certificates/geometry/ConvexHull.h"
+#include "ompl_certificates/geometry/Pose.h"
 #include "ompl_certificates/geometry/TriangleMesh.h"
 
 #include <Eigen/Geometry>
@@ -111,7 +112,7 @@ namespace ompl_certificates
             upright and, unless it is a mesh, at z = 0. Balls may be turned anyhow; capsules must lie. If so, that
             rounding is removed from \e pose, so that what is computed from it lies exactly in the plane. Spatial shapes
             may be anywhere. */
-        bool snapToPlane(Eigen::Isometry3d &pose) const;
+        bool snapToPlane(Pose &pose) const;
 
         /** \brief The smallest box along the axes of the shape's frame that contains the shape */
         Eigen::AlignedBox3d getBounds() const;
