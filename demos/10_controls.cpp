@@ -85,9 +85,12 @@ int main()
     if (setup.solve(20.0) != ob::PlannerStatus::EXACT_SOLUTION)
         return 1;
 
+    const double found = setup.getSolutionPath().length();
+    setup.simplifySolution();
     oc::PathControl path = setup.getSolutionPath();
     path.interpolate();
     path.printAsMatrix(std::cout);
-    std::cout << path.length() << " s; " << setup.getStatistics().getCounts().motions << " steps were checked\n";
+    std::cout << path.length() << " s, " << found << " s before it was shortened; "
+              << setup.getStatistics().getCounts().motions << " steps were checked\n";
     return 0;
 }

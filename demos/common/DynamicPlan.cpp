@@ -16,6 +16,7 @@
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/team/PathTimes.h"
 
 #include <cstdio>
 #include <ompl/base/PlannerData.h>
@@ -50,7 +51,17 @@ namespace demos
             report.iterations = limit.getEvaluations();
             report.certificates = setup.getTeamChecker()->getCertificateCount();
             if (report.solved)
-                report.cost = setup.getSolutionPath().length();  // its duration
+                report.cost = stateTimes(setup.getSolutionPath()).back();
+        }
+
+        /** Simplify the solution until nothing improves any more, an interrupt comes, or as much time has passed as
+            there was for planning */
+        void simplify(TeamControlSetup &setup, const PlanTeamOptions &options, PlanReport &report)
+        {
+            setup.simplifySolution(ob::plannerOrTerminationCondition(
+                ob::PlannerTerminationCondition(interrupted), ob::timedPlannerTerminationCondition(options.seconds)));
+            report.simplifiedCost = stateTimes(setup.getSolutionPath()).back();
+            report.simplifyingSeconds = setup.getLastSimplificationTime();
         }
 
         void print(const PlanReport &report, TeamControlSetup &setup)
@@ -61,7 +72,10 @@ namespace demos
             if (report.solved)
             {
                 ompl::control::PathControl path = setup.getSolutionPath();
-                std::printf("  solved        %.6g s, %zu controls\n", report.cost, path.getControlCount());
+                std::printf("  solved        %.6g s", report.cost);
+                if (report.simplifiedCost >= 0.0)
+                    std::printf(", simplified %.6g s in %.3f s", report.simplifiedCost, report.simplifyingSeconds);
+                std::printf(", %zu controls\n", path.getControlCount());
                 path.interpolate();
                 printProof(report, path.getControlCount(), "steps", "their ends");
             }
@@ -154,6 +168,11 @@ namespace demos
             setup.getPlanner()->getPlannerData(tree);
             report.setTree(tree);
         }
+        if (options.simplify && report.solved && stopped && !options.quiet)
+            std::fprintf(stderr, "interrupted: now simplifying, for %g s at most; another interrupt ends that\n",
+                         options.seconds);
+        if (options.simplify && report.solved)
+            simplify(setup, options, report);
         proveSolution(setup, scene, options, report);
         if (!options.quiet)
         {

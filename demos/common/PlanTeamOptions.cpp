@@ -58,7 +58,7 @@ namespace demos
         app.add_flag(
             "--simplify", options.simplify,
             "Shorten the solution before it is written, for --time at most: with OMPL's simplifier, then robot by "
-            "robot");
+            "robot; with --dynamics its time, robot by robot");
         auto *picture =
             app.add_option("--picture", options.picture, "Write a picture (SVG)")->check(fileEndingIn(".svg"));
         app.add_flag("--picture-tree", options.pictureTree, "Draw the planner's tree, too")->needs(picture);
@@ -77,15 +77,15 @@ namespace demos
                        "Begin with the certificates of a file, which --save-certificates wrote");
         app.add_option("--save-certificates", options.savedCertificates,
                        "Write what is known of the obstacles in the end, for a later run");
-        auto *dynamics =
-            app.add_flag("--dynamics", options.dynamics,
-                         "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
-                         "Planners are then EST, KPIECE1, PDST, RRT (the default) and SST of ompl::control, and "
-                         "--motion continuous proves each step free between its ends");
+        auto *dynamics = app.add_flag(
+            "--dynamics", options.dynamics,
+            "Robots move by controls, with the limits of db-CBS; for YAML with robots of its types. "
+            "Planners are then PrioritizedRRT (the default for several robots), and EST, KPIECE1, PDST, RRT (for "
+            "one) and SST of ompl::control, and --motion continuous proves each step free between its ends");
         for (const std::string &option : moveItOptionNames())
             dynamics->excludes(app.get_option(option));
         for (const char *option :
-             {"--first", "--simplify", "--objective", "--animation", "--load-certificates", "--save-certificates"})
+             {"--first", "--objective", "--animation", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
         app.add_option("--goal-tolerance", options.goalTolerance,
                        "With --dynamics: how far from the goal the team may end, in its space's distance")

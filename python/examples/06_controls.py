@@ -14,7 +14,7 @@ puck = oc.Robot.integrator("puck", oc.Body.disc(0.15), low, high, velocity=0.5, 
 scene.add_robot(cart, start=[2, 2, 0], goal=[4, 2.2, 0])
 scene.add_robot(puck, start=[4, 1, 0, 0], goal=[4.5, 3, 0, 0])
 
-plan = oc.plan_controls(scene, motion="continuous", goal_tolerance=1.0, time=20)
+plan = oc.plan_controls(scene, motion="continuous", goal_tolerance=1.0, time=20, simplify=True)
 print(plan)
 print("numbers of a state:", ", ".join(plan.coordinates))
 print("controls:", ", ".join(plan.control_names))

@@ -186,6 +186,7 @@ def plan_controls(
     step: float = 0.1,
     min_steps: int = 1,
     max_steps: int = 10,
+    simplify: bool = False,
 ) -> ControlPlan:
     """Plan by controls for the team of a scene, all of whose robots have dynamics, such as Robot.unicycle().
 
@@ -198,6 +199,8 @@ def plan_controls(
     parameters: of the planner, such as {"goal_bias": 0.1}; control_planner_parameters() names them
     step: how long a step takes, in seconds
     min_steps, max_steps: for how many steps a control is held
+    simplify: shorten the solution's time, robot by robot, for at most as long again; robots then end at the goal itself
+        where that is found, not only near it
 
     method, time, seed, callback, iterations, start and goal are as of plan(). So is what it does with threads and
     Ctrl-C.
@@ -227,4 +230,5 @@ def plan_controls(
         step,
         min_steps,
         max_steps,
+        simplify,
     )

@@ -566,4 +566,5 @@ def _plan_controls(
     step: float,
     min_steps: int,
     max_steps: int,
+    simplify: bool,
 ) -> ControlPlan: ...

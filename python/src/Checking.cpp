@@ -126,12 +126,13 @@ namespace ompl_certificates_python
                 "save_certificates",
                 [](const Checker &self, const std::filesystem::path &file)
                 { saveCertificates(*self.getSetup().getTeamChecker(), file); },
-                py::arg("file"), "Write what is known of the obstacles to a file.")
+                py::call_guard<py::gil_scoped_release>(), py::arg("file"),
+                "Write what is known of the obstacles to a file.")
             .def(
                 "load_certificates",
                 [](Checker &self, const std::filesystem::path &file)
                 { return loadCertificates(*self.getSetup().getTeamChecker(), file); },
-                py::arg("file"),
+                py::call_guard<py::gil_scoped_release>(), py::arg("file"),
                 "Read what another run knew of the same obstacles, and return the number of certificates.")
             .def(
                 "set_max_certificates",

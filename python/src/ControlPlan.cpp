@@ -21,7 +21,9 @@ namespace ompl_certificates_python
         /** The path's duration, infinite without one */
         double durationOf(const ControlPlan &plan)
         {
-            return plan.solution ? plan.report.cost : std::numeric_limits<double>::infinity();
+            if (!plan.solution)
+                return std::numeric_limits<double>::infinity();
+            return plan.report.simplifiedCost >= 0.0 ? plan.report.simplifiedCost : plan.report.cost;
         }
 
         std::string describe(const ControlPlan &plan)

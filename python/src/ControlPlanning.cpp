@@ -11,6 +11,7 @@
 #include <ompl_certificates/control/Integrator.h>
 #include <ompl_certificates/neighbors/PlannerNeighbors.h>
 #include <ompl_certificates/robots/RigidRobot.h>
+#include <ompl_certificates/team/PathTimes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,7 @@ namespace ompl_certificates_python
             std::string method, motion, nearest;
             double goalTolerance, step;
             unsigned int minSteps, maxSteps;
+            bool simplify;
         };
 
         /** Refuse what no plan can be made of */
@@ -125,7 +127,17 @@ namespace ompl_certificates_python
                 });
             setCounts(report, setup, progress.getEvaluations());
             if (report.solved)
-                report.cost = setup.getSolutionPath().length();  // its duration
+                report.cost = stateTimes(setup.getSolutionPath()).back();
+            return interrupt;
+        }
+
+        /** Shorten the solution, for as long as it was planned for at most; returns what Python threw meanwhile. */
+        std::exception_ptr simplify(TeamControlSetup &setup, const ControlOptions &options, PlanReport &report)
+        {
+            Progress progress(options.seconds, 0, py::none(), *setup.getPlanner());
+            const std::exception_ptr interrupt = progress.run([&] { setup.simplifySolution(progress.condition()); });
+            report.simplifiedCost = stateTimes(setup.getSolutionPath()).back();
+            report.simplifyingSeconds = setup.getLastSimplificationTime();
             return interrupt;
         }
 
@@ -153,7 +165,9 @@ namespace ompl_certificates_python
             setNames(plan, *plan.setup->getStateSpace());
             plan.controlNames = controlNames(*plan.setup->getStateSpace());
             plan.controls = Doubles(std::vector<py::ssize_t>{0, static_cast<py::ssize_t>(plan.controlNames.size())});
-            const std::exception_ptr interrupt = solve(*plan.setup, options, plan.report);
+            std::exception_ptr interrupt = solve(*plan.setup, options, plan.report);
+            if (plan.report.solved && options.simplify && !interrupt)
+                interrupt = simplify(*plan.setup, options, plan.report);
             if (plan.report.solved)
                 setSolution(plan, plan.setup->getSolutionPath());
             plan.certificates = plan.setup->getTeamChecker()->getCertificates();
@@ -186,7 +200,7 @@ namespace ompl_certificates_python
                std::uint64_t iterations, std::uint32_t seed, const py::object &callback, const std::string &motion,
                double goalTolerance, const std::string &nearest, const std::map<std::string, py::object> &parameters,
                const py::object &start, const py::object &goal, double step, unsigned int minSteps,
-               unsigned int maxSteps)
+               unsigned int maxSteps, bool simplified)
             {
                 return planControls(scene,
                                     {{planner, time, iterations, seed, callback, parameters},
@@ -196,12 +210,13 @@ namespace ompl_certificates_python
                                      goalTolerance,
                                      step,
                                      minSteps,
-                                     maxSteps},
+                                     maxSteps,
+                                     simplified},
                                     start, goal);
             },
             py::arg("scene"), py::arg("planner"), py::arg("method"), py::arg("time"), py::arg("iterations"),
             py::arg("seed"), py::arg("callback"), py::arg("motion"), py::arg("goal_tolerance"), py::arg("nearest"),
             py::arg("parameters"), py::arg("start"), py::arg("goal"), py::arg("step"), py::arg("min_steps"),
-            py::arg("max_steps"));
+            py::arg("max_steps"), py::arg("simplify"));
     }
 }

@@ -218,6 +218,21 @@ def test_several_robots_are_planned_for_one_by_one(scenes: pathlib.Path) -> None
     assert np.allclose(plan.path[-1, 5:], 0.0)  # It ends at rest.
 
 
+def test_simplified_plans_are_shorter_and_end_at_the_goal(scenes: pathlib.Path) -> None:
+    scene = oc.load_scene(scenes / "controls" / "doorway.yaml", dynamics=True)
+    for planner in (None, "RRT"):
+        first = oc.plan_controls(scene, planner, time=60, goal_tolerance=2.0, seed=2)
+        plan = oc.plan_controls(scene, planner, time=60, goal_tolerance=2.0, seed=2, simplify=True)
+        assert plan.report["cost"] == first.cost and plan.report["simplified_cost"] == plan.cost
+        assert plan.cost < 0.9 * first.cost
+        assert plan.times[-1] == plan.cost and len(plan.controls) == len(plan.path) - 1
+        assert oc.Checker(scene).is_valid(plan.path).all()
+        assert np.allclose(plan.path[0], scene.start)
+        if planner is None:  # Those of RRT need not be at rest, so they cannot wait for each other at the goal.
+            assert np.allclose(plan.path[-1], scene.goal, atol=1e-3)
+    assert oc.plan_controls(scene, time=60).report["simplified_cost"] is None
+
+
 def test_planners_have_names_and_parameters(yard: oc.Scene, capfd: pytest.CaptureFixture[str]) -> None:
     assert {"EST", "KPIECE1", "PDST", "PrioritizedRRT", "RRT", "SST"} <= set(oc.control_planner_names())
     for name in oc.control_planner_names():

@@ -5,6 +5,7 @@
 #include <deque>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -17,7 +18,7 @@ namespace ompl_certificates
         constexpr const char *NAME = "ControlPathSimplifier";
 
         /** How often each robot tries to reach its goal, and how often in a row shortcuts may fail for each */
-        constexpr unsigned int GOAL_ATTEMPTS = 50, FAILURES = 200;
+        constexpr unsigned int GOAL_ATTEMPTS = 30, FAILURES = 200;
 
         /** The goal's state nearest to a state; null if the goal does not consist of states */
         const ob::State *goalNear(const ob::SpaceInformation &si, const ob::Goal *goal, const ob::State *end)
@@ -36,6 +37,8 @@ namespace ompl_certificates
     ControlPathSimplifier::ControlPathSimplifier(oc::SpaceInformationPtr si, ob::GoalPtr goal)
       : si_(std::move(si)), goal_(std::move(goal))
     {
+        if (!si_)
+            throw ompl::Exception(NAME, "needs space information");
         RobotTrajectories::requireTeam(*si_, NAME);
     }
 
@@ -59,7 +62,8 @@ namespace ompl_certificates
         for (unsigned int failures = 0; failures < FAILURES * robots.size() && !condition; ++failures)
         {
             auto &robot = robots[static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(robots.size()) - 1))];
-            const bool isNearer = !robot.isAtGoal() && random_.uniformBool() && robot.reachGoal(trajectories.getSteps());
+            const bool isNearer =
+                !robot.isAtGoal() && random_.uniformBool() && robot.reachGoal(trajectories.getSteps());
             if (!isNearer && !robot.shorten())
                 continue;
             isChanged = true;
@@ -68,7 +72,9 @@ namespace ompl_certificates
         if (!isChanged)
             return false;
         const auto changed = trajectories.toPath(path.getState(0));
-        if (!changed || (goal_ && !goal_->isSatisfied(changed->getStates().back())))
+        // Rounding may add up where all robots' steps are repeated as those of the team.
+        if (!changed || !trajectories.endAt(changed->getStates().back(), 2.0 * RobotShortcuts::DRIFT) ||
+            (goal_ && goal_->isSatisfied(path.getStates().back()) && !goal_->isSatisfied(changed->getStates().back())))
             return false;
         path = *changed;
         return true;

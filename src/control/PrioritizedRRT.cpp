@@ -80,7 +80,7 @@ namespace ompl_certificates
         // If all robots use up their shares, the team uses up its threshold.
         const double share = team.getMetric() == TeamStateSpace::EUCLIDEAN ? std::sqrt(robots) : robots;
         const Shooting::Durations durations{controlSpaceInformation_->getMinControlDuration(),
-                                             controlSpaceInformation_->getMaxControlDuration()};
+                                            controlSpaceInformation_->getMaxControlDuration()};
         RobotTrajectories trajectories(std::static_pointer_cast<oc::SpaceInformation>(si_), getName());
         std::vector<unsigned int> order(robots);
         std::iota(order.begin(), order.end(), 0U);

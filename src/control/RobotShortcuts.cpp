@@ -9,9 +9,8 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How far a trajectory may end from where it should, and how far it moves at rest, as parts of the accuracy of
-            shooting: controls after a change are repeated from a state that is so near the old one. */
-        constexpr double DRIFT = 100.0, REST = 0.01;
+        /** How far a robot moves in a step at rest, as a part of its space's extent */
+        constexpr double REST = 1e-9;
     }
 
     RobotShortcuts::RobotShortcuts(RobotTrajectories &others, unsigned int robot, const ob::State *goal,
@@ -24,16 +23,18 @@ namespace ompl_certificates
       , shooting_(others.getRobot(robot), space_, others.getStepSize())
       , goal_(goal ? others.clone(robot, goal) : nullptr)
       , end_(others.clone(robot, others.getTrajectory(robot).states.back().get()))
-      , isAtGoal_(!goal)
+      , isAtGoal_(!goal || space_.distance(end_.get(), goal) <= shooting_.getAccuracy())
     {
     }
 
     bool RobotShortcuts::reachGoal(std::size_t mostSteps)
     {
         const std::size_t size = others_.getTrajectory(robot_).controls.size();
-        const auto begin = static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(size)));
+        const double part = random_.uniform01();
+        const auto longest = static_cast<double>(std::min(size, longestPart()));
+        const std::size_t begin = changeBefore(size - static_cast<std::size_t>(part * part * longest));
         // Newton's method finds a way sooner if there is time to spare.
-        const std::size_t old = size - begin, spare = mostSteps - size;
+        const std::size_t old = size - begin, spare = std::min(mostSteps - size, longestPart());
         const auto steps = old + static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(spare)));
         if (!keep({begin, size, steps}, goal_.get(), mostSteps))
             return false;
@@ -49,13 +50,33 @@ namespace ompl_certificates
         if (size < 2)
             return false;
         const double part = random_.uniform01();
-        const auto length = std::max<std::size_t>(2, static_cast<std::size_t>(part * static_cast<double>(size)));
-        const auto begin = static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(size - length)));
+        const std::size_t longest = std::min(size, longestPart());
+        const auto length = std::max<std::size_t>(2, static_cast<std::size_t>(part * static_cast<double>(longest)));
+        const auto first = static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(size - length)));
+        const std::size_t begin = changeBefore(first), end = changeBefore(first + length), steps = end - begin;
         const double share = random_.uniform01();
-        const auto saved = static_cast<std::size_t>(0.7 * share * share * static_cast<double>(length));
-        const Part chosen{begin, begin + length, length - std::max<std::size_t>(1, saved)};
+        const auto saved = static_cast<std::size_t>(0.7 * share * share * static_cast<double>(steps));
+        if (steps < 1 + durations_.least)
+            return false;
+        const Part chosen{begin, end, std::max<std::size_t>(durations_.least, steps - std::max<std::size_t>(1, saved))};
         const auto &states = others_.getTrajectory(robot_).states;
         return keep(chosen, chosen.end == size ? end_.get() : states[chosen.end].get(), size - 1);
+    }
+
+    std::size_t RobotShortcuts::longestPart() const
+    {
+        // Longer ones need more pieces, for which shooting takes seconds.
+        constexpr std::size_t mostPieces = std::size_t(4) * Shooting::PIECES;
+        return mostPieces * durations_.most;
+    }
+
+    std::size_t RobotShortcuts::changeBefore(std::size_t step) const
+    {
+        // Elsewhere a control would be cut, and then be held for less than the least duration.
+        const auto &controls = others_.getTrajectory(robot_).controls;
+        while (durations_.least > 1 && step > 0 && step < controls.size() && controls[step] == controls[step - 1])
+            --step;
+        return step;
     }
 
     bool RobotShortcuts::keep(const Part &part, const ob::State *target, std::size_t mostSteps)
@@ -114,7 +135,7 @@ namespace ompl_certificates
             if (!follow(changed, old.controls[step]))
                 return std::nullopt;
         const ob::State *end = part.end == old.controls.size() ? target : end_.get();
-        if (!stay(changed) || space_.distance(changed.states.back().get(), end) > DRIFT * shooting_.getAccuracy())
+        if (!stay(changed) || space_.distance(changed.states.back().get(), end) > DRIFT * space_.getMaximumExtent())
             return std::nullopt;
         return changed;
     }
@@ -140,7 +161,7 @@ namespace ompl_certificates
             if (!follow(trajectory, brake))
                 return false;
             if (space_.distance(trajectory.states[last].get(), trajectory.states[last + 1].get()) >
-                REST * shooting_.getAccuracy())
+                REST * space_.getMaximumExtent())
                 moving = trajectory.controls.size();
         }
         trajectory.states.resize(moving + 1);

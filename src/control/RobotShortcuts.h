@@ -15,6 +15,10 @@ namespace ompl_certificates
     public:
         using Trajectory = RobotTrajectories::Trajectory;
 
+        /** \brief How far a trajectory may end from where it should, as a part of the space's extent. The controls after
+            a change are those of before, from a state that shooting brings near the old one. */
+        static constexpr double DRIFT = 1e-5;
+
         /** \brief For a robot of \e others, which must outlive this, as must \e random
             \param goal where the robot should end; null if it is to end where it ends now
             \param durations how long controls are held */
@@ -42,6 +46,8 @@ namespace ompl_certificates
             std::size_t begin, end, steps;
         };
 
+        std::size_t longestPart() const;
+        std::size_t changeBefore(std::size_t step) const;
         std::vector<Shooting::Piece> guess(const Part &part);
         std::optional<Trajectory> replace(const Part &part, const ompl::base::State *target);
         bool follow(Trajectory &trajectory, const RobotTrajectories::Control &control);

@@ -4,6 +4,7 @@
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ompl/util/Exception.h>
 #include <utility>
 
@@ -32,11 +33,16 @@ namespace ompl_certificates
         const auto *team = dynamic_cast<const TeamValidityChecker *>(checker);
         if (!team)
             throw ompl::Exception(user, "needs a LimitedValidityChecker or a TeamValidityChecker");
+        if (team->getTeam().getRobots() != si.getStateSpace()->as<TeamStateSpace>()->getRobots())
+            throw ompl::Exception(user, "needs a validity checker for the robots of its space");
+        if (!si.isSetup())
+            throw ompl::Exception(user, "needs space information that is set up");
         return *team;
     }
 
     RobotTrajectories::RobotTrajectories(oc::SpaceInformationPtr si, const std::string &user)
       : si_(std::move(si))
+      , user_(user)
       , checker_(requireTeam(*si_, user))
       , propagator_(static_cast<const TeamPropagator &>(*si_->getStatePropagator()))
       , team_(checker_.getTeam())
@@ -76,28 +82,38 @@ namespace ompl_certificates
         return trajectory;
     }
 
-    void RobotTrajectories::read(const oc::PathControl &path)
+    void RobotTrajectories::read(const oc::PathControl &original)
     {
         clear();
-        oc::PathControl steps(path);
-        steps.interpolate();
+        oc::PathControl path(original);
+        std::vector<std::size_t> steps;
+        for (const double duration : path.getControlDurations())
+        {
+            const double count = std::round(duration / getStepSize());
+            if (!(count >= 0.0) || !(std::abs(duration - count * getStepSize()) <= 1e-6 * getStepSize()))
+                throw ompl::Exception(user_, "needs controls that are held for whole steps of " +
+                                                 std::to_string(getStepSize()) + " s");
+            steps.push_back(static_cast<std::size_t>(count));
+        }
         std::size_t firstControl = 0;
         for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
         {
             const std::size_t controls = getRobot(robot).getControlNames().size();
-            Trajectory trajectory;
+            const auto *start = path.getState(0)->as<ob::CompoundState>()->components[robot];
+            Trajectory trajectory{{clone(robot, start)}, {}};
             std::size_t moving = 0;
-            for (std::size_t i = 0; i < steps.getStateCount(); ++i)
-            {
-                trajectory.states.push_back(
-                    clone(robot, steps.getState(static_cast<unsigned int>(i))->as<ob::CompoundState>()->components[robot]));
-                if (i == 0)
-                    continue;
-                const double *control = valuesOf(steps.getControl(static_cast<unsigned int>(i - 1))) + firstControl;
-                trajectory.controls.emplace_back(control, control + controls);
-                if (getSpace(robot).distance(trajectory.states[i - 1].get(), trajectory.states[i].get()) > 0.0)
-                    moving = i;
-            }
+            for (unsigned int i = 0; i < steps.size(); ++i)
+                for (std::size_t step = 0; step < steps[i]; ++step)
+                {
+                    const double *control = valuesOf(path.getControl(i)) + firstControl;
+                    const ob::State *last = trajectory.states.back().get();
+                    auto next = clone(robot, last);
+                    getRobot(robot).propagate(last, control, getStepSize(), next.get());
+                    trajectory.controls.emplace_back(control, control + controls);
+                    if (!getSpace(robot).equalStates(last, next.get()))
+                        moving = trajectory.controls.size();
+                    trajectory.states.push_back(std::move(next));
+                }
             trajectory.states.resize(moving + 1);
             trajectory.controls.resize(moving);
             add(robot, std::move(trajectory));
@@ -117,13 +133,14 @@ namespace ompl_certificates
         return states[std::min(step, states.size() - 1)].get();
     }
 
-    void RobotTrajectories::copyControl(unsigned int robot, std::size_t step, double *control) const
+    void RobotTrajectories::copyControl(unsigned int robot, std::size_t step, const ob::State *state,
+                                        double *control) const
     {
         const auto &controls = trajectories_[robot].controls;
         if (step < controls.size())
             std::copy(controls[step].begin(), controls[step].end(), control);
         else
-            getRobot(robot).computeBrake(stateOf(robot, step), getStepSize(), control);
+            getRobot(robot).computeBrake(state, getStepSize(), control);
     }
 
     bool RobotTrajectories::move(unsigned int robot, const ob::State *from, const Control &control, std::size_t step,
@@ -147,7 +164,7 @@ namespace ompl_certificates
             if (i == robot)
                 std::copy(control.begin(), control.end(), next);
             else if (!trajectories_[i].states.empty())
-                copyControl(i, step, next);
+                copyControl(i, step, stateOf(i, step), next);
             if (i == robot || !trajectories_[i].states.empty())
                 getSpace(i).copyState(team->components[i], i == robot ? from : stateOf(i, step));
             next += getRobot(i).getControlNames().size();
@@ -158,34 +175,62 @@ namespace ompl_certificates
 
     std::shared_ptr<oc::PathControl> RobotTrajectories::toPath(const ob::State *start) const
     {
-        // A control that all robots keep is one. Each step is that of the team's own propagator.
+        // Each step is that of the team's own propagator.
         auto path = std::make_shared<oc::PathControl>(si_);
         ob::ScopedState<> state(si_->getStateSpace(), start);
-        oc::Control *last = nullptr;
-        unsigned int held = 0;
+        std::vector<unsigned int> held;
         for (std::size_t step = 0; step < steps_; ++step)
         {
             double *next = valuesOf(control_);
             for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
             {
-                copyControl(robot, step, next);
+                copyControl(robot, step, state->as<ob::CompoundState>()->components[robot], next);
                 next += getRobot(robot).getControlNames().size();
             }
-            if (last && held < si_->getMaxControlDuration() && si_->equalControls(last, control_))
-            {
-                ++held;
-                path->getControlDurations().back() = held * getStepSize();
-            }
+            if (!held.empty() && si_->equalControls(path->getControls().back(), control_))
+                ++held.back();
             else
             {
-                held = 1;
+                held.push_back(1);
                 path->append(state.get(), control_, getStepSize());
-                last = path->getControls().back();
             }
             if (si_->propagateWhileValid(state.get(), control_, 1, state.get()) != 1)
                 return nullptr;
         }
         path->append(state.get());
-        return path;
+        return inDurations(*path, held);
+    }
+
+    std::shared_ptr<oc::PathControl> RobotTrajectories::inDurations(const oc::PathControl &original,
+                                                                    const std::vector<unsigned int> &held) const
+    {
+        // What was held for longer than may be is divided evenly, so that no rest is too short.
+        oc::PathControl path(original);
+        auto divided = std::make_shared<oc::PathControl>(si_);
+        ob::ScopedState<> state(si_->getStateSpace());
+        for (unsigned int i = 0; i < held.size(); ++i)
+        {
+            state = path.getState(i);
+            const unsigned int parts = (held[i] + si_->getMaxControlDuration() - 1) / si_->getMaxControlDuration();
+            for (unsigned int part = 0; part < parts; ++part)
+            {
+                const unsigned int steps = held[i] / parts + (part < held[i] % parts ? 1 : 0);
+                divided->append(state.get(), path.getControl(i), steps * getStepSize());
+                for (unsigned int step = 0; step < steps; ++step)
+                    si_->propagate(state.get(), path.getControl(i), 1, state.get());
+            }
+        }
+        divided->append(path.getStates().back());
+        return divided;
+    }
+
+    bool RobotTrajectories::endAt(const ob::State *state, double tolerance) const
+    {
+        for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
+            if (getSpace(robot).distance(state->as<ob::CompoundState>()->components[robot],
+                                         trajectories_[robot].states.back().get()) >
+                tolerance * getSpace(robot).getMaximumExtent())
+                return false;
+        return true;
     }
 }

@@ -34,7 +34,8 @@ namespace ompl_certificates
         RobotTrajectories &operator=(const RobotTrajectories &) = delete;
 
         /** \brief The team's checker in \e si, which may be within one that asks for limits, too
-            \throws ompl::Exception if there is none, no TeamStateSpace or no TeamPropagator, in the name of \e user */
+            \throws ompl::Exception if there is none, it is for other robots, there is no TeamStateSpace or no
+            TeamPropagator, or \e si is not set up, in the name of \e user */
         static const TeamValidityChecker &requireTeam(const ompl::control::SpaceInformation &si,
                                                       const std::string &user);
 
@@ -44,8 +45,8 @@ namespace ompl_certificates
         /** \brief Let a robot without a trajectory move among the others */
         void add(unsigned int robot, Trajectory trajectory);
 
-        /** \brief Read those of all robots from a path whose durations are whole steps. A robot's trajectory ends where
-            it comes to rest. */
+        /** \brief Read those of all robots from a path. A robot's trajectory ends where it comes to rest.
+            \throws ompl::Exception if a duration is no whole number of steps, in the name of the user */
         void read(const ompl::control::PathControl &path);
 
         /** \brief Take a robot's trajectory away */
@@ -93,16 +94,26 @@ namespace ompl_certificates
             \return null if a step of the team is not valid */
         std::shared_ptr<ompl::control::PathControl> toPath(const ompl::base::State *start) const;
 
+        /** \brief Whether all robots' trajectories end where they are in a state of the team, within a part of the
+            extents of their spaces */
+        bool endAt(const ompl::base::State *state, double tolerance) const;
+
     private:
         const ompl::base::State *stateOf(unsigned int robot, std::size_t step) const;
 
         /** \brief The control of a robot in a step: that of its trajectory, then its brake */
-        void copyControl(unsigned int robot, std::size_t step, double *control) const;
+        void copyControl(unsigned int robot, std::size_t step, const ompl::base::State *state, double *control) const;
+
+        /** \brief The same path with controls that are held for no longer than they may be, each \e held for some
+            steps so far */
+        std::shared_ptr<ompl::control::PathControl> inDurations(const ompl::control::PathControl &path,
+                                                                const std::vector<unsigned int> &held) const;
 
         /** \brief Whether a robot's step is proved free */
         bool isProved(unsigned int robot, const ompl::base::State *from, const Control &control, std::size_t step);
 
         const ompl::control::SpaceInformationPtr si_;
+        const std::string user_;
         const TeamValidityChecker &checker_;
         const TeamPropagator &propagator_;
         const Team &team_;

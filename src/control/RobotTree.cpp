@@ -118,8 +118,8 @@ namespace ompl_certificates
     {
         // From one control to as many as a way is divided into, short ways as often as long ones.
         const double most = Shooting::PIECES * durations_.most, least = durations_.least;
-        auto pieces = Shooting::divide(
-            static_cast<std::size_t>(least * std::pow(most / least, random_.uniform01())), durations_);
+        auto pieces =
+            Shooting::divide(static_cast<std::size_t>(least * std::pow(most / least, random_.uniform01())), durations_);
         RobotTrajectories::Control control;
         const ob::RealVectorBounds &bounds = robot_.getControlBounds();
         for (std::size_t k = 0; k < bounds.low.size(); ++k)

@@ -27,8 +27,7 @@ namespace ompl_certificates
         };
 
         /** \brief A tree with nothing but the start. All arguments must outlive it. */
-        RobotTree(RobotTrajectories &others, const Task &task, const Shooting::Durations &durations,
-                  ompl::RNG &random);
+        RobotTree(RobotTrajectories &others, const Task &task, const Shooting::Durations &durations, ompl::RNG &random);
 
         /** \brief Let the tree grow until the robot reaches its goal and can stay there
             \param goalBias how often it grows towards the goal

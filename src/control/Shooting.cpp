@@ -6,6 +6,7 @@
 #include <limits>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SO2StateSpace.h>
+#include <ompl/base/spaces/SO3StateSpace.h>
 
 namespace ompl_certificates
 {
@@ -16,7 +17,7 @@ namespace ompl_certificates
         constexpr unsigned int ITERATIONS = 12;
 
         /** Of the range of a control, for differences; and of that of a number, to stay within its bounds */
-        constexpr double DIFFERENCE = 1e-6, MARGIN = 1e-6;
+        constexpr double DIFFERENCE = 1e-6, MARGIN = 1e-8;
 
         /** Of the sum of the squares of derivatives: keeps steps finite where controls have no effect */
         constexpr double DAMPING = 1e-12;
@@ -39,13 +40,15 @@ namespace ompl_certificates
         for (const auto &location : space.getValueLocations())
         {
             const ob::StateSpace *part = location.stateLocation.space;
-            Coordinate coordinate{location, dynamic_cast<const ob::SO2StateSpace *>(part) != nullptr, -HUGE_VAL, HUGE_VAL};
-            if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(part))
+            Coordinate coordinate{location, Coordinate::NUMBER, -HUGE_VAL, HUGE_VAL};
+            if (dynamic_cast<const ob::SO2StateSpace *>(part))
+                coordinate.kind = Coordinate::ANGLE;
+            else if (dynamic_cast<const ob::SO3StateSpace *>(part))
+                coordinate.kind = Coordinate::QUATERNION;
+            else if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(part))
             {
-                const auto &bounds = vector->getBounds();
-                const double margin = MARGIN * (bounds.high[location.index] - bounds.low[location.index]);
-                coordinate.low = bounds.low[location.index] + margin;
-                coordinate.high = bounds.high[location.index] - margin;
+                coordinate.low = vector->getBounds().low[location.index];
+                coordinate.high = vector->getBounds().high[location.index];
             }
             coordinates_.push_back(coordinate);
         }
@@ -53,18 +56,17 @@ namespace ompl_certificates
 
     std::vector<Shooting::Piece> Shooting::divide(std::size_t steps, const Durations &durations)
     {
-        const std::size_t fewest = (steps + durations.most - 1) / durations.most;
-        const std::size_t most = std::max<std::size_t>(1, steps / durations.least);
+        const std::size_t fewest = (steps + durations.most - 1) / durations.most, most = steps / durations.least;
         const std::size_t count = std::min(most, std::max<std::size_t>(fewest, PIECES));
         std::vector<Piece> pieces;
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count && count >= fewest; ++i)
             pieces.push_back({{}, static_cast<unsigned int>(steps / count + (i < steps % count ? 1 : 0))});
         return pieces;
     }
 
     Shooting::StatePtr Shooting::makeState() const
     {
-        return {space_.allocState(), [this](ob::State *state) { space_.freeState(state); }};
+        return {space_.allocState(), [&space = space_](ob::State *state) { space.freeState(state); }};
     }
 
     double Shooting::valueOf(const Coordinate &coordinate, const ob::State *state) const
@@ -75,28 +77,50 @@ namespace ompl_certificates
     double Shooting::difference(const Coordinate &coordinate, const ob::State *state, double value) const
     {
         const double straight = valueOf(coordinate, state) - value;
-        return coordinate.isAngle ? std::remainder(straight, 2.0 * M_PI) : straight;
+        return coordinate.kind == Coordinate::ANGLE ? std::remainder(straight, 2.0 * M_PI) : straight;
     }
 
     bool Shooting::solve(const ob::State *from, const ob::State *to, std::vector<Piece> &pieces)
     {
+        if (pieces.empty() || coordinates_.empty() || !std::isfinite(accuracy_))
+            return false;
         while (ends_.size() < pieces.size() + 1)
             ends_.push_back(makeState());
         conditions_.clear();
         for (std::size_t i = 0; i < coordinates_.size(); ++i)
-            conditions_.push_back({pieces.size(), i, valueOf(coordinates_[i], to)});
+            conditions_.push_back({pieces.size(), i, within(coordinates_[i], valueOf(coordinates_[i], to))});
         for (unsigned int iteration = 0; iteration < ITERATIONS; ++iteration)
         {
             run(from, pieces);
+            turnGoals();
             const bool isWithin = !addLimits(pieces.size());
             if (isWithin && space_.distance(ends_[pieces.size()].get(), to) <= accuracy_)
                 return true;
-            const Eigen::VectorXd errors = computeErrors();
-            if (!errors.allFinite())
+            if (!improve(pieces, computeErrors(), computeDerivatives(pieces)))
                 return false;
-            improve(pieces, errors, computeDerivatives(pieces));
         }
         return false;
+    }
+
+    double Shooting::within(const Coordinate &coordinate, double value)
+    {
+        // Somewhat within, as Newton's method comes to it from both sides
+        const double range = coordinate.high - coordinate.low, margin = MARGIN * range;
+        return std::isfinite(range) ? std::clamp(value, coordinate.low + margin, coordinate.high - margin) : value;
+    }
+
+    void Shooting::turnGoals()
+    {
+        // A quaternion and its opposite are one rotation.
+        for (std::size_t i = 0; i < coordinates_.size(); ++i)
+            if (coordinates_[i].kind == Coordinate::QUATERNION && coordinates_[i].location.index == 0)
+            {
+                double product = 0.0;
+                for (std::size_t k = i; k < i + 4; ++k)
+                    product += conditions_[k].value * valueOf(coordinates_[k], ends_[conditions_[k].piece].get());
+                for (std::size_t k = i; product < 0.0 && k < i + 4; ++k)
+                    conditions_[k].value = -conditions_[k].value;
+            }
     }
 
     void Shooting::run(const ob::State *from, const std::vector<Piece> &pieces)
@@ -113,19 +137,19 @@ namespace ompl_certificates
 
     bool Shooting::addLimits(std::size_t pieces)
     {
-        // What was once beyond its limit stays at it.
+        // What was once beyond its limit stays at it, unless improve() finds that it need not. The end has conditions.
         bool isBeyond = false;
-        for (std::size_t piece = 1; piece <= pieces; ++piece)
+        for (std::size_t piece = 1; piece < pieces; ++piece)
             for (std::size_t i = 0; i < coordinates_.size(); ++i)
             {
                 const double value = valueOf(coordinates_[i], ends_[piece].get());
-                const double limited = std::clamp(value, coordinates_[i].low, coordinates_[i].high);
-                if (value == limited)
+                if (value >= coordinates_[i].low && value <= coordinates_[i].high)
                     continue;
                 isBeyond = true;
-                const auto isSame = [&](const Condition &known) { return known.piece == piece && known.coordinate == i; };
+                const auto isSame = [&](const Condition &known)
+                { return known.piece == piece && known.coordinate == i; };
                 if (std::none_of(conditions_.begin(), conditions_.end(), isSame))
-                    conditions_.push_back({piece, i, limited});
+                    conditions_.push_back({piece, i, within(coordinates_[i], value)});
             }
         return isBeyond;
     }
@@ -142,17 +166,18 @@ namespace ompl_certificates
     Eigen::MatrixXd Shooting::computeDerivatives(const std::vector<Piece> &pieces)
     {
         // Pieces in one go, not step by step: derivatives need not be exact, but both sides must be alike.
+        const auto &bounds = robot_.getControlBounds();
         const std::size_t controls = pieces.front().control.size();
-        Eigen::MatrixXd derivatives =
-            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(conditions_.size()),
-                                  static_cast<Eigen::Index>(pieces.size() * controls));
+        Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(conditions_.size()),
+                                                            static_cast<Eigen::Index>(pieces.size() * controls));
         for (std::size_t i = 0; i < pieces.size() * controls; ++i)
         {
             const std::size_t first = i / controls, c = i % controls;
             std::vector<double> less = pieces[first].control, more = less;
             const double range = rangeOf(robot_, c);
-            less[c] -= DIFFERENCE * range;
-            more[c] += DIFFERENCE * range;
+            less[c] = std::max(bounds.low[c], less[c] - DIFFERENCE * range);
+            more[c] = std::min(bounds.high[c], more[c] + DIFFERENCE * range);
+            const double change = (more[c] - less[c]) / range;
             space_.copyState(less_.get(), ends_[first].get());
             space_.copyState(more_.get(), ends_[first].get());
             for (std::size_t piece = first; piece < pieces.size(); ++piece)
@@ -166,17 +191,17 @@ namespace ompl_certificates
                     {
                         const Coordinate &coordinate = coordinates_[conditions_[row].coordinate];
                         derivatives(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)) =
-                            difference(coordinate, more_.get(), valueOf(coordinate, less_.get())) / (2.0 * DIFFERENCE);
+                            difference(coordinate, more_.get(), valueOf(coordinate, less_.get())) / change;
                     }
             }
         }
         return derivatives;
     }
 
-    void Shooting::improve(std::vector<Piece> &pieces, const Eigen::VectorXd &errors,
-                           Eigen::MatrixXd derivatives) const
+    bool Shooting::improve(std::vector<Piece> &pieces, Eigen::VectorXd errors, Eigen::MatrixXd derivatives)
     {
-        // Controls count by their ranges. One that a step would press against its bound stays there.
+        // The least change that meets all conditions, were they linear. Controls count by their ranges. A control that
+        // would be pressed against its bound stays there; a limit that would hold a number back is none.
         const auto &bounds = robot_.getControlBounds();
         const std::size_t controls = pieces.front().control.size();
         Eigen::VectorXd step;
@@ -184,9 +209,10 @@ namespace ompl_certificates
         {
             Eigen::MatrixXd squares = derivatives * derivatives.transpose();
             squares.diagonal().array() += DAMPING * (squares.trace() + std::numeric_limits<double>::min());
-            step = derivatives.transpose() * squares.ldlt().solve(-errors);
+            const Eigen::VectorXd forces = squares.ldlt().solve(-errors);
+            step = derivatives.transpose() * forces;
             if (!step.allFinite())
-                return;
+                return false;
             isFree = true;
             for (Eigen::Index i = 0; i < step.size(); ++i)
             {
@@ -198,6 +224,18 @@ namespace ompl_certificates
                     isFree = false;
                 }
             }
+            for (std::size_t row = coordinates_.size(); row < conditions_.size(); ++row)
+            {
+                const Coordinate &coordinate = coordinates_[conditions_[row].coordinate];
+                const auto i = static_cast<Eigen::Index>(row);
+                const bool isUpper = conditions_[row].value > 0.5 * (coordinate.low + coordinate.high);
+                if (isUpper ? forces[i] > 0.0 : forces[i] < 0.0)
+                {
+                    derivatives.row(i).setZero();
+                    errors[i] = 0.0;
+                    isFree = false;
+                }
+            }
         }
         for (Eigen::Index i = 0; i < step.size(); ++i)
         {
@@ -205,5 +243,6 @@ namespace ompl_certificates
             double &value = pieces[static_cast<std::size_t>(i) / controls].control[c];
             value = std::clamp(value + step[i] * rangeOf(robot_, c), bounds.low[c], bounds.high[c]);
         }
+        return true;
     }
 }

@@ -37,8 +37,8 @@ namespace ompl_certificates
             robot turns and stops less */
         static constexpr unsigned int PIECES = 12;
 
-        /** \brief Divide a number of steps into pieces, without controls yet. A way shorter than the least duration is
-            one piece. */
+        /** \brief Divide a number of steps into pieces, without controls yet; none if no pieces of the durations give
+            that number */
         static std::vector<Piece> divide(std::size_t steps, const Durations &durations);
 
         /** \brief Shoots with a robot whose states are those of \e space; both must outlive this */
@@ -51,7 +51,7 @@ namespace ompl_certificates
         }
 
         /** \brief Change the controls of \e pieces, within the robot's bounds, so that they bring it from \e from to
-            \e to, and that numbers of R^n are within their bounds at the end of each
+            \e to, and that numbers of R^n are within their bounds at the end of each piece before
             \return whether that was found; if not, the controls are undefined */
         bool solve(const ompl::base::State *from, const ompl::base::State *to, std::vector<Piece> &pieces);
 
@@ -62,7 +62,12 @@ namespace ompl_certificates
         struct Coordinate
         {
             ompl::base::StateSpace::ValueLocation location;
-            bool isAngle;
+            enum
+            {
+                NUMBER,
+                ANGLE,
+                QUATERNION
+            } kind;
             double low, high;
         };
 
@@ -77,10 +82,12 @@ namespace ompl_certificates
         double valueOf(const Coordinate &coordinate, const ompl::base::State *state) const;
         double difference(const Coordinate &coordinate, const ompl::base::State *state, double value) const;
         void run(const ompl::base::State *from, const std::vector<Piece> &pieces);
+        static double within(const Coordinate &coordinate, double value);
+        void turnGoals();
         bool addLimits(std::size_t pieces);
         Eigen::VectorXd computeErrors() const;
         Eigen::MatrixXd computeDerivatives(const std::vector<Piece> &pieces);
-        void improve(std::vector<Piece> &pieces, const Eigen::VectorXd &errors, Eigen::MatrixXd derivatives) const;
+        bool improve(std::vector<Piece> &pieces, Eigen::VectorXd errors, Eigen::MatrixXd derivatives);
 
         const DynamicRobot &robot_;
         const ompl::base::StateSpace &space_;

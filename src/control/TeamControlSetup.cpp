@@ -1,11 +1,13 @@
 #include "ompl_certificates/control/TeamControlSetup.h"
 
+#include "ompl_certificates/control/ControlPathSimplifier.h"
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 
 #include <cmath>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
+#include <ompl/util/Time.h>
 
 namespace ompl_certificates
 {
@@ -68,5 +70,23 @@ namespace ompl_certificates
         if (last_status_ == ob::PlannerStatus::EXACT_SOLUTION && !haveExactSolutionPath())
             last_status_ = ob::PlannerStatus::APPROXIMATE_SOLUTION;
         return last_status_;
+    }
+
+    void TeamControlSetup::simplifySolution(double duration)
+    {
+        simplifySolution(duration > 0.0 ? ob::timedPlannerTerminationCondition(duration)
+                                        : ob::plannerNonTerminatingCondition());
+    }
+
+    void TeamControlSetup::simplifySolution(const ob::PlannerTerminationCondition &condition)
+    {
+        if (!haveSolutionPath())
+        {
+            OMPL_WARN("%s: there is no solution to simplify", getStateSpace()->getName().c_str());
+            return;
+        }
+        const auto start = ompl::time::now();
+        ControlPathSimplifier(si_, getGoal()).simplify(getSolutionPath(), condition);
+        simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
     }
 }

@@ -3,12 +3,14 @@
 
 #include "ompl_certificates/control/Car.h"
 #include "ompl_certificates/control/Integrator.h"
+#include "ompl_certificates/control/PrioritizedRRT.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/control/Unicycle.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace ompl_certificates
@@ -81,6 +83,37 @@ namespace ompl_certificates
             goal = std::vector<double>{1.5, 1.0, 0.0, 0.0, -1.0, 0.7, 0.0, 0.0, 0.0, 1.5, -1.5, 3.0, 3.0};
             setup->setStartAndGoalStates(start, goal, 0.5);
             return setup;
+        }
+
+        /** \brief Four robots with velocities in a square, each of which takes the place of the one opposite. In the middle there
+            is a box. */
+        inline TeamControlSetupPtr swapping(Method method, CertificateMotionValidator::Mode mode)
+        {
+            const auto space = within({2.0, 2.0});
+            std::vector<std::shared_ptr<const DynamicRobot>> robots;
+            for (int i = 0; i < 4; ++i)
+                robots.push_back(Integrator::secondOrder(RigidRobot::disc("puck" + std::to_string(i), 0.15, space),
+                                                         within({0.5, 0.5}), within({2.0, 2.0})));
+            auto setup =
+                std::make_shared<TeamControlSetup>(teamOf(robots), boxes({{{0.0, 0.0, 0.4, 0.4}}}), method, mode);
+            ompl::base::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+            start = std::vector<double>{-1.0, 0, 0, 0, 1.0, 0, 0, 0, 0, -1.0, 0, 0, 0, 1.0, 0, 0};
+            goal = std::vector<double>{1.0, 0, 0, 0, -1.0, 0, 0, 0, 0, 1.0, 0, 0, 0, -1.0, 0, 0};
+            setup->setStartAndGoalStates(start, goal, 0.4);
+            setup->setPlanner(std::make_shared<PrioritizedRRT>(setup->getSpaceInformation()));
+            return setup;
+        }
+
+        /** \brief The numbers of all states of a path */
+        inline std::vector<double> numbersOf(ompl::control::PathControl &path)
+        {
+            std::vector<double> all, some;
+            for (const ompl::base::State *state : path.getStates())
+            {
+                path.getSpaceInformation()->getStateSpace()->copyToReals(some, state);
+                all.insert(all.end(), some.begin(), some.end());
+            }
+            return all;
         }
     }
 }

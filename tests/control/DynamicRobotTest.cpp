@@ -83,7 +83,7 @@ TEST(DynamicRobotTest, StepsEqualFineIntegration)
             for (std::size_t i = 0; i < expected.size(); ++i)
             {
                 const double difference = expected[i] - to[static_cast<unsigned int>(i)];
-                EXPECT_NEAR(std::remainder(difference, 2.0 * M_PI), 0.0, 2e-7)
+                EXPECT_NEAR(std::remainder(difference, 2.0 * M_PI), 0.0, 1e-8)
                     << robot->getName() << " seed " << seed << " coordinate " << i;
             }
             robot->propagate(step.from.get(), step.control.data(), step.duration, step.from.get());

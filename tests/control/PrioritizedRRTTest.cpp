@@ -23,41 +23,10 @@ namespace oc = ompl::control;
 
 namespace
 {
-    using Mode = CertificateMotionValidator::Mode;
-
     class PrioritizedRRTTest : public testing::Test
     {
         const Quiet quiet_;
     };
-
-    /** Four robots with velocities in a square, each of which takes the place of the one opposite. In the middle there
-        is a box. */
-    TeamControlSetupPtr swapping(Method method, Mode mode)
-    {
-        const auto space = within({2.0, 2.0});
-        std::vector<std::shared_ptr<const DynamicRobot>> robots;
-        for (int i = 0; i < 4; ++i)
-            robots.push_back(Integrator::secondOrder(RigidRobot::disc("puck" + std::to_string(i), 0.15, space),
-                                                     within({0.5, 0.5}), within({2.0, 2.0})));
-        auto setup = std::make_shared<TeamControlSetup>(teamOf(robots), boxes({{{0.0, 0.0, 0.4, 0.4}}}), method, mode);
-        ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
-        start = std::vector<double>{-1.0, 0, 0, 0, 1.0, 0, 0, 0, 0, -1.0, 0, 0, 0, 1.0, 0, 0};
-        goal = std::vector<double>{1.0, 0, 0, 0, -1.0, 0, 0, 0, 0, 1.0, 0, 0, 0, -1.0, 0, 0};
-        setup->setStartAndGoalStates(start, goal, 0.4);
-        setup->setPlanner(std::make_shared<PrioritizedRRT>(setup->getSpaceInformation()));
-        return setup;
-    }
-
-    std::vector<double> numbersOf(oc::PathControl &path)
-    {
-        std::vector<double> all, some;
-        for (const ob::State *state : path.getStates())
-        {
-            path.getSpaceInformation()->getStateSpace()->copyToReals(some, state);
-            all.insert(all.end(), some.begin(), some.end());
-        }
-        return all;
-    }
 }
 
 TEST_F(PrioritizedRRTTest, LetsATeamChangePlacesAndComeToRest)

@@ -37,6 +37,7 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
                   "cart.linear,cart.angular,puck.ax,puck.ay");
         EXPECT_EQ(lines[1].substr(0, 16), "0,2,2,0,4,1,0,0,");
         EXPECT_EQ(lines[2].substr(0, 4), "0.1,");
+        EXPECT_EQ(lines[4].substr(0, 4), "0.3,");
         EXPECT_EQ(lines.back().substr(lines.back().size() - 4), ",,,,");
         EXPECT_NE(contentOf(folder / "plan.svg").find("</svg>"), std::string::npos);
         EXPECT_NE(contentOf(folder / "plan.html").find("</html>"), std::string::npos);
@@ -49,6 +50,21 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
                           : "\n  not proved    " + std::to_string(unproved) + " of " + std::to_string(lines.size() - 2);
         EXPECT_NE(program.output().find(line), std::string::npos) << program.output();
     }
+}
+
+TEST(PlanDynamicsTest, WritesTheShortenedPath)
+{
+    const Folder folder;
+    Program program("plan_team", {DOORWAY, "--dynamics", "--simplify", "--time", "30", "--motion", "continuous",
+                                  "--path", folder / "path.csv", "--report", folder / "report.json"});
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    const auto report = nlohmann::json::parse(contentOf(folder / "report.json"));
+    const double before = report.at("cost").get<double>(), after = report.at("simplified_cost").get<double>();
+    EXPECT_LT(after, 0.9 * before);
+    EXPECT_EQ(report.at("unproved_motions"), 0);
+    EXPECT_NE(program.output().find(" s, simplified "), std::string::npos) << program.output();
+    const auto lines = linesOf(folder / "path.csv");
+    EXPECT_NEAR(std::stod(lines.back()), after, 1e-6);
 }
 
 /** SST goes on to improve what it has found. */
@@ -94,7 +110,7 @@ TEST(PlanDynamicsTest, RefusesBadInput)
     const std::pair<std::vector<std::string>, std::string> inputs[]{
         {{maze, "--dynamics"}, "maze.yaml:9: robots[0].type: 'rigid' has no dynamics"},
         {{DOORWAY, "--dynamics", "--planner", "RRTConnect"}, "known are: EST, KPIECE1, PDST, PrioritizedRRT, RRT, SST"},
-        {{DOORWAY, "--dynamics", "--simplify"}, "--simplify excludes --dynamics"},
+        {{DOORWAY, "--dynamics", "--first"}, "--first excludes --dynamics"},
         {{DOORWAY, "--dynamics", "--goal-tolerance", "0"}, "--goal-tolerance"},
         {{DOORWAY, "--goal-tolerance", "1"}, "--dynamics"},
         {{DOORWAY, "--dynamics", "--motion", "continuous", "--method", "fcl"},

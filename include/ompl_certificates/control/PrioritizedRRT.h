@@ -15,19 +15,20 @@ namespace ompl_certificates
 
         OMPL's control planners search the space of the whole team, where few controls bring all robots forward at once.
         Here a tree grows for each robot. An iteration tries some controls from the state nearest to a sample, and keeps
-        the one that comes nearest to it. A robot that reaches its goal brakes, and stays there until all others have
-        arrived; DynamicRobot::computeBrake() tells how. One that finds no way moves to the front of the order, and
-        planning begins anew.
+        the one that comes nearest to it. From some of the new states it shoots: it looks for controls that lead from
+        there to the goal, by Newton's method on DynamicRobot::propagate(). A robot that reaches its goal brakes, and
+        stays there until all others have arrived; DynamicRobot::computeBrake() tells how. One that finds no way moves
+        to the front of the order, and planning begins anew.
 
         Not complete: some problems need robots that make way for others. A robot that cannot stop, or whose goal has
         more speed than the tolerance allows at rest, finds no way. It ends with the first path, which is not the
-        quickest. Controls are held for as long as the space information tells until a robot brakes; those of the team
-        change whenever a robot's do. The path is checked as a whole by the space information's propagator and validity checker, which in
-        continuous mode prove its steps.
+        quickest; see ControlPathSimplifier. Controls are held for as long as the space information tells until a robot
+        brakes; those of the team change whenever a robot's do. The path is checked as a whole by the space
+        information's propagator and validity checker, which in continuous mode prove its steps.
 
         Needs a TeamStateSpace, a TeamPropagator, and a LimitedValidityChecker or a TeamValidityChecker; all of them are
-        in place in a TeamControlSetup. Of the goal's threshold
-        each robot gets its share. The first start counts, and each order tries another goal if there are more.
+        in place in a TeamControlSetup. Of the goal's threshold each robot gets its share. The first start counts, and
+        each order tries another goal if there are more.
 
         @par External documentation
         M. Erdmann, T. Lozano-Pérez, On multiple moving objects, 1987; S. LaValle, J. Kuffner, Randomized kinodynamic

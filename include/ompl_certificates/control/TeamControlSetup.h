@@ -42,6 +42,20 @@ namespace ompl_certificates
         /** \brief The same, until \e condition becomes true */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
+        /** \brief Shorten the time that the solution takes with a ControlPathSimplifier, for at most \e duration seconds
+            (0: as long as it helps). What getSolutionPath() tells changes, the solution's cost does not.
+            \throws ompl::Exception as ControlPathSimplifier does, if parts of this setup were replaced */
+        void simplifySolution(double duration = 0.0);
+
+        /** \brief The same, until \e condition becomes true */
+        void simplifySolution(const ompl::base::PlannerTerminationCondition &condition);
+
+        /** \brief How many seconds the last call of simplifySolution() took */
+        double getLastSimplificationTime() const
+        {
+            return simplifyTime_;
+        }
+
         /** \brief The validity checker of the team, which ignores limits */
         const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
         {
@@ -60,6 +74,7 @@ namespace ompl_certificates
         const ompl::control::StatePropagator *propagator_;
         std::shared_ptr<TeamValidityChecker> checker_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};
+        double simplifyTime_{0.0};
     };
 
     /** \brief A shared pointer to a setup */
