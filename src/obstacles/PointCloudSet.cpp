@@ -164,7 +164,7 @@ namespace ompl_certificates
                 for (const auto &[layer, position] : found)
                     layer->setPresent(position, true);
                 std::ostringstream message;
-                message << "There is no point at " << point.transpose() << " to be removed";
+                message << "There is no point at " << point.head(dimension_).transpose() << " to be removed";
                 throw ompl::Exception(message.str());
             }
         removed_.insert(removed_.end(), points.begin(), points.end());

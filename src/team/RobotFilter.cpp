@@ -59,6 +59,9 @@ namespace ompl_certificates
         if (!(padding >= 0.0) || !std::isfinite(padding))
             throw ompl::Exception("The padding of robots must be finite and not negative, not " +
                                   std::to_string(padding));
+        if (!(cloud.radius >= 0.0) || !std::isfinite(cloud.radius))
+            throw ompl::Exception("The radius of a cloud's points must be finite and not negative, not " +
+                                  std::to_string(cloud.radius));
         const std::vector<PlacedPart> parts = partsOf(team, state);
         // Nothing is near a body that is nowhere.
         for (const PlacedPart &part : parts)

@@ -15,7 +15,7 @@ namespace ompl_certificates
         \param team the robots
         \param state where they were, in the team's space
         \param padding the error of the sensor and of the state, in the scene's length unit
-        \throws ompl::Exception if the padding is negative or not finite, or the state is not finite
+        \throws ompl::Exception if padding or radius is negative or not finite, or the state is not finite
         Cost: some nanoseconds per point and body; logarithmic in the triangles of a mesh. */
     PointCloud withoutRobots(PointCloud cloud, const Team &team, const ompl::base::State *state, double padding);
 
