@@ -237,7 +237,7 @@ TEST_F(ControlPathSimplifierTest, HoldsControlsForTheDurationsOfTheSpaceInformat
             }
 }
 
-/** What is left of a velocity is braked as it is, not as it was when the robot came to rest, until the others arrive. */
+/** It brakes in its own way, for some six hundred steps. */
 TEST_F(ControlPathSimplifierTest, LetsAFastRobotWaitForASlowOne)
 {
     const auto space = within({2.0, 2.0});
