@@ -37,23 +37,6 @@ namespace
     {
         return setup.getStateSpace()->distance(setup.getSolutionPath().getStates().back(), goalOf(setup));
     }
-
-    /** A setup for one robot that moves from x = -1.5 to x = 1.5, and for how long it plans */
-    std::unique_ptr<TeamControlSetup> crossing(const std::shared_ptr<const DynamicRobot> &robot,
-                                               const std::vector<std::array<double, 4>> &obstacles)
-    {
-        auto setup = std::make_unique<TeamControlSetup>(teamOf({robot}), boxes(obstacles));
-        setup->getSpaceInformation()->setup();
-        ob::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
-        std::vector<double> numbers(setup->getStateSpace()->getValueLocations().size(), 0.0);
-        numbers[0] = -1.5;
-        start = numbers;
-        numbers[0] = 1.5;
-        goal = numbers;
-        setup->setStartAndGoalStates(start, goal, 0.5);
-        setup->setPlanner(std::make_shared<PrioritizedRRT>(setup->getSpaceInformation()));
-        return setup;
-    }
 }
 
 TEST_F(ControlPathSimplifierTest, GetsATeamToItsGoalInLessTime)
@@ -84,19 +67,7 @@ TEST_F(ControlPathSimplifierTest, GetsATeamToItsGoalInLessTime)
 
 TEST_F(ControlPathSimplifierTest, FindsTheSamePathUnderAllMethods)
 {
-    std::vector<double> first;
-    for (const Method method :
-         {Method::FCL, Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
-    {
-        ompl::RNG::setSeed(2);
-        const auto setup = swapping(method, CertificateMotionValidator::DISCRETE);
-        ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-        setup->simplifySolution();
-        const std::vector<double> path = numbersOf(setup->getSolutionPath());
-        if (first.empty())
-            first = path;
-        EXPECT_EQ(path, first) << nameOf(method);
-    }
+    expectSamePathUnderAllMethods([](TeamControlSetup &setup) { setup.simplifySolution(); });
 }
 
 TEST_F(ControlPathSimplifierTest, BringsEachKindOfRobotToItsGoalWithinLimits)

@@ -9,7 +9,10 @@
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
+#include <functional>
+#include <gtest/gtest.h>
 #include <memory>
+#include <ompl/util/RandomNumbers.h>
 #include <string>
 #include <vector>
 
@@ -114,6 +117,42 @@ namespace ompl_certificates
                 all.insert(all.end(), some.begin(), some.end());
             }
             return all;
+        }
+
+        /** \brief A setup for one robot that moves from x = -1.5 to x = 1.5 */
+        inline std::unique_ptr<TeamControlSetup> crossing(const std::shared_ptr<const DynamicRobot> &robot,
+                                                          const std::vector<std::array<double, 4>> &obstacles)
+        {
+            auto setup = std::make_unique<TeamControlSetup>(teamOf({robot}), boxes(obstacles));
+            setup->getSpaceInformation()->setup();
+            ompl::base::ScopedState<> start(setup->getStateSpace()), goal(setup->getStateSpace());
+            std::vector<double> numbers(setup->getStateSpace()->getValueLocations().size(), 0.0);
+            numbers[0] = -1.5;
+            start = numbers;
+            numbers[0] = 1.5;
+            goal = numbers;
+            setup->setStartAndGoalStates(start, goal, 0.5);
+            setup->setPlanner(std::make_shared<PrioritizedRRT>(setup->getSpaceInformation()));
+            return setup;
+        }
+
+        /** \brief Expect that the robots of swapping() are led along the same path whatever the method is: the planner's,
+            after \e change */
+        inline void expectSamePathUnderAllMethods(const std::function<void(TeamControlSetup &)> &change)
+        {
+            std::vector<double> first;
+            for (const Method method :
+                 {Method::FCL, Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
+            {
+                ompl::RNG::setSeed(2);
+                const auto setup = swapping(method, CertificateMotionValidator::DISCRETE);
+                ASSERT_EQ(setup->solve(60.0), ompl::base::PlannerStatus::EXACT_SOLUTION);
+                change(*setup);
+                const std::vector<double> path = numbersOf(setup->getSolutionPath());
+                if (first.empty())
+                    first = path;
+                EXPECT_EQ(path, first) << nameOf(method);
+            }
         }
     }
 }

@@ -71,18 +71,7 @@ TEST_F(PrioritizedRRTTest, ProvesItsStepsInContinuousMode)
 
 TEST_F(PrioritizedRRTTest, FindsTheSamePathUnderAllMethods)
 {
-    std::vector<double> first;
-    for (const Method method :
-         {Method::FCL, Method::STANDARD, Method::BASIC, Method::PARTIAL, Method::SHARED_PROJECTION})
-    {
-        ompl::RNG::setSeed(2);
-        const auto setup = swapping(method, CertificateMotionValidator::DISCRETE);
-        ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-        const std::vector<double> path = numbersOf(setup->getSolutionPath());
-        if (first.empty())
-            first = path;
-        EXPECT_EQ(path, first) << nameOf(method);
-    }
+    expectSamePathUnderAllMethods([](TeamControlSetup & /*setup*/) {});
 }
 
 TEST_F(PrioritizedRRTTest, PlansForOneRobotOfEachKind)
@@ -91,18 +80,9 @@ TEST_F(PrioritizedRRTTest, PlansForOneRobotOfEachKind)
     {
         SCOPED_TRACE(robot->getName());
         ompl::RNG::setSeed(1);
-        TeamControlSetup setup(teamOf({robot}), boxes({{{0.0, 0.0, 0.3, 2.0}}}));
-        setup.getSpaceInformation()->setup();
-        ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
-        std::vector<double> numbers(setup.getStateSpace()->getValueLocations().size(), 0.0);
-        numbers[0] = -1.5;
-        start = numbers;
-        numbers[0] = 1.5;
-        goal = numbers;
-        setup.setStartAndGoalStates(start, goal, 0.5);
-        setup.setPlanner(std::make_shared<PrioritizedRRT>(setup.getSpaceInformation()));
-        ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
-        EXPECT_TRUE(setup.getSolutionPath().check());
+        const auto setup = crossing(robot, {{{0.0, 0.0, 0.3, 2.0}}});
+        ASSERT_EQ(setup->solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(setup->getSolutionPath().check());
     }
 }
 
