@@ -311,6 +311,32 @@ TEST_F(ControlPathSimplifierTest, LetsARobotStandAtItsGoal)
     EXPECT_LT(setup.getSolutionPath().length(), 4.6);
 }
 
+/** Each would be there soonest straight through the other one. */
+TEST_F(ControlPathSimplifierTest, LetsRobotsGiveWay)
+{
+    const auto space = within({2.0, 2.0});
+    std::vector<std::shared_ptr<const DynamicRobot>> robots;
+    for (const char *name : {"left", "right"})
+        robots.push_back(Integrator::firstOrder(RigidRobot::disc(name, 0.3, space), within({0.5, 0.5})));
+    for (std::uint_fast32_t seed = 1; seed <= scaled(3); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ompl::RNG::setSeed(seed);
+        TeamControlSetup setup(teamOf(robots), boxes({}));
+        ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
+        start = std::vector<double>{-1.5, 0.0, 1.5, 0.0};
+        goal = std::vector<double>{1.5, 0.0, -1.5, 0.0};
+        setup.setStartAndGoalStates(start, goal, 0.4);
+        setup.setPlanner(std::make_shared<PrioritizedRRT>(setup.getSpaceInformation()));
+        ASSERT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const double before = setup.getSolutionPath().length();
+        setup.simplifySolution();
+        EXPECT_TRUE(setup.getSolutionPath().check());
+        EXPECT_LT(setup.getSolutionPath().length(), before);
+        EXPECT_LT(setup.getSolutionPath().length(), 7.0);
+    }
+}
+
 TEST_F(ControlPathSimplifierTest, RefusesWhatItCannotUse)
 {
     const auto setup = swapping(Method::STANDARD, CertificateMotionValidator::DISCRETE);
