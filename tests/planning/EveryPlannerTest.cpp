@@ -197,14 +197,13 @@ TEST(EveryCost, IsLoweredByPlannersThatLookAhead)
                 team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{{Body::box(2.0, 6.0)}}, 2));
             const auto &si = setup->getSpaceInformation();
             setup->setPlanner(planner(si));
+            setup->getPlanner()->params().setParam("stop_on_each_solution_improvement", "1");
             ob::ScopedState<> start(team), goal(team);
             start = std::vector<double>{-4.0, 0.0};
             goal = std::vector<double>{4.0, 0.0};
             setup->setStartAndGoalStates(start, goal);
             setup->setOptimizationObjective(makeObjective(cost, si, goal));
-            setup->solve(ob::plannerOrTerminationCondition(
-                ob::timedPlannerTerminationCondition(10.0),
-                ob::PlannerTerminationCondition([&] { return setup->haveExactSolutionPath(); }, 0.01)));
+            setup->solve(10.0);
             ASSERT_TRUE(setup->haveExactSolutionPath());
             EXPECT_TRUE(setup->getSolutionPath().check());
         }
