@@ -344,7 +344,6 @@ namespace ompl_certificates
                 requireObstacles(obstacles, team_);
         ObstaclesPtr before;  // Large obstacles take time to destroy: when the checks go on.
         WorldLock::Change world(lock_);
-        world.open();
         // Who tells of other obstacles alone may have taken the rest for optional.
         const ObstacleChange whole = namingReplaced(change, obstacles_);
         world.close();

@@ -20,6 +20,14 @@ namespace ompl_certificates
                 else
                     std::this_thread::sleep_for(std::chrono::microseconds(50));
         }
+
+        /** Those who wait have to be woken, and where all cores are busy, a thread that only yields gets its own back
+            after a whole time slice. One that has slept is preferred. */
+        void waitForBeginningOf(const std::atomic<int> &waiting)
+        {
+            while (waiting.load() != 0)
+                std::this_thread::sleep_for(std::chrono::microseconds(20));
+        }
     }
 
     WorldLock::Check *&WorldLock::lastOfThisThread()
@@ -102,7 +110,8 @@ namespace ompl_certificates
         if (Check::find(lastOfThisThread(), lock_) != nullptr)
             throw ompl::Exception("The obstacles cannot be changed from within a check");
         changes_ = std::unique_lock<std::mutex>(lock_.changes_);
-        close();
+        lock_.barsHolds_.store(true);
+        waitForEndOf(lock_.holds_);
     }
 
     WorldLock::Change::~Change()
@@ -118,15 +127,12 @@ namespace ompl_certificates
         lock_.barsChecks_.store(false);
         checks_.unlock();
         // Otherwise those that wait would find the change going on again when they wake.
-        while (lock_.waiting_.load() != 0)
-            std::this_thread::yield();
+        waitForBeginningOf(lock_.waiting_);
     }
 
     void WorldLock::Change::close()
     {
         checks_ = std::unique_lock<std::mutex>(lock_.mutex_);
-        lock_.barsHolds_.store(true);
-        waitForEndOf(lock_.holds_);
         lock_.barsChecks_.store(true);
         for (const Slot &slot : lock_.slots_)
             waitForEndOf(slot.checks);

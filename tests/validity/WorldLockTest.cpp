@@ -39,9 +39,20 @@ namespace
         return result;
     }
 
+    /** Alone, from its beginning to its end */
+    struct WholeChange
+    {
+        explicit WholeChange(WorldLock &lock) : change(lock)
+        {
+            change.close();
+        }
+
+        WorldLock::Change change;
+    };
+
     std::future<void> change(const std::shared_ptr<WorldLock> &lock)
     {
-        return inThread<WorldLock::Change>(lock);
+        return inThread<WholeChange>(lock);
     }
 
     bool isDone(const std::future<void> &future, std::chrono::milliseconds time)
@@ -97,14 +108,16 @@ TEST(WorldLock, LetsChecksInBetweenTheStepsOfAChangeButNoHolds)
     const auto lock = std::make_shared<WorldLock>();
     auto changing = std::make_unique<WorldLock::Change>(*lock);
     const auto isHeld = inThread<WorldLock::Check>(lock, WorldLock::Check::HELD);
+    EXPECT_TRUE(isDone(inThread<WorldLock::Check>(lock), VERY_LONG)) << "it begins beside the checks";
+    EXPECT_FALSE(isDone(isHeld, A_MOMENT));
     for (int step = 0; step < 2; ++step)
     {
+        changing->close();
         const auto isChecked = inThread<WorldLock::Check>(lock);
         EXPECT_FALSE(isDone(isChecked, A_MOMENT));
         changing->open();
         EXPECT_TRUE(isDone(isChecked, VERY_LONG));
         EXPECT_FALSE(isDone(isHeld, A_MOMENT));
-        changing->close();
     }
     changing.reset();
     EXPECT_TRUE(isDone(isHeld, VERY_LONG));
@@ -120,7 +133,7 @@ TEST(WorldLock, HoldsEndInAnyOrder)
     EXPECT_FALSE(isDone(changed, A_MOMENT));
     inner.reset();
     EXPECT_TRUE(isDone(changed, VERY_LONG));
-    EXPECT_NO_THROW(WorldLock::Change{*lock});
+    EXPECT_NO_THROW(WholeChange{*lock});
 }
 
 TEST(WorldLock, RefusesChangesWithinAnyCheckOfTheThread)
@@ -130,7 +143,7 @@ TEST(WorldLock, RefusesChangesWithinAnyCheckOfTheThread)
     EXPECT_THROW(WorldLock::Change{first}, ompl::Exception);
     EXPECT_THROW(WorldLock::Change{second}, ompl::Exception);
     outer.reset();
-    EXPECT_NO_THROW(WorldLock::Change{first});
+    EXPECT_NO_THROW(WholeChange{first});
     EXPECT_THROW(WorldLock::Change{second}, ompl::Exception);
 }
 
@@ -179,7 +192,7 @@ TEST(WorldLock, LetsChecksInBetweenChangesForWhoHoldsIt)
                 const WorldLock::Check check(shared->lock);
                 ++shared->checks;
             });
-    repeat([shared] { const WorldLock::Change change(shared->lock); });
+    repeat([shared] { const WholeChange change(shared->lock); });
     repeat(
         [shared]
         {

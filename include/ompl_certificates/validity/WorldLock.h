@@ -74,7 +74,8 @@ namespace ompl_certificates
         class Change
         {
         public:
-            /** \brief Begin a change, once all checks have ended */
+            /** \brief Begin a change, once all holds have ended. Others wait from now on. Checks do so from close()
+                on. */
             explicit Change(WorldLock &lock);
             ~Change();
 
@@ -85,7 +86,7 @@ namespace ompl_certificates
                 wait. */
             void open();
 
-            /** \brief Goes on with the change, once all checks have ended */
+            /** \brief Goes on with the change alone, once all checks have ended */
             void close();
 
         private:
