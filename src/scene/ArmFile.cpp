@@ -150,6 +150,16 @@ namespace ompl_certificates
 
     ArmFile::~ArmFile() = default;
 
+    bool ArmFile::isPassive(const std::string &joint) const
+    {
+        return semantics_->passive.count(joint) > 0;
+    }
+
+    const std::vector<std::string> &ArmFile::getIgnored() const
+    {
+        return semantics_->ignored;
+    }
+
     std::vector<std::string> ArmFile::getGroups() const
     {
         return keysOf(semantics_->groups);

@@ -219,6 +219,100 @@ namespace ompl_certificates
         {
             return std::filesystem::path(file).parent_path().string();
         }
+
+        SceneFile readPlanningProblem(const YamlNode &root, const std::string &scene, const YamlNode &wish,
+                                      const std::string &request, const ArmFile &robot)
+        {
+            const std::string folder = folderOf(scene);
+            MoveItRobotState state;
+            if (root.has("robot_state"))
+                state = readMoveItRobotState(root.at("robot_state"), robot, folder);
+            const MoveItFrames frames = readFrames(root, robot, state);
+            const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
+            MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder);
+
+            if (wish.has("start_state"))
+                merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
+            const YamlNode groupNode = wish.at("group_name");
+            const std::string group = groupNode.text();
+            ArmFile::ArmSettings settings;
+            settings.base = state.base.value_or(Pose::Identity());
+            settings.jointValues = state.joints;
+            settings.attached = state.attached;
+            settings.bounds = readWorkspace(wish);
+            std::optional<MoveItMatrix> matrix;
+            if (hasMatrix(root))
+            {
+                matrix.emplace(root.at("allowed_collision_matrix"));
+                settings.mayTouch = [&matrix](const std::string &first, const std::string &second)
+                { return matrix->mayTouch(first, second); };
+            }
+            std::vector<std::string> notes;
+            for (const auto &[object, about] : state.notes)
+                notes.insert(notes.end(), about.begin(), about.end());
+            Scene::Member member;
+            try
+            {
+                // States have values of all joints, also of those that the group's joints move along.
+                for (const std::string &joint : robot.getJoints(group))
+                {
+                    settings.jointValues.erase(joint);
+                    for (const KinematicTree::Link &link : robot.getTree().getLinks())
+                        if (link.joint.mimic && link.joint.mimic->joint == joint)
+                            settings.jointValues.erase(link.joint.name);
+                }
+                member.robot = makeArm(robot, group, settings, matrix, world, notes);
+            }
+            catch (const ompl::Exception &exception)
+            {
+                groupNode.fail(exception.what());
+            }
+            const auto &arm = static_cast<const Arm &>(*member.robot);
+            member.start =
+                moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
+            readMoveItGoal(wish.at("goal_constraints"), robot, frames, member);
+
+            const std::string name = moveItText(root, "name");
+            SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
+                                 boundsAround(world, member, settings.bounds)),
+                           {},
+                           {},
+                           {},
+                           {}};
+            for (const MoveItWorld::Object &object : world.getObjects())
+                for (std::size_t i = 0; i < object.shapes.size(); ++i)
+                    file.scene.addObstacle(object.shapes[i], object.titles[i]);
+            file.scene.addMember(member);
+            file.scene.setResolution(RESOLUTION);
+            file.scene.chooseGoals();
+            for (const std::string &note : notes)
+                file.scene.addNote(note);
+            if (const std::string model = moveItText(root, "robot_model_name");
+                !model.empty() && model != robot.getName())
+                file.scene.addNote("robot_model_name is " + model + "; the robot is " + robot.getName());
+            if (wish.has("allowed_planning_time") && wish.at("allowed_planning_time").number() != 0.0)
+                file.timeLimit = wish.at("allowed_planning_time").positive();
+            return file;
+        }
+
+        /** What \e make makes. What it throws goes with what of the SRDF file is ignored: a group or a frame may lack
+            it. */
+        template <typename Make>
+        auto withIgnored(const ArmFile &robot, const Make &make)
+        {
+            try
+            {
+                return make();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                std::string message = exception.what();
+                for (const std::string &note : robot.getIgnored())
+                    if (message.find(note) == std::string::npos)
+                        message += "; " + note;
+                throw ompl::Exception(message);
+            }
+        }
     }
 
     bool isMoveItScene(const std::string &file)
@@ -255,73 +349,6 @@ namespace ompl_certificates
         refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
         refusePadding(root);
 
-        const std::string folder = folderOf(scene);
-        MoveItRobotState state;
-        if (root.has("robot_state"))
-            state = readMoveItRobotState(root.at("robot_state"), robot, folder);
-        const MoveItFrames frames = readFrames(root, robot, state);
-        const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
-        MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder);
-
-        if (wish.has("start_state"))
-            merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
-        const YamlNode groupNode = wish.at("group_name");
-        const std::string group = groupNode.text();
-        ArmFile::ArmSettings settings;
-        settings.base = state.base.value_or(Pose::Identity());
-        settings.jointValues = state.joints;
-        settings.attached = state.attached;
-        settings.bounds = readWorkspace(wish);
-        std::optional<MoveItMatrix> matrix;
-        if (hasMatrix(root))
-        {
-            matrix.emplace(root.at("allowed_collision_matrix"));
-            settings.mayTouch = [&matrix](const std::string &first, const std::string &second)
-            { return matrix->mayTouch(first, second); };
-        }
-        std::vector<std::string> notes;
-        for (const auto &[object, about] : state.notes)
-            notes.insert(notes.end(), about.begin(), about.end());
-        Scene::Member member;
-        try
-        {
-            // States have values of all joints, also of those that the group's joints move along.
-            for (const std::string &joint : robot.getJoints(group))
-            {
-                settings.jointValues.erase(joint);
-                for (const KinematicTree::Link &link : robot.getTree().getLinks())
-                    if (link.joint.mimic && link.joint.mimic->joint == joint)
-                        settings.jointValues.erase(link.joint.name);
-            }
-            member.robot = makeArm(robot, group, settings, matrix, world, notes);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            groupNode.fail(exception.what());
-        }
-        const auto &arm = static_cast<const Arm &>(*member.robot);
-        member.start = moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
-        readMoveItGoal(wish.at("goal_constraints"), frames, member);
-
-        const std::string name = moveItText(root, "name");
-        SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
-                             boundsAround(world, member, settings.bounds)),
-                       {},
-                       {},
-                       {},
-                       {}};
-        for (const MoveItWorld::Object &object : world.getObjects())
-            for (std::size_t i = 0; i < object.shapes.size(); ++i)
-                file.scene.addObstacle(object.shapes[i], object.titles[i]);
-        file.scene.addMember(member);
-        file.scene.setResolution(RESOLUTION);
-        file.scene.chooseGoals();
-        for (const std::string &note : notes)
-            file.scene.addNote(note);
-        if (const std::string model = moveItText(root, "robot_model_name"); !model.empty() && model != robot.getName())
-            file.scene.addNote("robot_model_name is " + model + "; the robot is " + robot.getName());
-        if (wish.has("allowed_planning_time") && wish.at("allowed_planning_time").number() != 0.0)
-            file.timeLimit = wish.at("allowed_planning_time").positive();
-        return file;
+        return withIgnored(robot, [&] { return readPlanningProblem(root, scene, wish, request, robot); });
     }
 }

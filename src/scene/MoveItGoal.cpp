@@ -81,9 +81,10 @@ namespace ompl_certificates
             return hasEqualLimits(joint) && std::abs(item.at("position").number() - joint.lower) <= FILE_ROUNDING;
         }
 
-        std::map<std::string, double> readJoints(const YamlNode &goal, const KinematicTree &tree,
-                                                 const std::vector<std::string> &group)
+        std::map<std::string, double> readJoints(const YamlNode &goal, const ArmFile &robot, const Arm &arm)
         {
+            const KinematicTree &tree = arm.getTree();
+            const std::vector<std::string> &group = arm.getGroup();
             std::map<std::string, double> values;
             std::vector<std::pair<YamlNode, KinematicTree::Mimic>> followers;
             const auto isMoved = [&](const std::string &name)
@@ -102,7 +103,9 @@ namespace ompl_certificates
                 if (isHeldThere(tree, name, item))
                     continue;
                 if (!isMoved(name))
-                    item.at("joint_name").fail("'" + name + "' is not a joint of the group");
+                    item.at("joint_name")
+                        .fail("'" + name + "' is not a joint of the group" +
+                              (robot.isPassive(name) ? ": the SRDF file says that it is passive" : ""));
                 if (!values.emplace(name, item.at("position").number()).second)
                     item.at("joint_name").fail("'" + name + "' is given twice");
             }
@@ -194,7 +197,7 @@ namespace ompl_certificates
         return coordinates;
     }
 
-    void readMoveItGoal(const YamlNode &node, const MoveItFrames &frames, Scene::Member &member)
+    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member)
     {
         const auto arm = std::static_pointer_cast<const Arm>(member.robot);
         const auto goals = node.items(1, MAX_CONSTRAINTS);
@@ -207,7 +210,7 @@ namespace ompl_certificates
         const auto position = onlyItem(goal, "position_constraints"), turn = onlyItem(goal, "orientation_constraints");
         if (!position && !turn)
         {
-            member.goal = moveItCoordinates(node, *arm, readJoints(goal, arm->getTree(), arm->getGroup()));
+            member.goal = moveItCoordinates(node, *arm, readJoints(goal, robot, *arm));
             return;
         }
         if (!moveItItems(goal, "joint_constraints").empty())

@@ -3,6 +3,7 @@
 
 #include "YamlNode.h"
 #include "ompl_certificates/robots/Arm.h"
+#include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/Scene.h"
 
 #include <map>
@@ -22,9 +23,9 @@ namespace ompl_certificates
     std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,
                                           const std::map<std::string, double> &values);
 
-    /** \brief Read the goal of \e member, whose robot is an arm, from the Constraints that \e node lists: all joints of
-        the group, or the pose of a link. */
-    void readMoveItGoal(const YamlNode &node, const MoveItFrames &frames, Scene::Member &member);
+    /** \brief Read the goal of \e member, whose robot is an arm of \e robot, from the Constraints that \e node lists:
+        all joints of the group, or the pose of a link. */
+    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
+#include <functional>
 
 namespace ompl_certificates
 {
@@ -27,9 +28,10 @@ namespace ompl_certificates
         class Groups
         {
         public:
+            /** \param ignore is told what is left out */
             Groups(const XmlFile &file, const KinematicTree &tree, std::string virtualJoint,
-                   std::vector<std::string> &notes)
-              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint)), notes_(notes)
+                   std::function<void(const std::string &)> ignore)
+              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint)), ignore_(std::move(ignore))
             {
                 for (const Node group : file.getRoot().children("group"))
                     if (!nodes_.emplace(file.attribute(group, "name"), group).second)
@@ -98,7 +100,7 @@ namespace ompl_certificates
             {
                 // A group in several others is read several times.
                 if (const std::string text = file_.remark(node, remark + "; ignored"); noted_.insert(text).second)
-                    notes_.push_back(text);
+                    ignore_(text);
             }
 
         private:
@@ -122,7 +124,7 @@ namespace ompl_certificates
             const XmlFile &file_;
             const KinematicTree &tree_;
             const std::string virtualJoint_;
-            std::vector<std::string> &notes_;
+            const std::function<void(const std::string &)> ignore_;
             Names noted_;
             std::map<std::string, Node> nodes_;
         };
@@ -187,8 +189,7 @@ namespace ompl_certificates
             if (types.count(type) == 0)
                 xml.fail(node, "type: must be fixed, planar or floating, not '" + type + "'");
             if (xml.attribute(node, "child_link") != rootLink)
-                notes.push_back("virtual joint '" + name + "' is ignored: its child is not the root link '" + rootLink +
-                                "'");
+                ignore("virtual joint '" + name + "' is ignored: its child is not the root link '" + rootLink + "'");
             else if (virtualJoint)
                 xml.fail(node, "there are two virtual joints of link '" + rootLink + "'");
             else
@@ -200,8 +201,7 @@ namespace ompl_certificates
             }
         }
 
-        Groups all(xml, tree, virtualName, notes);
-        Names passive;
+        Groups all(xml, tree, virtualName, [this](const std::string &note) { ignore(note); });
         for (const Node node : root.children("passive_joint"))
             if (const auto joint = all.joint(node))
                 passive.insert(*joint);
@@ -219,7 +219,7 @@ namespace ompl_certificates
                     if (canMove(link.joint))
                         joints.push_back(joint);
                     else if (hasEqualLimits(link.joint) && held.insert(joint).second)
-                        notes.push_back(noteOnEqualLimits(link.joint));
+                        ignore(noteOnEqualLimits(link.joint));
                 }
         }
         for (const Node node : root.children("group_state"))
@@ -271,6 +271,12 @@ namespace ompl_certificates
         if (!missing.empty())
             notes.push_back(file +
                             ": pairs of links name some that there are not: " + boost::algorithm::join(missing, ", "));
+    }
+
+    void SrdfModel::ignore(const std::string &note)
+    {
+        notes.push_back(note);
+        ignored.push_back(note);
     }
 
     bool SrdfModel::isDisabled(const std::string &first, const std::string &second) const

@@ -50,10 +50,18 @@ namespace ompl_certificates
         /** \brief The joint between the root and the world, if there is one */
         std::optional<VirtualJoint> virtualJoint;
 
+        /** \brief The joints that the file calls passive: they are in no group */
+        std::set<std::string> passive;
+
         /** \brief What a user should know, one line each */
         std::vector<std::string> notes;
 
+        /** \brief Those of the notes that tell what groups or frames may lack */
+        std::vector<std::string> ignored;
+
     private:
+        void ignore(const std::string &note);
+
         using Pair = std::pair<std::string, std::string>;
         std::set<Pair> disabled_, enabled_;
         std::set<std::string> disabledLinks_;

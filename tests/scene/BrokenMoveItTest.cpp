@@ -215,5 +215,43 @@ namespace ompl_certificates
                 EXPECT_EQ(messageOf(BALL, broken.text).substr(0, broken.message.size()), broken.message);
             }
         }
+
+        TEST_F(MoveItScene, ErrorsTellWhatOfTheSrdfFileIsIgnored)
+        {
+            struct
+            {
+                std::string text, replacement, scene, message, note;
+            } const all[]{
+                {"joint name=\"bend\"", "joint name=\"bnd\"", BALL,
+                 "request.yaml:6: goal_constraints[0].joint_constraints[1].joint_name: 'bend' is not a joint of the group; ",
+                 "broken.srdf:3: <joint>: there is no joint 'bnd'; ignored"},
+                {"<group name=\"arm\">", "<group name=\"arm\"><chain base_link=\"bse\" tip_link=\"tip\"/>",
+                 OBJECTS + "    - {id: a, header: {frame_id: moon}, planes: [{coef: [0, 0, 1, 0]}]}\n",
+                 "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'moon'; ",
+                 "broken.srdf:3: <chain>: base_link: there is no link 'bse'; ignored"},
+                {"child_link=\"base\"", "child_link=\"bse\"",
+                 OBJECTS + "    - {id: a, header: {frame_id: world}, planes: [{coef: [0, 0, 1, 0]}]}\n",
+                 "scene.yaml:3: world.collision_objects[0].header: there is no fixed frame 'world'; ",
+                 "virtual joint 'world_joint' is ignored: its child is not the root link 'base'"},
+                {"<group name=\"arm\">", "<passive_joint name=\"bend\"/><group name=\"arm\">", BALL,
+                 "request.yaml:6: goal_constraints[0].joint_constraints[1].joint_name: 'bend' is not a joint of the group: ",
+                 "the SRDF file says that it is passive"},
+                {"<joint name=\"turn\"/><joint name=\"bend\"/>", "<joint name=\"trn\"/>", BALL,
+                 "request.yaml:1: group_name: ", "broken.srdf:3: <joint>: there is no joint 'trn'; ignored"},
+            };
+            for (const auto &broken : all)
+            {
+                SCOPED_TRACE(broken.replacement);
+                std::string srdf = TWO_LINKS_SRDF;
+                srdf.replace(srdf.find(broken.text), broken.text.size(), broken.replacement);
+                robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", TWO_LINKS_URDF),
+                                                         folder_.write("broken.srdf", srdf));
+                const std::string message = messageOf(broken.scene);
+                EXPECT_EQ(message.substr(0, broken.message.size()), broken.message);
+                const std::size_t note = message.find(broken.note);
+                ASSERT_NE(note, std::string::npos) << message;
+                EXPECT_EQ(message.find(broken.note, note + 1), std::string::npos) << "told twice: " << message;
+            }
+        }
     }
 }

@@ -163,6 +163,13 @@ namespace ompl_certificates
         /** \brief The virtual joint of the root link, if the SRDF file has one */
         std::optional<VirtualJoint> getVirtualJoint() const;
 
+        /** \brief Whether the SRDF file calls a joint passive: no group has it */
+        bool isPassive(const std::string &joint) const;
+
+        /** \brief What of the SRDF file is ignored and may be missed in groups and frames, one line each. It belongs to
+            every complaint about a joint that a group lacks. */
+        const std::vector<std::string> &getIgnored() const;
+
         /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can
             move. */
         std::vector<std::string> getGroups() const;
