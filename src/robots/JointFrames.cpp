@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
+#include <sstream>
 
 namespace ompl_certificates
 {
@@ -67,6 +68,21 @@ namespace ompl_certificates
                 if (!std::isfinite(options.bounds->low[i]) || !std::isfinite(options.bounds->high[i]) ||
                     !(options.bounds->low[i] < options.bounds->high[i]))
                     fail("needs finite bounds, each low below its high");
+        }
+
+        /** Complain about a joint that follows a moving one and would jump where the angle of that leaps from pi to
+            -pi. */
+        void refuseJumps(const Joint &joint, const Joint &followed)
+        {
+            const double multiplier = joint.mimic->multiplier;
+            if (followed.type != JointType::CONTINUOUS ||
+                (joint.type != JointType::PRISMATIC && multiplier == std::round(multiplier)))
+                return;
+            std::ostringstream text;
+            text << multiplier;
+            throw ompl::Exception("joint '" + joint.name + "'",
+                                  "mimics the continuous joint '" + followed.name +
+                                      "', so it must turn, by a whole multiple and not by " + text.str());
         }
     }
 
@@ -149,6 +165,8 @@ namespace ompl_certificates
             links_.push_back(placeAt(parent.frame, origin * moved(joint, value)));
             return;
         }
+        if (joint.mimic)
+            refuseJumps(joint, *source);
         const std::size_t first = coordinate->second;
         if (joint.type == JointType::FLOATING || joint.type == JointType::PLANAR)
         {

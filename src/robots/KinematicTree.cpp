@@ -164,11 +164,6 @@ namespace ompl_certificates
                 failAt(joint, "mimics joint '" + name + "', which mimics a joint itself");
             if (followed.type == JointType::PLANAR || followed.type == JointType::FLOATING)
                 failAt(joint, "mimics joint '" + name + "', which has more than one coordinate");
-            const double multiplier = joint.mimic->multiplier;
-            if (followed.type == JointType::CONTINUOUS &&
-                (joint.type == JointType::PRISMATIC || multiplier != std::round(multiplier)))
-                failAt(joint, "mimics the continuous joint '" + name +
-                                  "', so it must turn, by a whole multiple and not by " + briefly(multiplier));
         }
     }
 

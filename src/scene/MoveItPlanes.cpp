@@ -13,9 +13,8 @@ namespace ompl_certificates
         /** The largest absolute value that a joint can have */
         double rangeOf(const Joint &joint, const std::map<std::string, double> &jointValues)
         {
-            if (joint.type == JointType::CONTINUOUS)
-                return M_PI;
-            const double range = std::max(std::abs(joint.lower), std::abs(joint.upper));
+            const double range =
+                joint.type == JointType::CONTINUOUS ? M_PI : std::max(std::abs(joint.lower), std::abs(joint.upper));
             const auto value = jointValues.find(joint.name);
             return value == jointValues.end() ? range : std::max(range, std::abs(value->second));
         }

@@ -42,7 +42,14 @@ namespace ompl_certificates
             return tree.getLinks()[tree.getChildOf(name)].joint;
         }
 
-        /** The values of joints that \e node lists by their names */
+        void checkLimits(const YamlNode &node, const Joint &joint, double value)
+        {
+            if (joint.type != JointType::CONTINUOUS && (value < joint.lower || value > joint.upper))
+                node.fail("joint '" + joint.name + "' must be from " + std::to_string(joint.lower) + " to " +
+                          std::to_string(joint.upper) + ", not " + std::to_string(value));
+        }
+
+        /** The values of joints that \e node lists by their names, angles as they are: a joint may follow half of one. */
         Values readValues(const YamlNode &node, const KinematicTree &tree)
         {
             Values values;
@@ -53,7 +60,8 @@ namespace ompl_certificates
                     node.at(name).fail("joint '" + name + "' has not one value: it is fixed, or moves in several ways");
                 if (joint.mimic)
                     node.at(name).fail("joint '" + name + "' follows joint '" + joint.mimic->joint + "'");
-                values[name] = checkedJointValue(node.at(name), joint, node.at(name).number());
+                values[name] = node.at(name).number();
+                checkLimits(node.at(name), joint, values[name]);
             }
             return values;
         }
@@ -188,9 +196,7 @@ namespace ompl_certificates
             value = std::remainder(value, 2.0 * M_PI);
             return value < M_PI ? value : -M_PI;
         }
-        if (value < joint.lower || value > joint.upper)
-            node.fail("joint '" + joint.name + "' must be from " + std::to_string(joint.lower) + " to " +
-                      std::to_string(joint.upper) + ", not " + std::to_string(value));
+        checkLimits(node, joint, value);
         return value;
     }
 
@@ -294,7 +300,10 @@ namespace ompl_certificates
                 for (const auto &[joint, value] : described)
                     if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
                         hasOneValue(jointOf(state, file.getTree(), joint)))
-                        own[joint] = checkedJointValue(state, jointOf(state, file.getTree(), joint), value);
+                    {
+                        checkLimits(state, jointOf(state, file.getTree(), joint), value);
+                        own[joint] = value;
+                    }
             }
         if (node.has("joints"))
             for (const auto &[joint, value] : readValues(node.at("joints"), file.getTree()))

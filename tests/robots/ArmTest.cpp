@@ -252,7 +252,8 @@ TEST(Arm, TreesAndGroupsThatMakeNoSenseAreRefused)
     options.base.translation().x() = nan;
     EXPECT_THROW(Arm("arm", tree, {"free"}, options), ompl::Exception);
 
-    const auto mimicking = [&](const std::string &source, double multiplier, JointType type)
+    const auto mimicking = [&](const std::string &source, double multiplier, JointType type,
+                               const std::vector<std::string> &group = {"free", "spin"})
     {
         KinematicTree copy = tree;
         copy.addLink("base", joint("spin", JointType::CONTINUOUS, {0, 0, 0}), "spinning");
@@ -262,12 +263,14 @@ TEST(Arm, TreesAndGroupsThatMakeNoSenseAreRefused)
         Joint second = joint("second", JointType::REVOLUTE, {0, 0, 0});
         second.mimic = KinematicTree::Mimic{"free", 0.5, 0.0};
         copy.addLink("base", second, "second");
-        const Arm arm("arm", copy, {"free", "spin"});
+        const Arm arm("arm", copy, group);
     };
     EXPECT_NO_THROW(mimicking("free", 0.7, JointType::PRISMATIC));
     EXPECT_NO_THROW(mimicking("spin", -2.0, JointType::CONTINUOUS));
     EXPECT_THROW(mimicking("spin", 0.5, JointType::CONTINUOUS), ompl::Exception);
     EXPECT_THROW(mimicking("spin", 1.0, JointType::PRISMATIC), ompl::Exception);
+    EXPECT_NO_THROW(mimicking("spin", 0.5, JointType::CONTINUOUS, {"free"})) << "it stands still";
+    EXPECT_NO_THROW(mimicking("spin", 1.0, JointType::PRISMATIC, {"free"}));
     EXPECT_THROW(mimicking("second", 1.0, JointType::REVOLUTE), ompl::Exception);
     EXPECT_THROW(mimicking("follower", 1.0, JointType::REVOLUTE), ompl::Exception);
     EXPECT_THROW(mimicking("unknown", 1.0, JointType::REVOLUTE), ompl::Exception);

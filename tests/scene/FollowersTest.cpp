@@ -1,6 +1,8 @@
 #include "ompl_certificates/scene/ArmFile.h"
+#include "ompl_certificates/scene/SceneFile.h"
 #include "support/ArmTexts.h"
 #include "support/Folder.h"
+#include "support/Message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +80,41 @@ namespace ompl_certificates
         EXPECT_NEAR(angleOf("a"), 0.3, 1e-12);
         EXPECT_NEAR(angleOf("d"), 0.4, 1e-12);
         EXPECT_NEAR(angleOf("e"), 0.4 - 2.0 * 0.4, 1e-12);  // on top of d
+    }
+
+    TEST(Followers, FollowsHalfOfAnAngleThatStandsStill)
+    {
+        const test::Folder folder;
+        folder.write("a.urdf", robot(link("base") + link("wheel") + link("half") + link("arm") +
+                                     joint("turn", "continuous", "base", "wheel", "<origin xyz='1 0 0'/>") +
+                                     joint("follow", "continuous", "base", "half",
+                                           "<origin xyz='2 0 0'/><mimic joint='turn' multiplier='0.5'/>") +
+                                     joint("lift", "revolute", "base", "arm", "<origin xyz='0 1 0'/>" + LIMIT)));
+        folder.write("a.srdf",
+                     "<robot name='test'><group name='arm'><joint name='lift'/></group>"
+                     "<group name='wheel'><joint name='turn'/></group></robot>");
+        const auto read = [&](const std::string &keys)
+        {
+            return sceneFromYaml(
+                "environment: {min: [-3, -3, -3], max: [3, 3, 3]}\nrobots: [{type: urdf, file: a.urdf, "
+                "srdf: a.srdf, start: [0], goal: [1], " +
+                    keys + "}]",
+                folder.path() + "/a.yaml");
+        };
+        // Brought into [-pi, pi) first, it would be another half.
+        const Scene scene = read("group: arm, joints: {turn: 4}");
+        const auto &arm = dynamic_cast<const Arm &>(*scene.getMembers().front().robot);
+        arm.getStateSpace()->setup();
+        ompl::base::ScopedState<> state(arm.getStateSpace());
+        state = std::vector<double>{0.0};
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitX()).toRotationMatrix();
+        EXPECT_TRUE(arm.getLinkPose(state.get(), "half").linear().isApprox(turn, 1e-12));
+        const std::string message = messageOf([&] { read("group: wheel"); });
+        EXPECT_NE(
+            message.find("group 'wheel': joint 'follow': mimics the continuous joint 'turn', so it must turn, by a "
+                         "whole multiple and not by 0.5"),
+            std::string::npos)
+            << message;
     }
 
     TEST(Followers, TellsOfValuesThatDoNotCount)

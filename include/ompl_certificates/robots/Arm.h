@@ -79,7 +79,8 @@ namespace ompl_certificates
             \throws ompl::Exception that names the joint or the link: if there is no such joint or link, or if no link
             has a body. The group must not be empty or have more than MAX_JOINTS coordinates. A joint of it that is
             named twice, does not move or mimics another one is an error. So are a value that is not finite, bounds that
-            are missing, and a planar arm that leaves the plane.
+            are missing, and a planar arm that leaves the plane. A joint that follows a CONTINUOUS one of the group must
+            turn, by a whole multiple: it would jump else, where the angle leaps from pi to -pi.
             Cost: milliseconds for an arm of 20 bodies; it grows with the pairs of links and the joints between them. */
         Arm(const std::string &name, const KinematicTree &tree, const std::vector<std::string> &group,
             const ArmOptions &options = {});

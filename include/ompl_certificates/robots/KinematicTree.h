@@ -117,8 +117,7 @@ namespace ompl_certificates
         KinematicTree hungOn(const std::string &root, const Joint &joint) const;
 
         /** \brief Check what can be checked only when all joints are there: that each joint that is mimicked exists,
-            has one coordinate, and mimics none itself. A joint that follows a CONTINUOUS one must turn, by a whole
-            multiple: it would jump else, where the angle leaps from pi to -pi. Arm calls it.
+            has one coordinate, and mimics none itself. Arm calls it.
             \throws ompl::Exception that names the joint */
         void checkMimics() const;
 
