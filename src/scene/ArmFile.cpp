@@ -185,6 +185,7 @@ namespace ompl_certificates
 
     const std::map<std::string, double> &ArmFile::getState(const std::string &group, const std::string &state) const
     {
+        getJoints(group);  // complains of a group that there is not
         const auto states = semantics_->states.find(group);
         if (states == semantics_->states.end() || states->second.count(state) == 0)
             throw ompl::Exception(srdf_.empty() ? urdf_ : srdf_, "group '" + group + "' has no state '" + state +

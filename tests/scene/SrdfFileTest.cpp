@@ -34,6 +34,9 @@ namespace ompl_certificates
         EXPECT_EQ(file.getState("chain", "bent").at("second"), -1.0);
         EXPECT_NE(messageOf([&] { file.getJoints("none"); }).find("'chain'"), std::string::npos);
         EXPECT_NE(messageOf([&] { file.getState("chain", "none"); }).find("'bent'"), std::string::npos);
+        EXPECT_NE(messageOf([&] { file.getState("chian", "bent"); })
+                      .find("there is no group 'chian'; there are 'all', 'chain', 'joint', 'link', 'mobile'"),
+                  std::string::npos);
 
         // Why a group is empty is told with it.
         const ArmFile empty(urdf, folder.write("empty.srdf", robot("<group name='a'><joint name='typo'/></group>")));

@@ -182,7 +182,7 @@ namespace ompl_certificates
         std::vector<std::string> getStates(const std::string &group) const;
 
         /** \brief The values of joints in a state of a group
-            \throws ompl::Exception if there is no such state */
+            \throws ompl::Exception if there is no such group or state */
         const std::map<std::string, double> &getState(const std::string &group, const std::string &state) const;
 
         /** \brief An arm that moves the joints of \e group, checked for self-collision in the pairs of links that the
