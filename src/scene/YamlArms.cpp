@@ -1,5 +1,6 @@
 #include "YamlArms.h"
 
+#include "LineReader.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
@@ -45,8 +46,8 @@ namespace ompl_certificates
         void checkLimits(const YamlNode &node, const Joint &joint, double value)
         {
             if (joint.type != JointType::CONTINUOUS && (value < joint.lower || value > joint.upper))
-                node.fail("joint '" + joint.name + "' must be from " + std::to_string(joint.lower) + " to " +
-                          std::to_string(joint.upper) + ", not " + std::to_string(value));
+                node.fail("joint '" + joint.name + "' must be from " + shortestText(joint.lower) + " to " +
+                          shortestText(joint.upper) + ", not " + shortestText(value));
         }
 
         /** The values of joints that \e node lists by their names, angles as they are: a joint may follow half of one. */
@@ -315,8 +316,8 @@ namespace ompl_certificates
             }
         for (const auto &[joint, value] : own)
             if (const auto known = values.emplace(joint, value).first; known->second != value)
-                node.fail("joint '" + joint + "' is at " + std::to_string(value) + " here, but at " +
-                          std::to_string(known->second) + " for another robot of the same file and base");
+                node.fail("joint '" + joint + "' is at " + shortestText(value) + " here, but at " +
+                          shortestText(known->second) + " for another robot of the same file and base");
     }
 
     void YamlArms::makeArms(const std::vector<std::size_t> &parts, const ompl::base::RealVectorBounds &bounds,
