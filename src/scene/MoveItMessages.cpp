@@ -29,18 +29,6 @@ namespace ompl_certificates
             return values;
         }
 
-        Eigen::Matrix3d readTurn(const YamlNode &node)
-        {
-            const auto values = readNumbers(node, {"x", "y", "z", "w"});
-            const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
-            // What nobody filled in is no rotation for MoveIt.
-            if (rotation.coeffs().isZero(0.0))
-                return Eigen::Matrix3d::Identity();
-            if (!(rotation.norm() >= YamlNode::MIN_SIZE))
-                node.fail("must not be zero");
-            return rotation.normalized().toRotationMatrix();
-        }
-
         Pose readPose(const YamlNode &node, const std::string &position, const std::string &rotation)
         {
             node.allow({position, rotation});
@@ -48,7 +36,7 @@ namespace ompl_certificates
             if (node.has(position))
                 pose.translation() = readMoveItVector(node.at(position));
             if (node.has(rotation))
-                pose.linear() = readTurn(node.at(rotation));
+                pose.linear() = readMoveItRotation(node.at(rotation));
             return pose;
         }
 
@@ -247,7 +235,14 @@ namespace ompl_certificates
 
     Eigen::Matrix3d readMoveItRotation(const YamlNode &node)
     {
-        return readTurn(node);
+        const auto values = readNumbers(node, {"x", "y", "z", "w"});
+        const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
+        // What nobody filled in is no rotation for MoveIt.
+        if (rotation.coeffs().isZero(0.0))
+            return Eigen::Matrix3d::Identity();
+        if (!(rotation.norm() >= YamlNode::MIN_SIZE))
+            node.fail("must not be zero");
+        return rotation.normalized().toRotationMatrix();
     }
 
     PlacedBody readMoveItRegion(const YamlNode &node)
