@@ -229,7 +229,8 @@ namespace ompl_certificates
                 state = readMoveItRobotState(root.at("robot_state"), robot, folder);
             const MoveItFrames frames = readFrames(root, robot, state);
             const bool isEmpty = !root.has("world") && (root.has("robot_state") || root.has("robot_model_name"));
-            MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder);
+            std::vector<std::string> notes;
+            MoveItWorld world = isEmpty ? MoveItWorld() : MoveItWorld(root.at("world"), frames, folder, notes);
 
             if (wish.has("start_state"))
                 merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
@@ -247,7 +248,6 @@ namespace ompl_certificates
                 settings.mayTouch = [&matrix](const std::string &first, const std::string &second)
                 { return matrix->mayTouch(first, second); };
             }
-            std::vector<std::string> notes;
             for (const auto &[object, about] : state.notes)
                 notes.insert(notes.end(), about.begin(), about.end());
             Scene::Member member;
@@ -270,7 +270,7 @@ namespace ompl_certificates
             const auto &arm = static_cast<const Arm &>(*member.robot);
             member.start =
                 moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
-            readMoveItGoal(wish.at("goal_constraints"), robot, frames, member);
+            readMoveItGoal(wish.at("goal_constraints"), robot, frames, member, notes);
 
             const std::string name = moveItText(root, "name");
             SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,

@@ -1,5 +1,6 @@
 #include "MoveItGoal.h"
 
+#include "LineReader.h"
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
 #include "YamlArms.h"
@@ -72,6 +73,14 @@ namespace ompl_certificates
                           "', not " + item.at("position").describe());
         }
 
+        /** Complain about a tolerance that no value can meet. Others do not count: the goal is the position. */
+        void checkTolerances(const YamlNode &item)
+        {
+            for (const char *key : {"tolerance_above", "tolerance_below"})
+                if (double value = 0.0; item.has(key) && parseNumber(item.at(key).scalar(), value) && value < 0.0)
+                    item.at(key).fail("must not be negative, but is " + item.at(key).describe());
+        }
+
         /** Whether a constraint asks of a joint whose limits are equal that it be there, as it always is */
         bool isHeldThere(const KinematicTree &tree, const std::string &name, const YamlNode &item)
         {
@@ -92,6 +101,7 @@ namespace ompl_certificates
             for (const YamlNode &item : goal.at("joint_constraints").items(1, MAX_CONSTRAINTS))
             {
                 item.allow({"joint_name", "position", "tolerance_above", "tolerance_below", "weight"});
+                checkTolerances(item);
                 const std::string name = item.at("joint_name").text();
                 const auto &mimic = tree.hasJoint(name) ? tree.getLinks()[tree.getChildOf(name)].joint.mimic
                                                         : std::optional<KinematicTree::Mimic>();
@@ -123,14 +133,15 @@ namespace ompl_certificates
             return items.empty() ? std::nullopt : std::optional(items.front());
         }
 
-        void readPosition(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose)
+        void readPosition(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose,
+                          std::vector<std::string> &notes)
         {
             node.allow({"header", "link_name", "target_point_offset", "constraint_region", "weight"});
             pose.link = node.at("link_name").text();
             if (node.has("target_point_offset"))
                 pose.point = readMoveItVector(node.at("target_point_offset"));
             const YamlNode regionNode = node.at("constraint_region");
-            const PlacedBody region = readMoveItRegion(regionNode);
+            const PlacedBody region = readMoveItRegion(regionNode, notes);
             const Pose middle = readMoveItFrame(node, frames) * region.pose;
             const Shape &shape = region.body.getParts().front().shape;
             pose.position = LinkPose::Position{middle.translation()};
@@ -144,7 +155,8 @@ namespace ompl_certificates
                 regionNode.at("primitives").fail("must be a box or a sphere");
         }
 
-        void readOrientation(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose)
+        void readOrientation(const YamlNode &node, const MoveItFrames &frames, LinkPose &pose,
+                             std::vector<std::string> &notes)
         {
             node.allow({"header", "orientation", "link_name", "absolute_x_axis_tolerance", "absolute_y_axis_tolerance",
                         "absolute_z_axis_tolerance", "parameterization", "weight"});
@@ -153,7 +165,7 @@ namespace ompl_certificates
                 node.at("link_name").fail("must be that of the position, '" + pose.link + "'");
             pose.link = link;
             const Pose &frame = readMoveItFrame(node, frames);
-            pose.rotation = LinkPose::Rotation{frame.linear() * readMoveItRotation(node.at("orientation"))};
+            pose.rotation = LinkPose::Rotation{frame.linear() * readMoveItRotation(node.at("orientation"), &notes)};
             const std::string kind = moveItText(node, "parameterization");
             if (!kind.empty() && kind != "0" && kind != "1")
                 node.at("parameterization").fail("must be 0 or 1, not " + kind);
@@ -197,7 +209,8 @@ namespace ompl_certificates
         return coordinates;
     }
 
-    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member)
+    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member,
+                        std::vector<std::string> &notes)
     {
         const auto arm = std::static_pointer_cast<const Arm>(member.robot);
         const auto goals = node.items(1, MAX_CONSTRAINTS);
@@ -217,9 +230,9 @@ namespace ompl_certificates
             goal.at("joint_constraints").fail("joints beside the pose of a link are not supported");
         LinkPose pose;
         if (position)
-            readPosition(*position, frames, pose);
+            readPosition(*position, frames, pose, notes);
         if (turn)
-            readOrientation(*turn, frames, pose);
+            readOrientation(*turn, frames, pose, notes);
         try
         {
             member.region = std::make_shared<LinkPoseGoal>(arm, pose);

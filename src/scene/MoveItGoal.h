@@ -24,8 +24,10 @@ namespace ompl_certificates
                                           const std::map<std::string, double> &values);
 
     /** \brief Read the goal of \e member, whose robot is an arm of \e robot, from the Constraints that \e node lists:
-        all joints of the group, or the pose of a link. */
-    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member);
+        all joints of the group, or the pose of a link.
+        \param notes what a user should know is added here */
+    void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member,
+                        std::vector<std::string> &notes);
 }
 
 #endif

@@ -29,14 +29,15 @@ namespace ompl_certificates
             return values;
         }
 
-        Pose readPose(const YamlNode &node, const std::string &position, const std::string &rotation)
+        Pose readPose(const YamlNode &node, const std::string &position, const std::string &rotation,
+                      std::vector<std::string> *notes = nullptr)
         {
             node.allow({position, rotation});
             Pose pose = Pose::Identity();
             if (node.has(position))
                 pose.translation() = readMoveItVector(node.at(position));
             if (node.has(rotation))
-                pose.linear() = readMoveItRotation(node.at(rotation));
+                pose.linear() = readMoveItRotation(node.at(rotation), notes);
             return pose;
         }
 
@@ -177,16 +178,29 @@ namespace ompl_certificates
         /** Call \e add for each item of \e key with its pose. Poses may be left out together. */
         template <typename Add>
         void addShapes(const YamlNode &node, const std::string &key, const std::string &poseKey, const Pose &origin,
-                       const Add &add)
+                       std::vector<std::string> &notes, const Add &add)
         {
             const auto shapes = moveItItems(node, key), poses = moveItItems(node, poseKey);
             if (!poses.empty() && poses.size() != shapes.size())
                 node.at(poseKey).fail("must have as many items as " + key + ", " + std::to_string(shapes.size()) +
                                       ", not " + std::to_string(poses.size()));
             for (std::size_t i = 0; i < shapes.size(); ++i)
-                add(shapes[i], poses.empty() ? origin : Pose(origin * readPose(poses[i], "position", "orientation")));
+                add(shapes[i],
+                    poses.empty() ? origin : Pose(origin * readPose(poses[i], "position", "orientation", &notes)));
         }
 
+        /** The pose of an object, by default none */
+        Pose readObjectPose(const YamlNode &node, std::vector<std::string> &notes)
+        {
+            if (!node.has("pose"))
+                return Pose::Identity();
+            std::vector<std::string> about;
+            const Pose pose = readPose(node.at("pose"), "position", "orientation", &about);
+            // A message that leaves the pose to the shapes has zeros in all of it.
+            if (!pose.translation().isZero(0.0))
+                notes.insert(notes.end(), about.begin(), about.end());
+            return pose;
+        }
     }
 
     std::vector<YamlNode> moveItItems(const YamlNode &node, const std::string &key)
@@ -233,24 +247,28 @@ namespace ompl_certificates
         return readPose(node, "translation", "rotation");
     }
 
-    Eigen::Matrix3d readMoveItRotation(const YamlNode &node)
+    Eigen::Matrix3d readMoveItRotation(const YamlNode &node, std::vector<std::string> *notes)
     {
         const auto values = readNumbers(node, {"x", "y", "z", "w"});
         const Eigen::Quaterniond rotation(values[3], values[0], values[1], values[2]);
         // What nobody filled in is no rotation for MoveIt.
         if (rotation.coeffs().isZero(0.0))
+        {
+            if (notes)
+                notes->push_back(node.getKey() + ": all numbers are 0, which counts as no rotation");
             return Eigen::Matrix3d::Identity();
+        }
         if (!(rotation.norm() >= YamlNode::MIN_SIZE))
             node.fail("must not be zero");
         return rotation.normalized().toRotationMatrix();
     }
 
-    PlacedBody readMoveItRegion(const YamlNode &node)
+    PlacedBody readMoveItRegion(const YamlNode &node, std::vector<std::string> &notes)
     {
         node.allow({"primitives", "primitive_poses", "meshes", "mesh_poses"});
         refuse(node, {"meshes", "mesh_poses"});
         std::vector<PlacedBody> bodies;
-        addShapes(node, "primitives", "primitive_poses", Pose::Identity(),
+        addShapes(node, "primitives", "primitive_poses", Pose::Identity(), notes,
                   [&](const YamlNode &item, const Pose &at) {
                       bodies.push_back({readPrimitive(item), at});
                   });
@@ -261,24 +279,23 @@ namespace ompl_certificates
         return bodies.front();
     }
 
-    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder)
+    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder, std::vector<std::string> &notes)
     {
         node.allow({"header", "pose", "id", "type", "primitives", "primitive_poses", "meshes", "mesh_poses", "planes",
                     "plane_poses", "subframe_names", "subframe_poses", "operation"});
         if (node.has("operation") && !isAdd(node.at("operation")))
             node.at("operation").fail("must be add or 0, not " + node.at("operation").describe());
-        const Pose pose =
-            node.has("pose") ? readPose(node.at("pose"), "position", "orientation") : Pose(Pose::Identity());
+        const Pose pose = readObjectPose(node, notes);
         MoveItObject object{node.at("id").text(), moveItFrame(node), pose, {}, {}};
-        addShapes(node, "primitives", "primitive_poses", pose,
+        addShapes(node, "primitives", "primitive_poses", pose, notes,
                   [&](const YamlNode &item, const Pose &at) {
                       object.shapes.push_back({item, {readPrimitive(item), at}});
                   });
-        addShapes(node, "meshes", "mesh_poses", pose,
+        addShapes(node, "meshes", "mesh_poses", pose, notes,
                   [&](const YamlNode &item, const Pose &at) {
                       object.shapes.push_back({item, {readMesh(item, folder), at}});
                   });
-        addShapes(node, "planes", "plane_poses", pose,
+        addShapes(node, "planes", "plane_poses", pose, notes,
                   [&](const YamlNode &item, const Pose &at) {
                       object.planes.push_back({item, at * readMoveItPlane(item)});
                   });

@@ -54,14 +54,17 @@ namespace ompl_certificates
     /** \brief A Transform: translation and rotation */
     Pose readMoveItTransform(const YamlNode &node);
 
-    /** \brief A Quaternion: four numbers, or a map of x, y, z and w. No rotation if all are 0 */
-    Eigen::Matrix3d readMoveItRotation(const YamlNode &node);
+    /** \brief A Quaternion: four numbers, or a map of x, y, z and w. No rotation if all are 0, as for MoveIt
+        \param notes what a user should know is added here, if given: that all are 0 */
+    Eigen::Matrix3d readMoveItRotation(const YamlNode &node, std::vector<std::string> *notes = nullptr);
 
-    /** \brief A BoundingVolume of one primitive */
-    PlacedBody readMoveItRegion(const YamlNode &node);
+    /** \brief A BoundingVolume of one primitive
+        \param notes as above */
+    PlacedBody readMoveItRegion(const YamlNode &node, std::vector<std::string> &notes);
 
-    /** \brief A CollisionObject; meshes of files are looked for in \e folder */
-    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder);
+    /** \brief A CollisionObject; meshes of files are looked for in \e folder
+        \param notes as above */
+    MoveItObject readMoveItObject(const YamlNode &node, const std::string &folder, std::vector<std::string> &notes);
 }
 
 #endif

@@ -18,13 +18,16 @@ namespace ompl_certificates
             if (!tree.hasLink(attached.link))
                 node.at("link_name").fail("there is no link '" + attached.link + "'");
             refuse(node.at("object"), {"planes", "plane_poses"});
-            const MoveItObject object = readMoveItObject(node.at("object"), folder);
+            std::vector<std::string> about;
+            const MoveItObject object = readMoveItObject(node.at("object"), folder, about);
             if (object.frame != attached.link)
                 node.at("object").fail("must be in the frame of its link, '" + attached.link + "': others, such as '" +
                                        object.frame + "', are not supported");
             if (tree.hasLink(object.name))
                 node.at("object").at("id").fail("there is a link '" + object.name + "' already");
             attached.name = object.name;
+            auto &told = notes[attached.name];
+            told.insert(told.end(), about.begin(), about.end());
             attached.pose = object.pose;
             std::vector<Body::Part> parts;
             for (const MoveItObject::Placed &placed : object.shapes)
@@ -37,8 +40,8 @@ namespace ompl_certificates
                 if (const std::string name = link.text(); tree.hasLink(name))
                     attached.touchLinks.push_back(name);
                 else
-                    notes[attached.name].push_back("attached object '" + attached.name +
-                                                   "': touch_links: there is no link '" + name + "'");
+                    told.push_back("attached object '" + attached.name + "': touch_links: there is no link '" + name +
+                                   "'");
             }
             return attached;
         }

@@ -52,7 +52,8 @@ namespace ompl_certificates
         }
     }
 
-    MoveItWorld::MoveItWorld(const YamlNode &node, const std::map<std::string, Pose> &frames, const std::string &folder)
+    MoveItWorld::MoveItWorld(const YamlNode &node, const std::map<std::string, Pose> &frames, const std::string &folder,
+                             std::vector<std::string> &notes)
     {
         node.allow({"collision_objects", "octomap"});
         if (node.has("octomap"))
@@ -65,7 +66,7 @@ namespace ompl_certificates
         std::set<std::string> names;
         for (const YamlNode &item : moveItItems(node, "collision_objects"))
         {
-            const MoveItObject read = readMoveItObject(item, folder);
+            const MoveItObject read = readMoveItObject(item, folder, notes);
             if (!names.insert(read.name).second)
                 item.at("id").fail("there is an object '" + read.name + "' already");
             const Pose &frame = readMoveItFrame(item, frames);

@@ -32,8 +32,10 @@ namespace ompl_certificates
 
         /** \param frames the frames that obstacles can be in
             \param folder where meshes of files are looked for
+            \param notes what a user should know is added here
             \throws ompl::Exception that names the node */
-        MoveItWorld(const YamlNode &node, const std::map<std::string, Pose> &frames, const std::string &folder);
+        MoveItWorld(const YamlNode &node, const std::map<std::string, Pose> &frames, const std::string &folder,
+                    std::vector<std::string> &notes);
 
         /** \brief All objects, in their order */
         const std::vector<Object> &getObjects() const

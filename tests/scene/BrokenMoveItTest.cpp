@@ -160,6 +160,10 @@ namespace ompl_certificates
                  "request.yaml:3: goal_constraints: has no position of joint 'bend'"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
                  "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
+                {group + START +
+                     "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0, tolerance_below: -0.1}]}]\n",
+                 "request.yaml:3: goal_constraints[0].joint_constraints[0].tolerance_below: must not be negative, but is "
+                 "-0.1"},
                 {pose("link_name: tip", ""),
                  "request.yaml:3: goal_constraints[0].position_constraints[0].constraint_region: missing"},
                 {pose("link_name: nose, " + BALL_REGION, ""),

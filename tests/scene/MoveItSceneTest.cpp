@@ -199,6 +199,36 @@ namespace ompl_certificates
             EXPECT_NO_THROW(file.scene.validate());
         }
 
+        TEST_F(MoveItScene, OrientationsOfZerosAreNoRotationAndNoted)
+        {
+            const std::string zeros = "orientation: [0, 0, 0, 0]", world = "world.collision_objects",
+                              counts = "orientation: all numbers are 0, which counts as no rotation";
+            const auto at = [&](const std::string &y) { return "{position: [0, " + y + ", 0], " + zeros + "}"; };
+            const auto ball = [](const std::string &id, const std::string &keys)
+            { return "    - {id: " + id + ", primitives: [{type: sphere, dimensions: [0.1]}], " + keys + "}\n"; };
+            // The third pose is nowhere filled in: that of the shape counts.
+            const std::string objects = OBJECTS + ball("a", "pose: " + at("2")) +
+                                        ball("b", "primitive_poses: [" + at("2") + "]") +
+                                        ball("c", "pose: " + at("0") + ", primitive_poses: [{position: [0, 2, 0]}]");
+            const std::string held =
+                "robot_state: {attached_collision_objects: [{link_name: tip, object: {id: d, header: "
+                "{frame_id: tip}, primitives: [{type: sphere, dimensions: [0.01]}], "
+                "primitive_poses: [" +
+                at("0") + "]}}]}\n";
+            const std::string goal = "group_name: arm\n" + START +
+                                     "goal_constraints: [{orientation_constraints: [{link_name: tip, " + zeros +
+                                     ", absolute_x_axis_tolerance: 4, absolute_y_axis_tolerance: 4, "
+                                     "absolute_z_axis_tolerance: 4}]}]\n";
+            const SceneFile file = read(objects + held, goal);
+            EXPECT_EQ(file.scene.getNotes(),
+                      (std::vector<std::string>{
+                          world + "[0].pose." + counts, world + "[1].primitive_poses[0]." + counts,
+                          "robot_state.attached_collision_objects[0].object.primitive_poses[0]." + counts,
+                          "goal_constraints[0].orientation_constraints[0]." + counts}));
+            for (const PlacedBody &obstacle : file.scene.getObstacles())
+                EXPECT_EQ(obstacle.pose.linear(), Eigen::Matrix3d::Identity());
+        }
+
         TEST_F(MoveItScene, GoalsCanBePosesOfLinks)
         {
             const std::string frames =
