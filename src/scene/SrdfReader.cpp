@@ -7,7 +7,6 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
-#include <functional>
 
 namespace ompl_certificates
 {
@@ -28,10 +27,12 @@ namespace ompl_certificates
         class Groups
         {
         public:
-            /** \param ignore is told what is left out */
-            Groups(const XmlFile &file, const KinematicTree &tree, std::string virtualJoint,
-                   std::function<void(const std::string &)> ignore)
-              : file_(file), tree_(tree), virtualJoint_(std::move(virtualJoint)), ignore_(std::move(ignore))
+            /** \param model has the virtual joint, and is told what is left out */
+            Groups(const XmlFile &file, const KinematicTree &tree, SrdfModel &model)
+              : file_(file)
+              , tree_(tree)
+              , virtualJoint_(model.virtualJoint ? model.virtualJoint->name : "")
+              , model_(model)
             {
                 for (const Node group : file.getRoot().children("group"))
                     if (!nodes_.emplace(file.attribute(group, "name"), group).second)
@@ -100,7 +101,7 @@ namespace ompl_certificates
             {
                 // A group in several others is read several times.
                 if (const std::string text = file_.remark(node, remark + "; ignored"); noted_.insert(text).second)
-                    ignore_(text);
+                    model_.ignore(text);
             }
 
         private:
@@ -124,7 +125,7 @@ namespace ompl_certificates
             const XmlFile &file_;
             const KinematicTree &tree_;
             const std::string virtualJoint_;
-            const std::function<void(const std::string &)> ignore_;
+            SrdfModel &model_;
             Names noted_;
             std::map<std::string, Node> nodes_;
         };
@@ -144,6 +145,89 @@ namespace ompl_certificates
         std::string noteOnEqualLimits(const KinematicTree::Joint &joint)
         {
             return "joint '" + joint.name + "' does not move: both limits are " + std::to_string(joint.lower);
+        }
+
+        using JointType = KinematicTree::JointType;
+
+        void readVirtualJoint(const XmlFile &file, const KinematicTree &tree, SrdfModel &model)
+        {
+            const std::string &root = tree.getLinks().front().name;
+            for (const Node node : file.getRoot().children("virtual_joint"))
+            {
+                const std::string name = file.attribute(node, "name"), type = file.attribute(node, "type");
+                const std::map<std::string, JointType> types{
+                    {"fixed", JointType::FIXED}, {"planar", JointType::PLANAR}, {"floating", JointType::FLOATING}};
+                if (types.count(type) == 0)
+                    file.fail(node, "type: must be fixed, planar or floating, not '" + type + "'");
+                if (file.attribute(node, "child_link") != root)
+                    model.ignore("virtual joint '" + name + "' is ignored: its child is not the root link '" + root +
+                                 "'");
+                else if (model.virtualJoint)
+                    file.fail(node, "there are two virtual joints of link '" + root + "'");
+                else
+                {
+                    if (tree.hasJoint(name))
+                        file.fail(node, "name: there is a joint '" + name + "' already");
+                    model.virtualJoint = VirtualJoint{name, file.attribute(node, "parent_frame"), types.at(type)};
+                }
+            }
+        }
+
+        /** The joints of all groups but the passive ones */
+        void readGroups(const XmlFile &file, const KinematicTree &tree, Groups &all, SrdfModel &model)
+        {
+            for (const Node node : file.getRoot().children("passive_joint"))
+                if (const auto joint = all.joint(node))
+                    model.passive.insert(*joint);
+            const auto &virtualJoint = model.virtualJoint;
+            Names held;
+            for (const auto &[group, node] : all.getNodes())
+            {
+                const Names names = all.jointsOf(group);
+                const auto isMoved = [&](const std::string &joint)
+                { return names.count(joint) > 0 && model.passive.count(joint) == 0; };
+                std::vector<std::string> &joints = model.groups[group];
+                if (virtualJoint && virtualJoint->type != JointType::FIXED && isMoved(virtualJoint->name))
+                    joints.push_back(virtualJoint->name);
+                for (const KinematicTree::Link &link : tree.getLinks())
+                    if (const std::string &joint = link.joint.name; isMoved(joint))
+                    {
+                        if (canMove(link.joint))
+                            joints.push_back(joint);
+                        else if (hasEqualLimits(link.joint) && held.insert(joint).second)
+                            model.ignore(noteOnEqualLimits(link.joint));
+                    }
+            }
+        }
+
+        void readStates(const XmlFile &file, const KinematicTree &tree, Groups &all, SrdfModel &model)
+        {
+            for (const Node node : file.getRoot().children("group_state"))
+            {
+                const std::string group = node.attribute("group").value(), name = file.attribute(node, "name");
+                if (model.groups.count(group) == 0)
+                {
+                    all.note(node, "there is no group '" + group + "'");
+                    continue;
+                }
+                auto &values = model.states[group][name];
+                for (const Node child : node.children("joint"))
+                {
+                    const auto joint = all.joint(child);
+                    if (!joint)
+                        continue;
+                    const std::string text = boost::algorithm::trim_copy(file.attribute(child, "value"));
+                    double value = 0.0;
+                    // Joints with several coordinates, such as the virtual one, are not described by one number.
+                    if (!tree.hasJoint(*joint) || text.find_first_of(" \t") != std::string::npos)
+                        model.notes.push_back("state '" + name + "' of group '" + group + "': the value of joint '" +
+                                              *joint + "' is ignored");
+                    else if (!parseNumber(text, value) || !std::isfinite(value))
+                        file.fail(child, "joint '" + *joint + "', value: must be a finite number, not '" + text + "'");
+                    else
+                        values[*joint] = withinLimits(tree.getLinks()[tree.getChildOf(*joint)].joint, value);
+                }
+            }
         }
     }
 
@@ -173,103 +257,41 @@ namespace ompl_certificates
     SrdfModel::SrdfModel(const std::string &file, const std::string &robot, const KinematicTree &tree)
     {
         const XmlFile xml(file, "robot");
-        const Node root = xml.getRoot();
         for (std::string &note : xml.leftOverFromXacro())
             notes.push_back(std::move(note));
-        if (const std::string name = root.attribute("name").value(); name != robot)
+        if (const std::string name = xml.getRoot().attribute("name").value(); name != robot)
             notes.push_back(file + ": describes robot '" + name + "', not '" + robot + "'");
-        const std::string &rootLink = tree.getLinks().front().name;
-        std::string virtualName;
-        for (const Node node : root.children("virtual_joint"))
-        {
-            using Type = KinematicTree::JointType;
-            const std::string name = xml.attribute(node, "name"), type = xml.attribute(node, "type");
-            const std::map<std::string, Type> types{
-                {"fixed", Type::FIXED}, {"planar", Type::PLANAR}, {"floating", Type::FLOATING}};
-            if (types.count(type) == 0)
-                xml.fail(node, "type: must be fixed, planar or floating, not '" + type + "'");
-            if (xml.attribute(node, "child_link") != rootLink)
-                ignore("virtual joint '" + name + "' is ignored: its child is not the root link '" + rootLink + "'");
-            else if (virtualJoint)
-                xml.fail(node, "there are two virtual joints of link '" + rootLink + "'");
-            else
-            {
-                if (tree.hasJoint(name))
-                    xml.fail(node, "name: there is a joint '" + name + "' already");
-                virtualName = name;
-                virtualJoint = VirtualJoint{name, xml.attribute(node, "parent_frame"), types.at(type)};
-            }
-        }
+        readVirtualJoint(xml, tree, *this);
+        Groups all(xml, tree, *this);
+        readGroups(xml, tree, all, *this);
+        readStates(xml, tree, all, *this);
+        readPairs(xml, tree);
+    }
 
-        Groups all(xml, tree, virtualName, [this](const std::string &note) { ignore(note); });
-        for (const Node node : root.children("passive_joint"))
-            if (const auto joint = all.joint(node))
-                passive.insert(*joint);
-        Names held;
-        for (const auto &[name, node] : all.getNodes())
-        {
-            const Names names = all.jointsOf(name);
-            std::vector<std::string> &joints = groups[name];
-            if (virtualJoint && virtualJoint->type != KinematicTree::JointType::FIXED && names.count(virtualName) > 0 &&
-                passive.count(virtualName) == 0)
-                joints.push_back(virtualName);
-            for (const KinematicTree::Link &link : tree.getLinks())
-                if (const std::string &joint = link.joint.name; names.count(joint) > 0 && passive.count(joint) == 0)
-                {
-                    if (canMove(link.joint))
-                        joints.push_back(joint);
-                    else if (hasEqualLimits(link.joint) && held.insert(joint).second)
-                        ignore(noteOnEqualLimits(link.joint));
-                }
-        }
-        for (const Node node : root.children("group_state"))
-        {
-            const std::string group = node.attribute("group").value(), name = xml.attribute(node, "name");
-            if (groups.count(group) == 0)
-            {
-                all.note(node, "there is no group '" + group + "'");
-                continue;
-            }
-            auto &values = states[group][name];
-            for (const Node child : node.children("joint"))
-            {
-                const auto joint = all.joint(child);
-                if (!joint)
-                    continue;
-                const std::string text = boost::algorithm::trim_copy(xml.attribute(child, "value"));
-                double value = 0.0;
-                // Joints with several coordinates are not described by one number.
-                if (*joint == virtualName || text.find_first_of(" \t") != std::string::npos)
-                    notes.push_back("state '" + name + "' of group '" + group + "': the value of joint '" + *joint +
-                                    "' is ignored");
-                else if (!parseNumber(text, value) || !std::isfinite(value))
-                    xml.fail(child, "joint '" + *joint + "', value: must be a finite number, not '" + text + "'");
-                else
-                    values[*joint] = withinLimits(tree.getLinks()[tree.getChildOf(*joint)].joint, value);
-            }
-        }
+    void SrdfModel::readPairs(const XmlFile &file, const KinematicTree &tree)
+    {
         Names missing;
-        const auto readPairs = [&](const char *element, std::set<Pair> &pairs)
+        const auto linkOf = [&](const Node &node, const char *key)
         {
-            for (const Node node : root.children(element))
+            const std::string name = file.attribute(node, key);
+            if (!tree.hasLink(name))
+                missing.insert(name);
+            return name;
+        };
+        const auto collect = [&](const char *element, std::set<Pair> &pairs)
+        {
+            for (const Node node : file.getRoot().children(element))
             {
-                for (const char *key : {"link1", "link2"})
-                    if (const std::string name = xml.attribute(node, key); !tree.hasLink(name))
-                        missing.insert(name);
-                pairs.insert(ordered(xml.attribute(node, "link1"), xml.attribute(node, "link2")));
+                const std::string first = linkOf(node, "link1"), second = linkOf(node, "link2");
+                pairs.insert(ordered(first, second));
             }
         };
-        readPairs("disable_collisions", disabled_);
-        readPairs("enable_collisions", enabled_);
-        for (const Node node : root.children("disable_default_collisions"))
-        {
-            const std::string link = xml.attribute(node, "link");
-            if (!tree.hasLink(link))
-                missing.insert(link);
-            disabledLinks_.insert(link);
-        }
+        collect("disable_collisions", disabled_);
+        collect("enable_collisions", enabled_);
+        for (const Node node : file.getRoot().children("disable_default_collisions"))
+            disabledLinks_.insert(linkOf(node, "link"));
         if (!missing.empty())
-            notes.push_back(file +
+            notes.push_back(file.getName() +
                             ": pairs of links name some that there are not: " + boost::algorithm::join(missing, ", "));
     }
 

@@ -12,6 +12,8 @@
 
 namespace ompl_certificates
 {
+    class XmlFile;
+
     /** \brief What files round numbers of joints and transforms by, at most: to three or four digits */
     constexpr double FILE_ROUNDING = 1e-3;
 
@@ -59,8 +61,11 @@ namespace ompl_certificates
         /** \brief Those of the notes that tell what groups or frames may lack */
         std::vector<std::string> ignored;
 
-    private:
+        /** \brief Add \e note to these and to those */
         void ignore(const std::string &note);
+
+    private:
+        void readPairs(const XmlFile &file, const KinematicTree &tree);
 
         using Pair = std::pair<std::string, std::string>;
         std::set<Pair> disabled_, enabled_;
