@@ -251,22 +251,19 @@ namespace ompl_certificates
             for (const auto &[object, about] : state.notes)
                 notes.insert(notes.end(), about.begin(), about.end());
             Scene::Member member;
-            try
-            {
-                // States have values of all joints, also of those that the group's joints move along.
-                for (const std::string &joint : robot.getJoints(group))
+            groupNode.orFail(
+                [&]
                 {
-                    settings.jointValues.erase(joint);
-                    for (const KinematicTree::Link &link : robot.getTree().getLinks())
-                        if (link.joint.mimic && link.joint.mimic->joint == joint)
-                            settings.jointValues.erase(link.joint.name);
-                }
-                member.robot = makeArm(robot, group, settings, matrix, world, notes);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                groupNode.fail(exception.what());
-            }
+                    // States have values of all joints, also of those that the group's joints move along.
+                    for (const std::string &joint : robot.getJoints(group))
+                    {
+                        settings.jointValues.erase(joint);
+                        for (const KinematicTree::Link &link : robot.getTree().getLinks())
+                            if (link.joint.mimic && link.joint.mimic->joint == joint)
+                                settings.jointValues.erase(link.joint.name);
+                    }
+                    member.robot = makeArm(robot, group, settings, matrix, world, notes);
+                });
             const auto &arm = static_cast<const Arm &>(*member.robot);
             member.start =
                 moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);

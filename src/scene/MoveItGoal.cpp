@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -233,14 +232,11 @@ namespace ompl_certificates
             readPosition(*position, frames, pose, notes);
         if (turn)
             readOrientation(*turn, frames, pose, notes);
-        try
-        {
-            member.region = std::make_shared<LinkPoseGoal>(arm, pose);
-            member.chooseGoal();
-        }
-        catch (const ompl::Exception &exception)
-        {
-            goal.fail(exception.what());
-        }
+        goal.orFail(
+            [&]
+            {
+                member.region = std::make_shared<LinkPoseGoal>(arm, pose);
+                member.chooseGoal();
+            });
     }
 }

@@ -8,7 +8,6 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <filesystem>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -85,14 +84,7 @@ namespace ompl_certificates
             if (type == "cone" || type == "4")
             {
                 const auto size = sizes.positives(2);
-                try
-                {
-                    return cone(size[1], size[0]);
-                }
-                catch (const ompl::Exception &exception)
-                {
-                    sizes.fail(exception.what());
-                }
+                return sizes.orFail([&] { return cone(size[1], size[0]); });
             }
             node.at("type").fail("must be one of box, sphere, cylinder, cone, not '" + type + "'");
         }
@@ -116,20 +108,6 @@ namespace ompl_certificates
             return static_cast<std::size_t>(value);
         }
 
-        /** What \e make makes; what it throws is wrong with \e node. */
-        template <typename Make>
-        auto orFail(const YamlNode &node, const Make &make)
-        {
-            try
-            {
-                return make();
-            }
-            catch (const ompl::Exception &exception)
-            {
-                node.fail(exception.what());
-            }
-        }
-
         Body readTriangles(const YamlNode &node)
         {
             node.allow({"vertices", "triangles"});
@@ -148,7 +126,7 @@ namespace ompl_certificates
                         static_cast<TriangleMesh::Triangle::value_type>(readIndex(corners[i], vertices.size()));
                 triangles.push_back(triangle);
             }
-            return orFail(node, [&] { return Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)); });
+            return node.orFail([&] { return Body::mesh(std::make_shared<TriangleMesh>(vertices, triangles)); });
         }
 
         /** The mesh of a file, which robowflex writes in place of triangles */
@@ -167,7 +145,7 @@ namespace ompl_certificates
                 scale.linear().diagonal() = Eigen::Map<const Eigen::Vector3d>(factors.data());
             }
             const std::string path = (std::filesystem::path(folder) / name).lexically_normal().string();
-            return orFail(node.at("resource"), [&] { return Body::mesh(MeshFile(path, true).transformed(scale)); });
+            return node.at("resource").orFail([&] { return Body::mesh(MeshFile(path, true).transformed(scale)); });
         }
 
         Body readMesh(const YamlNode &node, const std::string &folder)

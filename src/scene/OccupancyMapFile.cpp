@@ -145,15 +145,12 @@ namespace ompl_certificates
         const Eigen::Vector3d origin = readOrigin(root.at("origin"));
         const Thresholds thresholds = readThresholds(root);
         const std::string imageFile = (fs::path(file).parent_path() / name.path()).lexically_normal().string();
-        try
-        {
-            const gil::rgb8_image_t image = readImage(imageFile);
-            return std::make_shared<CellObstacles>(
-                resolution, cellsOf(gil::const_view(image), thresholds, unknownIsOccupied), 2, origin);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            name.fail(exception.what());
-        }
+        return name.orFail(
+            [&]
+            {
+                const gil::rgb8_image_t image = readImage(imageFile);
+                return std::make_shared<CellObstacles>(
+                    resolution, cellsOf(gil::const_view(image), thresholds, unknownIsOccupied), 2, origin);
+            });
     }
 }

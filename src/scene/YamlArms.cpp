@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ompl/util/Exception.h>
 #include <set>
 #include <sstream>
 
@@ -111,14 +110,7 @@ namespace ompl_certificates
             if (node.isMap())
                 values = readValues(node, arm.getTree());
             else
-                try
-                {
-                    values = file.getState(group, node.text());
-                }
-                catch (const ompl::Exception &exception)
-                {
-                    node.fail(exception.what());
-                }
+                values = node.orFail([&] { return file.getState(group, node.text()); });
             for (const Joint *joint : joints)
             {
                 const auto value = values.find(joint->name);
@@ -231,31 +223,25 @@ namespace ompl_certificates
         const std::string key = keyOf(node, options);
         if (const auto known = files_.find(key); known != files_.end())
             return known->second;
-        try
-        {
-            const std::string srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
-            return files_.emplace(key, ArmFile(pathOf(node.at("file")), srdf, options)).first->second;
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.at("file").fail(exception.what());
-        }
+        return node.at("file").orFail(
+            [&]() -> const ArmFile &
+            {
+                const std::string srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
+                return files_.emplace(key, ArmFile(pathOf(node.at("file")), srdf, options)).first->second;
+            });
     }
 
     bool YamlArms::standsStill(const YamlNode &node)
     {
         const ArmFile &file = fileOf(node);
-        try
-        {
-            // A joint of the group that the tree does not have is the virtual one, which moves the root.
-            const auto &joints = file.getJoints(groupOf(node));
-            return std::all_of(joints.begin(), joints.end(),
-                               [&](const std::string &joint) { return file.getTree().hasJoint(joint); });
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.fail(exception.what());
-        }
+        return node.orFail(
+            [&]
+            {
+                // A joint of the group that the tree does not have is the virtual one, which moves the root.
+                const auto &joints = file.getJoints(groupOf(node));
+                return std::all_of(joints.begin(), joints.end(),
+                                   [&](const std::string &joint) { return file.getTree().hasJoint(joint); });
+            });
     }
 
     std::vector<std::size_t> YamlArms::partsWith(std::size_t robot)
@@ -289,15 +275,7 @@ namespace ompl_certificates
             for (const std::string &group : node.at("states").keys())
             {
                 const YamlNode state = node.at("states").at(group);
-                Values described;
-                try
-                {
-                    described = file.getState(group, state.text());
-                }
-                catch (const ompl::Exception &exception)
-                {
-                    state.fail(exception.what());
-                }
+                const Values described = state.orFail([&] { return file.getState(group, state.text()); });
                 for (const auto &[joint, value] : described)
                     if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
                         hasOneValue(jointOf(state, file.getTree(), joint)))
@@ -350,19 +328,12 @@ namespace ompl_certificates
                 for (const YamlNode &link : node.at("may_touch_obstacles").items(0, MAX_LINK_NAMES))
                     settings.mayTouchObstacles.push_back(link.text());
         }
-        try
-        {
-            std::vector<std::string> notes;
-            const auto arms = file.makeArms(names, settings, &notes);
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                arms_.emplace(parts[i], arms[i]);
-            for (const std::string &note : notes)
-                scene.addNote(note);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            first.fail(exception.what());
-        }
+        std::vector<std::string> notes;
+        const auto arms = first.orFail([&] { return file.makeArms(names, settings, &notes); });
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            arms_.emplace(parts[i], arms[i]);
+        for (const std::string &note : notes)
+            scene.addNote(note);
     }
 
     void YamlArms::read(const ompl::base::RealVectorBounds &bounds, Scene &scene, YamlMeshes &meshes,

@@ -5,7 +5,6 @@
 #include "ompl_certificates/scene/CloudFile.h"
 
 #include <filesystem>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -14,14 +13,7 @@ namespace ompl_certificates
         PointCloud loadCloud(const YamlNode &node, const std::string &source)
         {
             const auto path = std::filesystem::path(source).parent_path() / node.path();
-            try
-            {
-                return ompl_certificates::loadCloud(path.lexically_normal().string());
-            }
-            catch (const ompl::Exception &exception)
-            {
-                node.fail(exception.what());
-            }
+            return node.orFail([&] { return ompl_certificates::loadCloud(path.lexically_normal().string()); });
         }
 
         ZInterval readHeights(const YamlNode &node)
@@ -49,15 +41,12 @@ namespace ompl_certificates
             point = pose * (scale * point);
         if (dimension == 2)
             cloud = sliced(std::move(cloud), node.has("heights") ? readHeights(node.at("heights")) : ZInterval());
-        try
-        {
-            if (node.has("resolution"))
-                cloud = thinned(std::move(cloud), node.at("resolution").positive());
-            return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.fail(exception.what());
-        }
+        return node.orFail(
+            [&]
+            {
+                if (node.has("resolution"))
+                    cloud = thinned(std::move(cloud), node.at("resolution").positive());
+                return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
+            });
     }
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -91,13 +90,6 @@ namespace ompl_certificates
     RobotGoalPtr readLinkPoseGoal(const YamlNode &node, const std::shared_ptr<const Arm> &arm)
     {
         const LinkPose pose = readLinkPose(node, arm->getWorkspaceDimension());
-        try
-        {
-            return std::make_shared<LinkPoseGoal>(arm, pose);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.fail(exception.what());
-        }
+        return node.orFail([&] { return std::make_shared<LinkPoseGoal>(arm, pose); });
     }
 }

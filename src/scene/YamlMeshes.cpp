@@ -16,14 +16,9 @@ namespace ompl_certificates
         const auto known = files_.find({file, keepsAxes});
         if (known != files_.end())
             return known->second;
-        try
-        {
-            return files_.emplace(std::pair(file, keepsAxes), MeshFile(file, keepsAxes)).first->second;
-        }
-        catch (const ompl::Exception &exception)
-        {
-            fileNode.fail(exception.what());
-        }
+        return fileNode.orFail(
+            [&]() -> const MeshFile &
+            { return files_.emplace(std::pair(file, keepsAxes), MeshFile(file, keepsAxes)).first->second; });
     }
 
     Body YamlMeshes::read(const YamlNode &node, unsigned int dimension, const Eigen::Matrix3d &rotation)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ompl/util/Exception.h>
 #include <set>
 #include <sstream>
 

@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_YAML_NODE_
 #define OMPL_CERTIFICATES_SCENE_YAML_NODE_
 
+#include <ompl/util/Exception.h>
 #include <string>
 #include <vector>
 #include <yaml-cpp/yaml.h>
@@ -24,6 +25,21 @@ namespace ompl_certificates
         /** \brief Complain about this node
             \throws ompl::Exception always */
         [[noreturn]] void fail(const std::string &complaint) const;
+
+        /** \brief What \e make returns. What it throws is wrong with this node.
+            \throws ompl::Exception as fail(), if \e make throws one */
+        template <typename Make>
+        decltype(auto) orFail(const Make &make) const
+        {
+            try
+            {
+                return make();
+            }
+            catch (const ompl::Exception &exception)
+            {
+                fail(exception.what());
+            }
+        }
 
         /** \brief The path of the node */
         const std::string &getKey() const

@@ -3,7 +3,6 @@
 #include "ompl_certificates/scene/OccupancyMapFile.h"
 
 #include <filesystem>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -24,13 +23,7 @@ namespace ompl_certificates
             node.at("type").fail("an occupancy_map is for the plane, but min and max have " +
                                  std::to_string(dimension) + " coordinates");
         const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
-        try
-        {
-            return loadOccupancyMap(file.lexically_normal().string(), readUnknownIsOccupied(node));
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.at("file").fail(exception.what());
-        }
+        return node.at("file").orFail(
+            [&] { return loadOccupancyMap(file.lexically_normal().string(), readUnknownIsOccupied(node)); });
     }
 }

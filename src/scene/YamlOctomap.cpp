@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -45,14 +44,8 @@ namespace ompl_certificates
         node.allow(keys);
         const OctomapOptions options = readOptions(node, dimension);
         const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
-        try
-        {
-            return std::make_shared<OctomapObstacles>(file.lexically_normal().string(), options);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.at("file").fail(exception.what());
-        }
+        return node.at("file").orFail(
+            [&] { return std::make_shared<OctomapObstacles>(file.lexically_normal().string(), options); });
     }
 }
 

@@ -5,7 +5,6 @@
 #include "YamlShapes.h"
 #include "ompl_certificates/robots/Arm.h"
 
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -95,15 +94,8 @@ namespace ompl_certificates
         }
         if (!node.has("self_collision") || node.at("self_collision").boolean())
             options.linkPairs = namedPairsOf(tree);
-        std::shared_ptr<const Arm> arm;
-        try
-        {
-            arm = std::make_shared<Arm>(name, tree, joints, options);
-        }
-        catch (const ompl::Exception &exception)
-        {
-            node.at("links").fail(exception.what());
-        }
+        const auto arm =
+            node.at("links").orFail([&] { return std::make_shared<const Arm>(name, tree, joints, options); });
         Scene::Member member{arm, readAngles(node.at("start"), tree), {}};
         if (isLinkPose(node.at("goal"), tree))
             member.region = readLinkPoseGoal(node.at("goal"), arm);

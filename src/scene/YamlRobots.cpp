@@ -10,7 +10,6 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -177,26 +176,12 @@ namespace ompl_certificates
                 if (box.high[i] < box.low[i])
                     high[i].fail("must not be below min, which is " + low[i].describe() + ", but is " +
                                  high[i].describe());
-            try
-            {
-                return std::make_shared<ZoneGoal>(robot, box);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                node.fail(exception.what());
-            }
+            return node.orFail([&] { return std::make_shared<ZoneGoal>(robot, box); });
         }
 
         void chooseGoal(const YamlNode &robot, Scene::Member &member)
         {
-            try
-            {
-                member.chooseGoal();
-            }
-            catch (const ompl::Exception &exception)
-            {
-                robot.at("goal").fail(exception.what());
-            }
+            robot.at("goal").orFail([&] { member.chooseGoal(); });
         }
 
         [[noreturn]] void failOnDynamics(const YamlNode &node)

@@ -1,7 +1,6 @@
 #include "YamlShapes.h"
 
 #include <algorithm>
-#include <ompl/util/Exception.h>
 
 namespace ompl_certificates
 {
@@ -14,28 +13,10 @@ namespace ompl_certificates
             return {values[0], values[1], values.size() > 2 ? values[2] : 0.0};
         }
 
-        Shape makeHull(const YamlNode &node, unsigned int dimension, const std::vector<Eigen::Vector3d> &points)
-        {
-            try
-            {
-                return Shape::polytope(dimension, points);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                node.fail(exception.what());
-            }
-        }
-
         Body makeBox(const YamlNode &node, const std::vector<double> &size)
         {
-            try
-            {
-                return size.size() == 2 ? Body::box(size[0], size[1]) : Body::box(size[0], size[1], size[2]);
-            }
-            catch (const ompl::Exception &exception)
-            {
-                node.fail(exception.what());
-            }
+            return node.orFail(
+                [&] { return size.size() == 2 ? Body::box(size[0], size[1]) : Body::box(size[0], size[1], size[2]); });
         }
 
         Body readHull(const YamlNode &node, unsigned int dimension)
@@ -49,7 +30,7 @@ namespace ompl_certificates
                     item.fail("given twice");
                 points.push_back(point);
             }
-            const Shape shape = makeHull(node, dimension, points);
+            const Shape shape = node.orFail([&] { return Shape::polytope(dimension, points); });
             const auto &corners = shape.getHull()->vertices;
             for (std::size_t i = 0; i < points.size(); ++i)
                 if (std::find(corners.begin(), corners.end(), points[i]) == corners.end())
