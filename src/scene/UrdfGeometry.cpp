@@ -58,10 +58,7 @@ namespace ompl_certificates
             const std::string name = manifest.document_element().child_value("name");
             return !name.empty() && boost::algorithm::trim_copy(name) != package;
         }
-    }
 
-    namespace
-    {
         /** The folders of a list in the environment, as ROS writes them */
         std::vector<fs::path> foldersOf(const char *variable)
         {

@@ -5,7 +5,6 @@
 #include "YamlShapes.h"
 #include "ompl_certificates/robots/Arm.h"
 
-
 namespace ompl_certificates
 {
     namespace
@@ -71,7 +70,7 @@ namespace ompl_certificates
         }
     }
 
-    Scene::Member readPlanarArm(const YamlNode &node, const std::string &name, YamlMeshes &meshes)
+    void readPlanarArm(const YamlNode &node, const std::string &name, YamlMeshes &meshes, Scene::Member &member)
     {
         ArmOptions options;
         if (node.has("base"))
@@ -96,11 +95,11 @@ namespace ompl_certificates
             options.linkPairs = namedPairsOf(tree);
         const auto arm =
             node.at("links").orFail([&] { return std::make_shared<const Arm>(name, tree, joints, options); });
-        Scene::Member member{arm, readAngles(node.at("start"), tree), {}};
+        member.robot = arm;
+        member.start = readAngles(node.at("start"), tree);
         if (isLinkPose(node.at("goal"), tree))
             member.region = readLinkPoseGoal(node.at("goal"), arm);
         else
             member.goal = readAngles(node.at("goal"), tree);
-        return member;
     }
 }

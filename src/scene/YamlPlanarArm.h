@@ -7,8 +7,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief Read a chain of links in the plane, a robot of type arm: its robot, start and goal */
-    Scene::Member readPlanarArm(const YamlNode &node, const std::string &name, YamlMeshes &meshes);
+    /** \brief Read a chain of links in the plane, a robot of type arm: robot, start and goal of \e member */
+    void readPlanarArm(const YamlNode &node, const std::string &name, YamlMeshes &meshes, Scene::Member &member);
 }
 
 #endif

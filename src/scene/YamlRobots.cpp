@@ -184,31 +184,188 @@ namespace ompl_certificates
             robot.at("goal").orFail([&] { member.chooseGoal(); });
         }
 
+        std::string namesOfKnownTypes()
+        {
+            std::string names;
+            for (const KnownType &type : KNOWN_TYPES)
+                names += std::string(names.empty() ? "" : ", ") + type.name;
+            return names;
+        }
+
         [[noreturn]] void failOnDynamics(const YamlNode &node)
         {
-            std::string known;
-            for (const KnownType &type : KNOWN_TYPES)
-                known += std::string(known.empty() ? "" : ", ") + type.name;
-            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + known);
+            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + namesOfKnownTypes());
         }
 
-        [[noreturn]] void failOnType(const YamlNode &node)
-        {
-            std::string known = "rigid, car_with_trailer, arm, urdf";
-            for (const KnownType &type : KNOWN_TYPES)
-                known += std::string(", ") + type.name;
-            node.fail("unknown type '" + node.text() + "'; known are: " + known);
-        }
-    }
-
-    namespace
-    {
         void noteWithoutDynamics(const KnownType &type, const std::string &name, Scene &scene)
         {
             if (type.velocities > 0)
                 scene.addNote("velocities of robot '" + name + "' dropped: plans are geometric");
             if (type.layout != Layout::R2)
                 scene.addNote("robot '" + name + "' may move in any direction: plans are geometric");
+        }
+
+        /** What the readers of robots need */
+        struct RobotInput
+        {
+            const YamlNode &node;
+            std::string name;
+            ob::RealVectorBounds bounds;
+            bool dynamics;
+            Scene &scene;
+            YamlMeshes &meshes;
+            YamlArms &arms;
+        };
+
+        /** Read start and goal of a robot whose states are a \e layout and \e velocities, which plans may leave out. */
+        void readEnds(const RobotInput &input, Layout layout, std::size_t velocities, Scene::Member &member)
+        {
+            member.start = readState(input.node.at("start"), layout, velocities, input.dynamics, input.scene);
+            const YamlNode goal = input.node.at("goal");
+            if (goal.isMap())
+                member.region = readZone(goal, input.dynamics, input.scene.getDimension(), member.robot);
+            else
+                member.goal = readState(goal, layout, velocities, input.dynamics, input.scene);
+        }
+
+        void readRigidRobot(const RobotInput &input, Scene::Member &member)
+        {
+            const unsigned int dimension = input.scene.getDimension();
+            const Layout layout = readSpace(input.node.at("space"), dimension);
+            const Body body = readBody(input.node, dimension, input.meshes);
+            member.robot = makeRigid(input.name, input.node, layout, body, input.bounds);
+            readEnds(input, layout, 0, member);
+        }
+
+        void readCarWithTrailer(const RobotInput &input, Scene::Member &member)
+        {
+            member.robot = makeCarWithTrailer(input.name, input.node, input.meshes, input.bounds);
+            readEnds(input, Layout::TRAILER, 0, member);
+        }
+
+        void readPlanarArm(const RobotInput &input, Scene::Member &member)
+        {
+            readPlanarArm(input.node, input.name, input.meshes, member);
+        }
+
+        void readUrdfArm(const RobotInput &input, Scene::Member &member)
+        {
+            input.arms.read(input.bounds, input.scene, input.meshes, member);
+        }
+
+        void readKnownRobot(const RobotInput &input, Scene::Member &member)
+        {
+            const KnownType &known = *findType(input.node.at("type").text());
+            member.robot = makeKnown(input.name, known, input.bounds);
+            if (input.dynamics)
+                member.robot = withDynamics(known.name, member.robot);
+            readEnds(input, known.layout, known.velocities, member);
+            if (!input.dynamics)
+                noteWithoutDynamics(known, input.name, input.scene);
+        }
+
+        /** A type of robots: its keys, the workspaces that it moves in, and what reads robot, start and goal */
+        struct RobotType
+        {
+            std::string name;
+            std::vector<std::string> keys;
+            bool inPlane, inSpace;
+            void (*read)(const RobotInput &input, Scene::Member &member);
+        };
+
+        /** The types but those of db-CBS */
+        const std::vector<RobotType> &ownTypes()
+        {
+            static const std::vector<RobotType> types{
+                {"rigid",
+                 {"type", "name", "space", "turning_radius", "shape", "shapes", "start", "goal", "weight", "speed",
+                  "bounds"},
+                 true,
+                 true,
+                 readRigidRobot},
+                {"car_with_trailer",
+                 {"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
+                  "speed", "bounds"},
+                 true,
+                 false,
+                 readCarWithTrailer},
+                {"arm",
+                 {"type", "name", "base", "links", "self_collision", "start", "goal", "weight", "speed"},
+                 true,
+                 false,
+                 readPlanarArm},
+                {"urdf",
+                 {"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
+                  "attached", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"},
+                 false,
+                 true,
+                 readUrdfArm}};
+            return types;
+        }
+
+        const RobotType &robotTypeOf(const YamlNode &node)
+        {
+            static const RobotType known{"of db-CBS",
+                                         {"type", "name", "start", "goal", "weight", "speed", "bounds"},
+                                         true,
+                                         false,
+                                         readKnownRobot};
+            const std::string name = node.text();
+            if (findType(name))
+                return known;
+            std::string names;
+            for (const RobotType &type : ownTypes())
+            {
+                if (type.name == name)
+                    return type;
+                names += type.name + ", ";
+            }
+            node.fail("unknown type '" + name + "'; known are: " + names + namesOfKnownTypes());
+        }
+
+        void checkWorkspace(const YamlNode &node, const RobotType &type, unsigned int dimension)
+        {
+            if (dimension == 2 && !type.inPlane)
+                node.fail("'" + node.text() + "' moves in space; the scene has 2 dimensions");
+            if (dimension == 3 && !type.inSpace)
+                node.fail("'" + node.text() + "' moves in the plane; the scene has 3 dimensions");
+        }
+
+        /** The name of the next robot of \e scene */
+        std::string robotNameOf(const YamlNode &node, const Scene &scene)
+        {
+            const std::string name =
+                node.has("name") ? node.at("name").text() : "robot_" + std::to_string(scene.getMembers().size());
+            for (const Scene::Member &member : scene.getMembers())
+                if (member.robot->getName() == name)
+                    (node.has("name") ? node.at("name") : node).fail("there is a robot called '" + name + "' already");
+            return name;
+        }
+
+        /** The robot's own bounds, or those of \e scene */
+        ob::RealVectorBounds boundsOf(const YamlNode &node, const RobotType &type, const Scene &scene)
+        {
+            if (!node.has("bounds"))
+                return scene.getBounds();
+            const unsigned int dimension = scene.getDimension();
+            const YamlNode bounds = node.at("bounds");
+            bounds.allow({"min", "max"});
+            // Those of an arm are of its base, which may move in the plane.
+            const bool isPlanar =
+                !type.inPlane && bounds.at("min").isList() && bounds.at("min").items(0, dimension).size() == 2;
+            return readBounds(bounds, isPlanar ? 2 : dimension);
+        }
+
+        /** Read how much the robot's distances count, and how fast it is. */
+        void readMotion(const RobotInput &input, Scene::Member &member)
+        {
+            if (input.node.has("weight"))
+                member.weight = input.node.at("weight").positive();
+            if (!input.node.has("speed"))
+                return;
+            member.speed = input.node.at("speed").positive();
+            if (input.dynamics)
+                input.scene.addNote("speed of robot '" + input.name + "' does not count: it moves by controls");
         }
     }
 
@@ -226,91 +383,18 @@ namespace ompl_certificates
 
     void readRobot(const YamlNode &node, bool dynamics, Scene &scene, YamlMeshes &meshes, YamlArms &arms)
     {
-        const unsigned int dimension = scene.getDimension();
         const YamlNode typeNode = node.at("type");
-        const std::string type = typeNode.text();
-        const KnownType *known = findType(type);
-        if (known)
-            node.allow({"type", "name", "start", "goal", "weight", "speed", "bounds"});
-        else if (type == "rigid")
-            node.allow({"type", "name", "space", "turning_radius", "shape", "shapes", "start", "goal", "weight",
-                        "speed", "bounds"});
-        else if (type == "car_with_trailer")
-            node.allow({"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
-                        "speed", "bounds"});
-        else if (type == "arm")
-            node.allow({"type", "name", "base", "links", "self_collision", "start", "goal", "weight", "speed"});
-        else if (type == "urdf")
-            node.allow({"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
-                        "attached", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"});
-        else
-            failOnType(typeNode);
-        if (dynamics && !known)
+        const RobotType &type = robotTypeOf(typeNode);
+        node.allow(type.keys);
+        if (dynamics && !findType(typeNode.text()))
             failOnDynamics(typeNode);
-        if (dimension != 3 && type == "urdf")
-            typeNode.fail("'urdf' moves in space; the scene has 2 dimensions");
-        if (dimension != 2 && type != "rigid" && type != "urdf")
-            typeNode.fail("'" + type + "' moves in the plane; the scene has 3 dimensions");
-
-        const std::string name =
-            node.has("name") ? node.at("name").text() : "robot_" + std::to_string(scene.getMembers().size());
-        for (const Scene::Member &member : scene.getMembers())
-            if (member.robot->getName() == name)
-                (node.has("name") ? node.at("name") : node).fail("there is a robot called '" + name + "' already");
-
-        ob::RealVectorBounds bounds = scene.getBounds();
-        if (node.has("bounds"))
-        {
-            node.at("bounds").allow({"min", "max"});
-            bounds = readBounds(node.at("bounds"), type == "urdf" && node.at("bounds").at("min").isList() &&
-                                                           node.at("bounds").at("min").items(0, dimension).size() == 2
-                                                       ? 2
-                                                       : dimension);
-        }
-
+        checkWorkspace(typeNode, type, scene.getDimension());
+        const RobotInput input{node, robotNameOf(node, scene), boundsOf(node, type, scene), dynamics, scene, meshes,
+                               arms};
         Scene::Member member;
-        if (type == "arm")
-            member = readPlanarArm(node, name, meshes);
-        if (node.has("weight"))
-            member.weight = node.at("weight").positive();
-        if (node.has("speed"))
-        {
-            member.speed = node.at("speed").positive();
-            if (dynamics)
-                scene.addNote("speed of robot '" + name + "' does not count: it moves by controls");
-        }
-        if (type == "urdf")
-            arms.read(bounds, scene, meshes, member);
-        if (type == "arm" || type == "urdf")
-        {
-            chooseGoal(node, member);
-            return scene.addMember(member);
-        }
-        Layout layout = Layout::TRAILER;
-        if (known)
-        {
-            layout = known->layout;
-            member.robot = makeKnown(name, *known, bounds);
-            if (dynamics)
-                member.robot = withDynamics(known->name, member.robot);
-        }
-        else if (type == "rigid")
-        {
-            layout = readSpace(node.at("space"), dimension);
-            member.robot = makeRigid(name, node, layout, readBody(node, dimension, meshes), bounds);
-        }
-        else
-            member.robot = makeCarWithTrailer(name, node, meshes, bounds);
-        const std::size_t velocities = known ? known->velocities : 0;
-        member.start = readState(node.at("start"), layout, velocities, dynamics, scene);
-        const YamlNode goal = node.at("goal");
-        if (goal.isMap())
-            member.region = readZone(goal, dynamics, dimension, member.robot);
-        else
-            member.goal = readState(goal, layout, velocities, dynamics, scene);
+        readMotion(input, member);
+        type.read(input, member);
         chooseGoal(node, member);
-        if (known && !dynamics)
-            noteWithoutDynamics(*known, name, scene);
         scene.addMember(member);
     }
 }
