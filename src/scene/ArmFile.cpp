@@ -24,9 +24,14 @@ namespace ompl_certificates
             return text.empty() ? "none" : text;
         }
 
-        std::string nameOf(const LinkPair &pair)
+        /** The same of pairs; nothing if there is none */
+        std::string listOfPairs(const std::vector<LinkPair> &pairs)
         {
-            return pair.first + " and " + pair.second;
+            std::vector<std::string> names;
+            names.reserve(pairs.size());
+            for (const LinkPair &pair : pairs)
+                names.push_back(pair.first + " and " + pair.second);
+            return boost::algorithm::join(names, ", ");
         }
 
         template <typename Map>
@@ -125,6 +130,38 @@ namespace ompl_certificates
                         std::find(free.begin(), free.end(), link.name) == free.end())
                         pairs.emplace_back(link.name, obstacle.name);
             }
+        }
+
+        /** Drop the pairs that never move towards each other.
+            \return those of them that collide, in all states */
+        std::vector<LinkPair> dropPairsThatStay(const Arm &arm, std::vector<LinkPair> &pairs)
+        {
+            std::set<LinkPair> apart;
+            std::vector<LinkPair> together;
+            for (const auto &[pair, collides] : pairsThatStay(arm))
+                if (collides)
+                    together.push_back(pair);
+                else
+                    apart.insert(pair);
+            remove(pairs, apart);
+            return together;
+        }
+
+        /** Drop the pairs that collide in all random states, but none of an obstacle, and note which pairs are left.
+            \param staying those that collide without moving */
+        void dropPairsThatAlwaysCollide(const std::string &title, const Arm &arm, const std::vector<LinkPair> &staying,
+                                        const std::vector<TouchableObstacle> &obstacles, std::vector<LinkPair> &pairs,
+                                        std::vector<std::string> &notes)
+        {
+            std::vector<LinkPair> always = pairsThatAlwaysCollide(arm, {staying.begin(), staying.end()});
+            always.erase(std::remove_if(always.begin(), always.end(),
+                                        [&](const LinkPair &pair) { return isOfAny(obstacles, pair); }),
+                         always.end());
+            remove(pairs, {always.begin(), always.end()});
+            notes.push_back(title + ": without an SRDF file, " + std::to_string(pairs.size()) +
+                            " pairs of links are checked against each other" +
+                            (always.empty() ? "" : "; these collided in all random states and are not: ") +
+                            listOfPairs(always));
         }
     }
 
@@ -225,7 +262,38 @@ namespace ompl_certificates
         return tree;
     }
 
-    ArmOptions ArmFile::optionsFor(const std::string &names, const KinematicTree &tree,
+    bool ArmFile::isSampled(const ArmSettings &settings) const
+    {
+        return srdf_.empty() && !settings.mayTouch;
+    }
+
+    std::vector<LinkPair> ArmFile::pairsToCheck(const KinematicTree &tree, const ArmSettings &settings) const
+    {
+        std::vector<LinkPair> pairs = isSampled(settings) ? pairsNotAdjacent(tree) : pairsOf(tree);
+        const auto needsNone = [&](const LinkPair &pair)
+        {
+            if (mayTouch(settings.attached, pair) || isOfAny(settings.touchable, pair))
+                return true;
+            if (isSampled(settings))
+                return false;
+            return settings.mayTouch ? settings.mayTouch(pair.first, pair.second)
+                                     : semantics_->isDisabled(pair.first, pair.second);
+        };
+        pairs.erase(std::remove_if(pairs.begin(), pairs.end(), needsNone), pairs.end());
+        return pairs;
+    }
+
+    std::vector<std::string> ArmFile::linksFreeByDefault(const KinematicTree &tree, const ArmSettings &settings) const
+    {
+        std::vector<std::string> free;
+        if (!settings.mayTouch)
+            for (const KinematicTree::Link &link : tree.getLinks())
+                if (link.body && semantics_->isDisabledByDefault(link.name))
+                    free.push_back(link.name);
+        return free;
+    }
+
+    ArmOptions ArmFile::optionsFor(const std::string &title, const KinematicTree &tree,
                                    const std::vector<std::string> &joints, const ArmSettings &settings,
                                    std::vector<std::string> &notes) const
     {
@@ -236,62 +304,21 @@ namespace ompl_certificates
         options.mayTouchObstacles = settings.mayTouchObstacles;
         for (const TouchableObstacle &obstacle : settings.touchable)
             options.obstacles.push_back(obstacle.name);
-        const bool sampled = srdf_.empty() && !settings.mayTouch;
-        if (sampled)
-            options.linkPairs = pairsNotAdjacent(tree);
-        else
-            for (const LinkPair &pair : pairsOf(tree))
-                if (!(settings.mayTouch ? settings.mayTouch(pair.first, pair.second)
-                                        : semantics_->isDisabled(pair.first, pair.second)))
-                    options.linkPairs.push_back(pair);
-        auto &pairs = options.linkPairs;
-        pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                                   [&](const LinkPair &pair)
-                                   { return mayTouch(settings.attached, pair) || isOfAny(settings.touchable, pair); }),
-                    pairs.end());
-        std::vector<std::string> free;
-        if (!settings.mayTouch)
-            for (const KinematicTree::Link &link : tree.getLinks())
-                if (link.body && semantics_->isDisabledByDefault(link.name))
-                    free.push_back(link.name);
+        const std::vector<std::string> free = linksFreeByDefault(tree, settings);
         options.mayTouchObstacles.insert(options.mayTouchObstacles.end(), free.begin(), free.end());
         if (!free.empty())
-            notes.push_back(names + ": by disable_default_collisions these links may touch obstacles: " +
+            notes.push_back(title + ": by disable_default_collisions these links may touch obstacles: " +
                             boost::algorithm::join(free, ", "));
-        addPairs(settings.touchable, tree, free, pairs);
-        const Arm all(names, tree, joints, options);
-        std::set<LinkPair> apart;
-        std::set<LinkPair> staying;
-        std::vector<std::string> together;
-        for (const auto &[pair, collides] : pairsThatStay(all))
-            if (!collides)
-                apart.insert(pair);
-            else
-            {
-                staying.insert(pair);
-                together.push_back(nameOf(pair));
-            }
-        remove(pairs, apart);
-        if (!sampled && !together.empty())
-            notes.push_back(names + ": these links collide in all states, and " +
+        options.linkPairs = pairsToCheck(tree, settings);
+        addPairs(settings.touchable, tree, free, options.linkPairs);
+        const Arm all(title, tree, joints, options);
+        const std::vector<LinkPair> staying = dropPairsThatStay(all, options.linkPairs);
+        if (isSampled(settings))
+            dropPairsThatAlwaysCollide(title, all, staying, settings.touchable, options.linkPairs, notes);
+        else if (!staying.empty())
+            notes.push_back(title + ": these links collide in all states, and " +
                             (settings.mayTouch ? "may not: " : "the SRDF file does not allow it: ") +
-                            boost::algorithm::join(together, ", "));
-        if (sampled)
-        {
-            std::vector<LinkPair> always = pairsThatAlwaysCollide(all, staying);
-            always.erase(std::remove_if(always.begin(), always.end(),
-                                        [&](const LinkPair &pair) { return isOfAny(settings.touchable, pair); }),
-                         always.end());
-            remove(pairs, {always.begin(), always.end()});
-            std::vector<std::string> colliding;
-            colliding.reserve(always.size());
-            for (const LinkPair &pair : always)
-                colliding.push_back(nameOf(pair));
-            notes.push_back(names + ": without an SRDF file, " + std::to_string(pairs.size()) +
-                            " pairs of links are checked against each other" +
-                            (colliding.empty() ? "" : "; these collided in all random states and are not: ") +
-                            boost::algorithm::join(colliding, ", "));
-        }
+                            listOfPairs(staying));
         return options;
     }
 

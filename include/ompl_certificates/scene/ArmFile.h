@@ -215,10 +215,20 @@ namespace ompl_certificates
         ArmFile(const std::string &urdf, const std::string &srdf, const UrdfModel &model);
 
         /** \brief The options of an arm of all \e joints, with the pairs of links that are checked
-            \param names the robots, for notes */
-        ArmOptions optionsFor(const std::string &names, const KinematicTree &tree,
+            \param title what notes begin with: the robots */
+        ArmOptions optionsFor(const std::string &title, const KinematicTree &tree,
                               const std::vector<std::string> &joints, const ArmSettings &settings,
                               std::vector<std::string> &notes) const;
+
+        /** \brief Whether random states tell which pairs need no check, since nothing else does */
+        bool isSampled(const ArmSettings &settings) const;
+
+        /** \brief The pairs of links, but not those with a touchable obstacle, that files and settings do not exclude */
+        std::vector<std::pair<std::string, std::string>> pairsToCheck(const KinematicTree &tree,
+                                                                      const ArmSettings &settings) const;
+
+        /** \brief The links that may touch obstacles since the SRDF file says so */
+        std::vector<std::string> linksFreeByDefault(const KinematicTree &tree, const ArmSettings &settings) const;
 
         /** \brief The links of each part: those that it moves; the first one has those that stand */
         std::vector<std::vector<std::string>> divideLinks(const KinematicTree &tree, const std::vector<Part> &parts,
