@@ -220,6 +220,55 @@ namespace ompl_certificates
             return std::filesystem::path(file).parent_path().string();
         }
 
+        void allowMessageKeys(const YamlNode &root, const YamlNode &wish)
+        {
+            root.allow({"name", "robot_state", "robot_model_name", "fixed_frame_transforms", "allowed_collision_matrix",
+                        "link_padding", "link_scale", "object_colors", "world", "is_diff"});
+            wish.allow({"workspace_parameters", "start_state", "goal_constraints", "path_constraints",
+                        "trajectory_constraints", "reference_trajectories", "pipeline_id", "planner_id", "group_name",
+                        "num_planning_attempts", "allowed_planning_time", "max_velocity_scaling_factor",
+                        "max_acceleration_scaling_factor", "cartesian_speed_end_effector_link",
+                        "cartesian_speed_limited_link", "max_cartesian_speed"});
+            refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
+            refusePadding(root);
+        }
+
+        ArmFile::ArmSettings settingsOf(const YamlNode &wish, const MoveItRobotState &state)
+        {
+            ArmFile::ArmSettings settings;
+            settings.base = state.base.value_or(Pose::Identity());
+            settings.jointValues = state.joints;
+            settings.attached = state.attached;
+            settings.bounds = readWorkspace(wish);
+            return settings;
+        }
+
+        /** Take the group's joints out of those that are fixed. States have values of all joints, also of those that
+            the group's joints move along. */
+        void releaseJointsOf(const std::string &group, const ArmFile &robot, ArmFile::ArmSettings &settings)
+        {
+            for (const std::string &joint : robot.getJoints(group))
+            {
+                settings.jointValues.erase(joint);
+                for (const KinematicTree::Link &link : robot.getTree().getLinks())
+                    if (link.joint.mimic && link.joint.mimic->joint == joint)
+                        settings.jointValues.erase(link.joint.name);
+            }
+        }
+
+        void addTo(Scene &scene, const MoveItWorld &world, const Scene::Member &member,
+                   const std::vector<std::string> &notes)
+        {
+            for (const MoveItWorld::Object &object : world.getObjects())
+                for (std::size_t i = 0; i < object.shapes.size(); ++i)
+                    scene.addObstacle(object.shapes[i], object.titles[i]);
+            scene.addMember(member);
+            scene.setResolution(RESOLUTION);
+            scene.chooseGoals();
+            for (const std::string &note : notes)
+                scene.addNote(note);
+        }
+
         SceneFile readPlanningProblem(const YamlNode &root, const std::string &scene, const YamlNode &wish,
                                       const std::string &request, const ArmFile &robot)
         {
@@ -234,13 +283,11 @@ namespace ompl_certificates
 
             if (wish.has("start_state"))
                 merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
+            for (const auto &[object, about] : state.notes)
+                notes.insert(notes.end(), about.begin(), about.end());
             const YamlNode groupNode = wish.at("group_name");
             const std::string group = groupNode.text();
-            ArmFile::ArmSettings settings;
-            settings.base = state.base.value_or(Pose::Identity());
-            settings.jointValues = state.joints;
-            settings.attached = state.attached;
-            settings.bounds = readWorkspace(wish);
+            ArmFile::ArmSettings settings = settingsOf(wish, state);
             std::optional<MoveItMatrix> matrix;
             if (hasMatrix(root))
             {
@@ -248,44 +295,27 @@ namespace ompl_certificates
                 settings.mayTouch = [&matrix](const std::string &first, const std::string &second)
                 { return matrix->mayTouch(first, second); };
             }
-            for (const auto &[object, about] : state.notes)
-                notes.insert(notes.end(), about.begin(), about.end());
-            Scene::Member member;
-            groupNode.orFail(
+            const auto arm = groupNode.orFail(
                 [&]
                 {
-                    // States have values of all joints, also of those that the group's joints move along.
-                    for (const std::string &joint : robot.getJoints(group))
-                    {
-                        settings.jointValues.erase(joint);
-                        for (const KinematicTree::Link &link : robot.getTree().getLinks())
-                            if (link.joint.mimic && link.joint.mimic->joint == joint)
-                                settings.jointValues.erase(link.joint.name);
-                    }
-                    member.robot = makeArm(robot, group, settings, matrix, world, notes);
+                    releaseJointsOf(group, robot, settings);
+                    return makeArm(robot, group, settings, matrix, world, notes);
                 });
-            const auto &arm = static_cast<const Arm &>(*member.robot);
+            Scene::Member member;
+            member.robot = arm;
             member.start =
-                moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, arm, state.joints);
+                moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, *arm, state.joints);
             readMoveItGoal(wish.at("goal_constraints"), robot, frames, member, notes);
 
-            const std::string name = moveItText(root, "name");
+            const std::string name = moveItText(root, "name"), model = moveItText(root, "robot_model_name");
             SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
                                  boundsAround(world, member, settings.bounds)),
                            {},
                            {},
                            {},
                            {}};
-            for (const MoveItWorld::Object &object : world.getObjects())
-                for (std::size_t i = 0; i < object.shapes.size(); ++i)
-                    file.scene.addObstacle(object.shapes[i], object.titles[i]);
-            file.scene.addMember(member);
-            file.scene.setResolution(RESOLUTION);
-            file.scene.chooseGoals();
-            for (const std::string &note : notes)
-                file.scene.addNote(note);
-            if (const std::string model = moveItText(root, "robot_model_name");
-                !model.empty() && model != robot.getName())
+            addTo(file.scene, world, member, notes);
+            if (!model.empty() && model != robot.getName())
                 file.scene.addNote("robot_model_name is " + model + "; the robot is " + robot.getName());
             if (wish.has("allowed_planning_time") && wish.at("allowed_planning_time").number() != 0.0)
                 file.timeLimit = wish.at("allowed_planning_time").positive();
@@ -336,16 +366,7 @@ namespace ompl_certificates
     SceneFile readMoveItFiles(const std::string &scene, const std::string &request, const ArmFile &robot)
     {
         const YamlNode root = parseYaml(readWholeFile(scene), scene), wish = parseYaml(readWholeFile(request), request);
-        root.allow({"name", "robot_state", "robot_model_name", "fixed_frame_transforms", "allowed_collision_matrix",
-                    "link_padding", "link_scale", "object_colors", "world", "is_diff"});
-        wish.allow({"workspace_parameters", "start_state", "goal_constraints", "path_constraints",
-                    "trajectory_constraints", "reference_trajectories", "pipeline_id", "planner_id", "group_name",
-                    "num_planning_attempts", "allowed_planning_time", "max_velocity_scaling_factor",
-                    "max_acceleration_scaling_factor", "cartesian_speed_end_effector_link",
-                    "cartesian_speed_limited_link", "max_cartesian_speed"});
-        refuse(wish, {"path_constraints", "trajectory_constraints", "reference_trajectories"});
-        refusePadding(root);
-
+        allowMessageKeys(root, wish);
         return withIgnored(robot, [&] { return readPlanningProblem(root, scene, wish, request, robot); });
     }
 }
