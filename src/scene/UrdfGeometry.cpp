@@ -49,6 +49,11 @@ namespace ompl_certificates
             return fs::exists(path, error) && !fs::is_directory(path, error);
         }
 
+        [[noreturn]] void failWithoutMesh(const std::string &name, const std::string &where)
+        {
+            throw ompl::Exception("mesh '" + name + "' was not found " + where);
+        }
+
         /** Whether \e folder says that it is a package of another name */
         bool isOtherPackage(const fs::path &folder, const std::string &package)
         {
@@ -173,64 +178,69 @@ namespace ompl_certificates
         return shapes_.emplace(key, Shape::mesh(3, triangles)).first->second;
     }
 
-    fs::path UrdfGeometry::find(const std::string &name) const
+    fs::path UrdfGeometry::folder() const
     {
         std::error_code error;
-        const fs::path folder = fs::absolute(fs::path(file_), error).parent_path().lexically_normal();
-        const auto missing = [&](const std::string &where)
-        { throw ompl::Exception("mesh '" + name + "' was not found " + where); };
+        return fs::absolute(fs::path(file_), error).parent_path().lexically_normal();
+    }
+
+    fs::path UrdfGeometry::find(const std::string &name) const
+    {
         if (const auto path = pathOfFileUri(name))
         {
             if (!isFile(*path))
-                missing("there");
+                failWithoutMesh(name, "there");
             return *path;
         }
         if (const auto rest = after("package://", name))
-        {
-            const std::size_t slash = rest->find('/');
-            // Two slashes are as good as one.
-            const std::size_t begin = rest->find_first_not_of('/', slash);
-            const std::string package = rest->substr(0, slash),
-                              path =
-                                  begin == std::string::npos || slash == std::string::npos ? "" : rest->substr(begin);
-            if (const auto known = options_.packages.find(package); known != options_.packages.end())
-            {
-                if (!isFile(fs::path(known->second) / path))
-                    missing("in '" + known->second + "'");
-                return (fs::path(known->second) / path).lexically_normal();
-            }
-            // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often
-            // have files of the same names, so a folder of another name counts last, and not if it says what it is.
-            std::vector<fs::path> packages, candidates, others;
-            for (fs::path above = folder; !above.empty(); above = above.parent_path())
-            {
-                packages.push_back(above / package);
-                candidates.push_back(above / package / path);
-                if (above.filename() == package)
-                {
-                    packages.push_back(above);
-                    candidates.push_back(above / path);
-                }
-                else if (!isOtherPackage(above, package))
-                    others.push_back(above / path);
-                if (above == above.parent_path())
-                    break;
-            }
-            candidates.insert(candidates.end(), others.begin(), others.end());
-            for (const fs::path &known : packagesOfRos(package))
-                candidates.push_back(known / path);
-            for (const fs::path &candidate : candidates)
-                if (isFile(candidate))
-                    return candidate.lexically_normal();
-            for (const fs::path &found : packages)
-                if (fs::is_directory(found, error))
-                    missing("in '" + found.string() + "'");
-            missing("from '" + folder.string() + "' upwards; tell where package '" + package + "' is");
-        }
+            return findInPackage(name, *rest);
         if (name.find("://") != std::string::npos)
-            missing("(only package:// and file:// can be read)");
-        if (!isFile(folder / name))
-            missing("in '" + folder.string() + "'");
-        return (folder / name).lexically_normal();
+            failWithoutMesh(name, "(only package:// and file:// can be read)");
+        if (!isFile(folder() / name))
+            failWithoutMesh(name, "in '" + folder().string() + "'");
+        return (folder() / name).lexically_normal();
+    }
+
+    fs::path UrdfGeometry::findInPackage(const std::string &name, const std::string &rest) const
+    {
+        const std::size_t slash = rest.find('/');
+        // Two slashes are as good as one.
+        const std::size_t begin = rest.find_first_not_of('/', slash);
+        const std::string package = rest.substr(0, slash),
+                          path = begin == std::string::npos || slash == std::string::npos ? "" : rest.substr(begin);
+        if (const auto known = options_.packages.find(package); known != options_.packages.end())
+        {
+            if (!isFile(fs::path(known->second) / path))
+                failWithoutMesh(name, "in '" + known->second + "'");
+            return (fs::path(known->second) / path).lexically_normal();
+        }
+        // The package is the folder of the URDF file or above it, or stands beside one of these. Packages often
+        // have files of the same names, so a folder of another name counts last, and not if it says what it is.
+        std::vector<fs::path> packages, candidates, others;
+        for (fs::path above = folder(); !above.empty(); above = above.parent_path())
+        {
+            packages.push_back(above / package);
+            candidates.push_back(above / package / path);
+            if (above.filename() == package)
+            {
+                packages.push_back(above);
+                candidates.push_back(above / path);
+            }
+            else if (!isOtherPackage(above, package))
+                others.push_back(above / path);
+            if (above == above.parent_path())
+                break;
+        }
+        candidates.insert(candidates.end(), others.begin(), others.end());
+        for (const fs::path &known : packagesOfRos(package))
+            candidates.push_back(known / path);
+        for (const fs::path &candidate : candidates)
+            if (isFile(candidate))
+                return candidate.lexically_normal();
+        std::error_code error;
+        for (const fs::path &found : packages)
+            if (fs::is_directory(found, error))
+                failWithoutMesh(name, "in '" + found.string() + "'");
+        failWithoutMesh(name, "from '" + folder().string() + "' upwards; tell where package '" + package + "' is");
     }
 }

@@ -28,6 +28,13 @@ namespace ompl_certificates
         Shape meshOf(const urdf::Mesh &mesh);
         std::filesystem::path find(const std::string &name) const;
 
+        /** \brief The file package://rest
+            \param name what messages call it */
+        std::filesystem::path findInPackage(const std::string &name, const std::string &rest) const;
+
+        /** \brief The folder of the URDF file */
+        std::filesystem::path folder() const;
+
         const std::string file_;
         const ArmFile::Options &options_;
         std::map<std::string, MeshFile> meshes_;

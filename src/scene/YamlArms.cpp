@@ -42,6 +42,13 @@ namespace ompl_certificates
             return tree.getLinks()[tree.getChildOf(name)].joint;
         }
 
+        /** An angle within the bounds of OMPL's, which pi itself is out of */
+        double wrappedAngle(double angle)
+        {
+            angle = std::remainder(angle, 2.0 * M_PI);
+            return angle < M_PI ? angle : -M_PI;
+        }
+
         void checkLimits(const YamlNode &node, const Joint &joint, double value)
         {
             if (joint.type != JointType::CONTINUOUS && (value < joint.lower || value > joint.upper))
@@ -66,51 +73,48 @@ namespace ompl_certificates
             return values;
         }
 
-        /** A start or a goal: a list of coordinates, joints with their values, or the name of a state of the group */
-        std::vector<double> readState(const YamlNode &node, const ArmFile &file, const std::string &group,
-                                      const Arm &arm)
+        std::size_t coordinatesIn(const Joint &joint)
         {
-            std::vector<const Joint *> joints;
-            std::size_t coordinates = 0;
-            for (const std::string &name : arm.getGroup())
+            return joint.type == JointType::PLANAR ? 3 : joint.type == JointType::FLOATING ? 7 : 1;
+        }
+
+        /** The coordinates that \e node lists, of \e joints one after another */
+        std::vector<double> readCoordinates(const YamlNode &node, const std::vector<const Joint *> &joints)
+        {
+            std::size_t count = 0;
+            for (const Joint *joint : joints)
+                count += coordinatesIn(*joint);
+            std::vector<double> state = node.numbers(count);
+            const auto items = node.items(0, MAX_COORDINATES);
+            std::size_t i = 0;
+            for (const Joint *joint : joints)
             {
-                joints.push_back(&jointOf(node, arm.getTree(), name));
-                coordinates += joints.back()->type == JointType::PLANAR     ? 3
-                               : joints.back()->type == JointType::FLOATING ? 7
-                                                                            : 1;
-            }
-            std::vector<double> state;
-            if (node.isList())
-            {
-                state = node.numbers(coordinates);
-                const auto items = node.items(0, MAX_COORDINATES);
-                std::size_t i = 0;
-                for (const Joint *joint : joints)
+                if (hasOneValue(*joint))
+                    state[i] = checkedJointValue(items[i], *joint, state[i]);
+                if (joint->type == JointType::PLANAR)
+                    state[i + 2] = wrappedAngle(state[i + 2]);
+                if (joint->type == JointType::FLOATING)
                 {
-                    if (hasOneValue(*joint))
-                        state[i] = checkedJointValue(items[i], *joint, state[i]);
-                    if (joint->type == JointType::PLANAR)
-                    {
-                        // pi itself is out of the bounds of OMPL's angles.
-                        const double angle = std::remainder(state[i + 2], 2.0 * M_PI);
-                        state[i + 2] = angle < M_PI ? angle : -M_PI;
-                    }
-                    if (joint->type == JointType::FLOATING)
-                    {
-                        Eigen::Map<Eigen::Vector4d> turn(state.data() + i + 3);
-                        if (!(turn.norm() >= YamlNode::MIN_SIZE))
-                            items[i + 3].fail("the quaternion of joint '" + joint->name + "' must not be zero");
-                        turn.normalize();
-                    }
-                    i += joint->type == JointType::PLANAR ? 3 : joint->type == JointType::FLOATING ? 7 : 1;
+                    Eigen::Map<Eigen::Vector4d> turn(state.data() + i + 3);
+                    if (!(turn.norm() >= YamlNode::MIN_SIZE))
+                        items[i + 3].fail("the quaternion of joint '" + joint->name + "' must not be zero");
+                    turn.normalize();
                 }
-                return state;
+                i += coordinatesIn(*joint);
             }
+            return state;
+        }
+
+        /** The value of each of \e joints: \e node has them by their names, or names a state of the group. */
+        std::vector<double> readNamedValues(const YamlNode &node, const ArmFile &file, const std::string &group,
+                                            const KinematicTree &tree, const std::vector<const Joint *> &joints)
+        {
             Values values;
             if (node.isMap())
-                values = readValues(node, arm.getTree());
+                values = readValues(node, tree);
             else
                 values = node.orFail([&] { return file.getState(group, node.text()); });
+            std::vector<double> state;
             for (const Joint *joint : joints)
             {
                 const auto value = values.find(joint->name);
@@ -125,6 +129,17 @@ namespace ompl_certificates
                 if (node.isMap())
                     node.at(name).fail("joint '" + name + "' is not in the group");
             return state;
+        }
+
+        /** A start or a goal: a list of coordinates, joints with their values, or the name of a state of the group */
+        std::vector<double> readState(const YamlNode &node, const ArmFile &file, const std::string &group,
+                                      const Arm &arm)
+        {
+            std::vector<const Joint *> joints;
+            for (const std::string &name : arm.getGroup())
+                joints.push_back(&jointOf(node, arm.getTree(), name));
+            return node.isList() ? readCoordinates(node, joints)
+                                 : readNamedValues(node, file, group, arm.getTree(), joints);
         }
 
         Pose baseOf(const YamlNode &robot)
@@ -186,8 +201,7 @@ namespace ompl_certificates
         {
             if (value >= -M_PI && value < M_PI)
                 return value;
-            value = std::remainder(value, 2.0 * M_PI);
-            return value < M_PI ? value : -M_PI;
+            return wrappedAngle(value);
         }
         checkLimits(node, joint, value);
         return value;
