@@ -116,12 +116,6 @@ namespace ompl_certificates
                  attributes + "/>\n";
     }
 
-    void SvgWriter::rectangle(const Eigen::Vector2d &corner, const Eigen::Vector2d &size, const std::string &attributes)
-    {
-        body_ += "<rect x='" + number(corner.x()) + "' y='" + number(corner.y()) + "' width='" + number(size.x()) +
-                 "' height='" + number(size.y()) + "' " + attributes + "/>\n";
-    }
-
     void SvgWriter::polygon(const std::vector<Eigen::Vector2d> &corners, const std::string &attributes)
     {
         body_ += "<polygon points='" + points(corners) + "' " + attributes + "/>\n";

@@ -34,9 +34,6 @@ namespace ompl_certificates
         /** \brief A circle */
         void circle(const Eigen::Vector2d &center, double radius, const std::string &attributes = "");
 
-        /** \brief A rectangle */
-        void rectangle(const Eigen::Vector2d &corner, const Eigen::Vector2d &size, const std::string &attributes = "");
-
         /** \brief A closed polygon */
         void polygon(const std::vector<Eigen::Vector2d> &points, const std::string &attributes = "");
 

@@ -21,12 +21,6 @@ namespace ompl_certificates
         /** \brief \e scene must outlive this */
         explicit ViewerData(const Scene &scene);
 
-        /** \brief The middle of the scene's bounds; z = 0 in the plane */
-        const Eigen::Vector3d &getOrigin() const
-        {
-            return origin_;
-        }
-
         /** \brief The bounds and their middle */
         nlohmann::json bounds() const;
 
@@ -57,6 +51,7 @@ namespace ompl_certificates
 
     private:
         const Scene &scene_;
+        /** \brief The middle of the scene's bounds; z = 0 in the plane */
         Eigen::Vector3d origin_{Eigen::Vector3d::Zero()};
         ViewerShapes shapes_;
     };

@@ -62,13 +62,6 @@ namespace ompl_certificates
         return best.empty() ? "" : "; did you mean " + best + "?";
     }
 
-    std::string whyNotOneOf(const std::string &word, const std::vector<std::string> &names)
-    {
-        if (std::find(names.begin(), names.end(), word) != names.end())
-            return "";
-        return "'" + word + "' is none of " + joined(names) + didYouMean(word, names);
-    }
-
     std::string joined(const std::vector<std::string> &words)
     {
         std::string text;

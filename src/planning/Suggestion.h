@@ -11,9 +11,6 @@ namespace ompl_certificates
         the other. */
     std::string didYouMean(const std::string &word, const std::vector<std::string> &names);
 
-    /** \brief Why \e word cannot be chosen from \e names; empty if it can */
-    std::string whyNotOneOf(const std::string &word, const std::vector<std::string> &names);
-
     /** \brief The words, with commas between them */
     std::string joined(const std::vector<std::string> &words);
 }
