@@ -56,14 +56,14 @@ namespace ompl_certificates
         const ob::OptimizationObjectivePtr objective = pdef_->hasOptimizationObjective()
                                                            ? pdef_->getOptimizationObjective()
                                                            : std::make_shared<TeamPathLength>(si_);
-        const auto isBetter = [&](const og::PathGeometric &path)
+        const auto isNoWorse = [&](const og::PathGeometric &path)
         { return !objective->isCostBetterThan(solution.cost(objective), path.cost(objective)); };
         og::PathGeometric simplified = solution;
         psk_->simplify(simplified, condition);
-        if (simplified.check() && isBetter(simplified))
+        if (simplified.check() && isNoWorse(simplified))
             solution = simplified;
         else
-            simplifyInSteps(solution, isBetter, condition);
+            simplifyInSteps(solution, isNoWorse, condition);
         TeamPathSimplifier(si_, objective).simplify(solution, condition);
         noteCostOf(solution);
         simplifyTime_ = ompl::time::seconds(ompl::time::now() - start);
@@ -85,7 +85,7 @@ namespace ompl_certificates
     }
 
     void TeamSetup::simplifyInSteps(og::PathGeometric &path,
-                                    const std::function<bool(const og::PathGeometric &)> &isBetter,
+                                    const std::function<bool(const og::PathGeometric &)> &isNoWorse,
                                     const ob::PlannerTerminationCondition &condition)
     {
         const std::vector<std::function<void(og::PathGeometric &)>> steps{
@@ -99,7 +99,7 @@ namespace ompl_certificates
                 return;
             og::PathGeometric next = path;
             step(next);
-            if (next.check() && isBetter(next))
+            if (next.check() && isNoWorse(next))
                 path = next;
         }
     }

@@ -47,7 +47,7 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        /** \brief The same, to be kept. Not within a check. */
+        /** \brief The same, to be kept */
         ObstaclesPtr shareObstacles() const
         {
             const WorldLock::Check world(lock_);

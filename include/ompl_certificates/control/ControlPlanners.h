@@ -12,8 +12,8 @@ namespace ompl_certificates
         also needs a decomposition of the workspace, so it is not among them. */
     std::vector<std::string> controlPlannerNames();
 
-    /** \brief What makeControlPlanner() makes for a team of so many robots if nothing else is asked for: PrioritizedRRT
-        for several, as OMPL's planners hardly plan for more than three, and RRT for one */
+    /** \brief The planner to choose for a team of so many robots: PrioritizedRRT for several, RRT for one. OMPL's
+        planners hardly plan for more than three. */
     std::string defaultControlPlanner(unsigned int robots);
 
     /** \brief A new control planner of that name

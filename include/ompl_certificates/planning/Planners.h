@@ -25,9 +25,9 @@ namespace ompl_certificates
         \throws ompl::Exception like makePlanner() */
     std::string plannerDescription(const std::string &name);
 
-    /** \brief Set the parameter range of \e planner to TeamStateSpace::getPlannerRange(), if it is 0, which stands for
-        OMPL's own choice, and the planner has one and plans for a team with arms. TeamSetup::setup() and makePlanner() do
-        so. Call it before the planner's setup(). */
+    /** \brief Set the parameter range of \e planner, if it has one and that is 0, to TeamStateSpace::getPlannerRange().
+        Leave OMPL's own choice where it is no longer than that: of this library's robots, only arms ask for shorter
+        steps. TeamSetup::setup() and makePlanner() call this. Call it before the planner's setup(). */
     void configureRange(ompl::base::Planner &planner);
 
     /** \brief DRRTstar, or OMPL's geometric planner of that class name, such as RRTConnect, after configureRange()

@@ -14,7 +14,8 @@ namespace ompl_certificates
 
         Each motion is checked as in continuous mode. A motion that is not proved may be free all the same: it may pass
         too close to something. There, samples a hundred times as dense as those of discrete mode are looked at until
-        one is invalid, but no more than 100 000 of them. A path of one state is proved if that is valid.
+        one is invalid. A motion of more than 1000 segments has 100 000 samples, and no more than so many are looked at
+        on all motions together. A path of one state is proved if that is valid.
 
         Among the obstacles as they are now. The path need not be valid. What is learned is kept in \e checker, and
         counted in its statistics. For one that makes no certificates, by FCL or STANDARD, another checker is made, and

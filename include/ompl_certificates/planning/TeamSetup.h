@@ -83,9 +83,9 @@ namespace ompl_certificates
         /** \brief Make all solutions paths of this setup's space. */
         void takePathsOfForest();
 
-        /** \brief Simplify \e path step by step; undo a step whose path is invalid or not better. */
+        /** \brief Simplify \e path step by step. Undo a step that makes it invalid or raises its cost. */
         void simplifyInSteps(ompl::geometric::PathGeometric &path,
-                             const std::function<bool(const ompl::geometric::PathGeometric &)> &isBetter,
+                             const std::function<bool(const ompl::geometric::PathGeometric &)> &isNoWorse,
                              const ompl::base::PlannerTerminationCondition &condition);
 
         /** \brief Choose a planner for the number of robots, unless the user gave one. */
