@@ -57,7 +57,7 @@ namespace ompl_certificates
             \return whether that is so */
         bool shoot();
 
-        /** \brief Brake after the last node, and stay until all others do
+        /** \brief Brake after the last node, and stay until all other robots rest
             \return all of the trajectory, if the robot rests near its goal and nothing is in its way */
         std::optional<Trajectory> rest(const ompl::base::PlannerTerminationCondition &condition);
 

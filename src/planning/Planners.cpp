@@ -281,7 +281,7 @@ namespace ompl_certificates
             const std::optional<double> number = toNumber(value), least = toNumber(range.substr(0, colon));
             if (!number || !least || colon == std::string::npos)
                 return "";
-            // OMPL suggests none, too, with which AnytimePathShortening crashes.
+            // OMPL's range of num_planners begins at 0, but AnytimePathShortening crashes with 0 planners.
             if ((*least > 0.0 || key == "num_planners") && *number <= 0.0)
                 return "must be positive";
             if (key == "goal_bias" && *number > 1.0)

@@ -16,7 +16,8 @@ namespace ompl_certificates
     /** \brief All pairs of links with bodies but those that a joint connects, also through links without bodies */
     std::vector<LinkPair> pairsNotAdjacent(const KinematicTree &tree);
 
-    /** \brief Of the pairs of \e arm those that collide in all of 1000 random states, always the same ones
+    /** \brief Of the pairs of \e arm those that collide in all of 1000 random states. The states are the same in each
+        call.
         \param known pairs that are known to do so, and are not tried */
     std::vector<LinkPair> pairsThatAlwaysCollide(const Arm &arm, const std::set<LinkPair> &known);
 

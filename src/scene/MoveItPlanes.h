@@ -13,7 +13,8 @@ namespace ompl_certificates
         \throws ompl::Exception that names \e node, unless a, b and c are a normal */
     Pose readMoveItPlane(const YamlNode &node);
 
-    /** \brief No point of the arm is farther from the origin of its root link, whatever values its joints have.
+    /** \brief An upper bound of the distance of any point of the arm from the origin of its root link, for all values
+        of its joints
         \param jointValues values of joints that the arm does not move; no such joint is PLANAR or FLOATING */
     double reachOf(const Arm &arm, const std::map<std::string, double> &jointValues);
 

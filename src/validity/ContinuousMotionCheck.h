@@ -13,8 +13,8 @@ namespace ompl_certificates
         with as much room does. So the verdict depends only on the obstacles, the motion and the resolution.
 
         Certificates and the clearances of other cells only save work: what they prove, the cell's own clearances would
-        also prove, by a small margin. Where Team::isSymmetric(), both directions of a motion are one.
-        Time then runs from the state whose serialized values come first. */
+        also prove, by a small margin. Where Team::isSymmetric(), both directions of a motion are one. Time then runs
+        from the state whose serialized values come first. */
     class ContinuousMotionCheck : public MotionCheck
     {
     public:
@@ -22,8 +22,7 @@ namespace ompl_certificates
                               const ompl::base::State *s2);
 
         /** \brief Checks some subjects; see MotionCheck. Cells are those of their robots' own spaces, and time runs
-            from
-            \e from. */
+            from \e from. */
         ContinuousMotionCheck(const TeamCheck &check, CheckContext &context, const SubjectRange &subjects, States from,
                               States to);
 

@@ -21,9 +21,9 @@ namespace ompl_certificates
         to the front of the order, and planning begins anew.
 
         Not complete: some problems need robots that make way for others. A robot that cannot stop, or whose goal has
-        more speed than the tolerance allows at rest, finds no way. It ends with the first path, which is not the
-        quickest; see ControlPathSimplifier. Controls are held for as long as the space information tells until a robot
-        brakes; those of the team change whenever a robot's do. The path is checked as a whole by the space
+        more speed than the tolerance allows at rest, finds no way. The planner ends with the first path, which is not
+        the quickest; see ControlPathSimplifier. Controls are held for as long as the space information tells until a
+        robot brakes; those of the team change whenever a robot's do. The path is checked as a whole by the space
         information's propagator and validity checker, which in continuous mode prove its steps.
 
         Needs a TeamStateSpace, a TeamPropagator, and a LimitedValidityChecker or a TeamValidityChecker; all of them are

@@ -22,9 +22,8 @@ namespace ompl_certificates
         half of its time, by clearances or a contact test. A piece that is not proved is halved, at most four times. So
         a step is refused if a body passes an obstacle closer than its motion of 1/32 of the step, or another robot
         closer than the motions of both, whatever their directions; near meshes and edges closer than a few times that.
-        The tolerance adds to it. Obstacles of your own without gap() and staysFree()
-        need room for the leaves of the sphere trees, too. The verdict depends only on the obstacles, the state and the
-        control.
+        The tolerance adds to it. Obstacles of your own without gap() and staysFree() need room for the leaves of the
+        sphere trees, too. The verdict depends only on the obstacles, the state and the control.
 
         May be used by many threads at once. */
     class TeamPropagator : public ompl::control::StatePropagator
@@ -65,8 +64,7 @@ namespace ompl_certificates
         }
 
         /** \brief Write to \e result where \e control, held for \e duration seconds, brings the team, with the
-            references of
-            \e state. Both states may be one. */
+            references of \e state. Both states may be one. */
         void propagate(const ompl::base::State *state, const ompl::control::Control *control, double duration,
                        ompl::base::State *result) const override;
 

@@ -93,12 +93,15 @@ namespace ompl_certificates
             return *checker_;
         }
 
-        /** \brief The validity checker that knows more than this validator's certificates: that of the space
-            information, or the one this validator was made with, if its class is not one of this library's; or that of
-            the space information if it checks among other obstacles or for other robots, and this is the motion
-            validator there, which is warned of. Null if neither is. That a space information is gone is warned of, too.
-            Where a motion is free, its samples are asked of it as well, as
-            ompl::base::DiscreteMotionValidator does, in continuous mode too. That costs what it costs; see setRule().
+        /** \brief The validity checker that knows more than this validator's certificates, or null.
+
+            It is the space information's checker, unless its class is TeamValidityChecker, SharedProjection, Partial,
+            Basic or OMPL's AllValidStateValidityChecker. It is that one, too, if it looks at other obstacles or robots
+            while this is the motion validator there; a warning tells of it. Else it is this validator's own checker, if
+            a user has derived its class. A warning also tells if the space information is gone.
+
+            Where a motion is free, this checker is asked about its samples, as ompl::base::DiscreteMotionValidator
+            asks, in continuous mode too. That costs what it costs; see setRule().
 
             It can only forbid more: a motion is valid if both say so. In discrete mode a warning tells, once, of one
             that permits a motion which the certificates' checker refuses. For that it is asked about the samples of

@@ -52,7 +52,7 @@ namespace ompl_certificates
             The mode is that of the CertificateMotionValidator of the checker's space information. If there is none, it
             is discrete; so it is in a TeamControlSetup. For steps that are proved, give the mode and the proof.
             \throws ompl::Exception like CertificateMotionValidator, and if the added obstacles do not fit the team.
-            Also if the change names nothing but what there is now, not even what there was before. The checker's space
+            Also if the change has only \c after: neither added, removed, before nor members. The checker's space
             information must still exist. */
         Revalidation(const TeamValidityChecker &checker, const ObstacleChange &change);
 

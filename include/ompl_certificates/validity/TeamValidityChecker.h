@@ -72,10 +72,9 @@ namespace ompl_certificates
 
         /** \brief A lower bound of the distance from the team to the nearest contact: with an obstacle, between
             robots, or within one robot. It is in the scene's length unit. Exact for discs and spheres, else to within
-            the leaves of the sphere trees, and nearer than these are large to within a sixteenth. Positive if and only
-            if
-            \e state is valid: 1e-12 where nothing more is proved. Cost: some microseconds for each robot and for each
-            pair of robots, near contacts up to a hundred; at first milliseconds, if there are meshes. */
+            the leaves of the sphere trees, and nearer than these are large to within a sixteenth. It is positive if and
+            only if \e state is valid: 1e-12 where nothing more is proved. Cost: some microseconds for each robot and
+            for each pair of robots, near contacts up to a hundred; at first milliseconds, if there are meshes. */
         double clearance(const ompl::base::State *state) const override;
 
         using ompl::base::StateValidityChecker::clearance;
@@ -113,8 +112,8 @@ namespace ompl_certificates
             found before is not checked again, so clear the planner before it continues. A change that names neither
             added nor removed obstacles, but others than there are, counts as ObstacleChange::replacing(). So does one
             that starts from others, as this checker has missed a change, and a member's change within a mixedChange().
-            Whether they are others, their fingerprints tell. Changes that come in another order bring back obstacles
-            as they were.
+            Whether they are others, their fingerprints tell. Give changes in the order in which they were made: a late
+            one would bring back older obstacles.
             \throws ompl::Exception if there are no obstacles, or if their workspace or z-interval does not fit. Also if
             the obstacles are MixedObstacles and the change is that of one member's set, and if called within a check. */
         void changeObstacles(const ObstacleChange &change);
