@@ -2,6 +2,7 @@
 
 #include "Planar.h"
 #include "RigidFrame.h"
+#include "geometry/Angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,12 @@ namespace ompl_certificates
         ob::SO2StateSpace::StateType &trailerHeadingOf(const ob::State *state)
         {
             return *state->as<ob::CompoundState>()->components[1]->as<ob::SO2StateSpace::StateType>();
+        }
+
+        /** The angle of the hinge between a car and its trailer, within [-pi, pi] */
+        double hingeAngleOf(double yaw, double trailer)
+        {
+            return std::remainder(yaw - trailer, 2.0 * M_PI);
         }
 
         /** The heading of a trailer behind a car that drives along an arc: d' = turnRate - pull * sin(d), where d is the
@@ -32,7 +39,7 @@ namespace ompl_certificates
                 same = std::cos(root * duration);
                 change = std::sin(root * duration) / root;
             }
-            const double half = 0.5 * std::remainder(yaw - trailer, 2.0 * M_PI), s = std::sin(half), c = std::cos(half);
+            const double half = 0.5 * hingeAngleOf(yaw, trailer), s = std::sin(half), c = std::cos(half);
             const double hinge = 2.0 * std::atan2(same * s + 0.5 * change * (turnRate * c - pull * s),
                                                   same * c + 0.5 * change * (pull * c - turnRate * s));
             return yaw + turnRate * duration - hinge;
@@ -79,8 +86,8 @@ namespace ompl_certificates
         ob::State *carTo = pulls ? to->as<ob::CompoundState>()->components[0] : to;
         Planar car = Planar::of(carFrom);
         if (pulls)
-            Planar::setAngle(trailerHeadingOf(to), trailerAfter(trailerHeadingOf(from).value, car.yaw, control[0],
-                                                                turnRate, hitchLength_, duration));
+            trailerHeadingOf(to).value = wrappedAngle(
+                trailerAfter(trailerHeadingOf(from).value, car.yaw, control[0], turnRate, hitchLength_, duration));
         car.drive(duration * control[0], duration * turnRate);
         car.writeTo(carTo);
     }
@@ -106,7 +113,6 @@ namespace ompl_certificates
         if (hitchLength_ == 0.0)
             return true;
         const double yaw = Planar::of(state->as<ob::CompoundState>()->components[0]).yaw;
-        constexpr double fullTurn = 6.283185307179586;
-        return std::abs(std::remainder(yaw - trailerHeadingOf(state).value, fullTurn)) <= maxHingeAngle_;
+        return std::abs(hingeAngleOf(yaw, trailerHeadingOf(state).value)) <= maxHingeAngle_;
     }
 }

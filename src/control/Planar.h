@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_CONTROL_PLANAR_
 #define OMPL_CERTIFICATES_CONTROL_PLANAR_
 
+#include "geometry/Angle.h"
+
 #include "ompl_certificates/robots/Robot.h"
 
 #include <cmath>
@@ -26,16 +28,7 @@ namespace ompl_certificates
         {
             auto *pose = state->as<ompl::base::SE2StateSpace::StateType>();
             pose->setXY(x, y);
-            setAngle(*pose->as<ompl::base::SO2StateSpace::StateType>(1), yaw);
-        }
-
-        /** \brief Write an angle within [-pi, pi); NaN stays NaN. */
-        static void setAngle(ompl::base::SO2StateSpace::StateType &state, double angle)
-        {
-            constexpr double pi = 3.14159265358979323846;
-            if (!(angle >= -pi && angle < pi))
-                angle = std::remainder(angle, 2.0 * pi);
-            state.value = angle >= pi ? -pi : angle;
+            pose->setYaw(wrappedAngle(yaw));
         }
 
         /** \brief Drive along an arc at steady speeds. The chord is exact for any turn, zero included. */
