@@ -83,9 +83,9 @@ namespace ompl_certificates
         const Ball &swept = roadmap.getSwept(edge.motion).all;
         const auto avoids = [&](const Move &other)
         {
-            const double reach = swept.radius + other.swept.radius;
-            return (swept.center - other.swept.center).squaredNorm() > 1.0001 * reach * reach ||
-                   roadmaps_.areApart(robot, from, edge, other.robot, other.from, *other.edge);
+            if (areApart(swept, other.swept))
+                return true;
+            return roadmaps_.areApart(robot, from, edge, other.robot, other.from, *other.edge);
         };
         const std::vector<Move> &others = moves_[std::min(step, moves_.size() - 1)];
         return std::all_of(others.begin(), others.end(), avoids);

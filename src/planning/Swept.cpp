@@ -14,8 +14,7 @@ namespace ompl_certificates
         for (std::size_t i = 0; i < quarters.size(); ++i)
         {
             const Eigen::Vector4f &a = quarters[i], &b = other.quarters[isReversed ? quarters.size() - 1 - i : i];
-            const float reach = a.w() + b.w();
-            if (!((a - b).head<3>().squaredNorm() > 1.0001F * reach * reach))
+            if (!areApart((a - b).head<3>(), a.w() + b.w()))
                 return false;
         }
         return true;

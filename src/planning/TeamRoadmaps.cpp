@@ -117,8 +117,7 @@ namespace ompl_certificates
     {
         const Roadmap &one = getRoadmap(first), &other = getRoadmap(second);
         const Swept &a = one.getSwept(firstEdge.motion), &b = other.getSwept(secondEdge.motion);
-        const double reach = a.all.radius + b.all.radius;
-        if ((a.all.center - b.all.center).squaredNorm() > 1.0001 * reach * reach ||
+        if (ompl_certificates::areApart(a.all, b.all) ||
             a.isApartFrom(b, (firstFrom < firstEdge.to) != (secondFrom < secondEdge.to)))
             return true;
         const PairMotion key = keyOf(first, firstFrom, firstEdge, second, secondFrom, secondEdge);

@@ -16,9 +16,23 @@ namespace ompl_certificates
         double radius{0.0};
     };
 
+    /** \brief Whether two balls have no point in common, with a margin for rounding, of floats, too
+        \param offset from one center to the other
+        \param radii the sum of both radii */
+    template <typename Vector>
+    bool areApart(const Eigen::MatrixBase<Vector> &offset, typename Vector::Scalar radii)
+    {
+        return offset.squaredNorm() > typename Vector::Scalar(1.0001) * radii * radii;
+    }
+
+    /** \brief The same */
+    inline bool areApart(const Ball &a, const Ball &b)
+    {
+        return areApart(a.center - b.center, a.radius + b.radius);
+    }
+
     /** \brief A ball that contains all of \e points enlarged by \e rounding. Its radius is within a few per cent of the
-        smallest.
-        \e points must not be empty. Cost: linear in the number of points. */
+        smallest. There must be points. Cost: linear in the number of points. */
     template <typename Points>
     Ball enclosingBall(const Points &points, double rounding)
     {
