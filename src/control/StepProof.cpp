@@ -103,9 +103,7 @@ namespace ompl_certificates
     bool StepProof::isFree(const Subject &subject, double first, double last, int depth)
     {
         const double middle = 0.5 * (first + last), half = 0.5 * (last - first);
-        for (unsigned int robot = subject.first; robot <= subject.last; ++robot)
-            if (subject.kind != Subject::PAIR || robot == subject.first || robot == subject.last)
-                place(robot, middle);
+        subject.forEachRobot([this, middle](unsigned int robot) { place(robot, middle); });
         const MotionSample sample{true, half * (1.0 + CheckContext::OVERLAP), 1.0, middle};
         if (check_.settle(subject, context_, sample).free)
             return true;

@@ -237,8 +237,8 @@ namespace ompl_certificates
         if (subject.kind == Subject::PAIR)
             return pairs_.settle(subject.pair, context, {}).free;
         bool free = true;
-        for (unsigned int robot = subject.first; free && robot <= subject.last; ++robot)
-            free = standardMethod_.settleRobot(robot, context, {}).free;
+        subject.forEachRobot([&](unsigned int robot)
+                             { free = free && standardMethod_.settleRobot(robot, context, {}).free; });
         return free;
     }
 
@@ -248,11 +248,13 @@ namespace ompl_certificates
         for (const Subject &subject : subjects_)
         {
             // Pairs come after all robots.
-            for (unsigned int robot = subject.first; subject.kind != Subject::PAIR && robot <= subject.last; ++robot)
-            {
-                place(robot, team_.getRobotState(state, robot), context);
-                pairs_.prepareFarApart(robot, context);
-            }
+            if (subject.kind != Subject::PAIR)
+                subject.forEachRobot(
+                    [&](unsigned int robot)
+                    {
+                        place(robot, team_.getRobotState(state, robot), context);
+                        pairs_.prepareFarApart(robot, context);
+                    });
             const bool isFar = subject.kind == Subject::PAIR && pairs_.areFarApart(subject.pair, context);
             if (!isFar && !isFree(subject))
                 return false;
