@@ -1,5 +1,7 @@
 #include "RobotTrajectories.h"
 
+#include "team/OwnedState.h"
+
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 #include "ompl_certificates/validity/TeamValidityChecker.h"
 
@@ -123,8 +125,7 @@ namespace ompl_certificates
 
     RobotTrajectories::State RobotTrajectories::clone(unsigned int robot, const ob::State *state) const
     {
-        const ob::StateSpace &space = getSpace(robot);
-        return {space.cloneState(state), [&space](ob::State *one) { space.freeState(one); }};
+        return cloneState(getSpace(robot), state);
     }
 
     const ob::State *RobotTrajectories::stateOf(unsigned int robot, std::size_t step) const

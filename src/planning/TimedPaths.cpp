@@ -1,5 +1,7 @@
 #include "TimedPaths.h"
 
+#include "team/OwnedState.h"
+
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
@@ -47,8 +49,7 @@ namespace ompl_certificates
 
     std::shared_ptr<ob::State> TimedPaths::clone(unsigned int robot, const ob::State *state) const
     {
-        const ob::StateSpace &space = team_.getRobotSpace(robot);
-        return {space.cloneState(state), [&space](ob::State *one) { space.freeState(one); }};
+        return cloneState(team_.getRobotSpace(robot), state);
     }
 
     namespace
