@@ -1,6 +1,7 @@
 #include "ProductTree.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
 
@@ -195,7 +196,10 @@ namespace ompl_certificates
                     moveTo(number, parent, cost);
             return number;
         }
-        ob::State *state = si_->allocState();
+        // Frees the state until the tree does: a user's objective, obstacles and robots may throw.
+        const auto freeState = [this](ob::State *one) { si_->freeState(one); };
+        std::unique_ptr<ob::State, decltype(freeState)> owned(si_->allocState(), freeState);
+        ob::State *const state = owned.get();
         roadmaps_.copyTo(configuration, state);
         ob::Cost cost = parent == NONE ? objective_->initialCost(state) : costThrough(parent, state);
         std::vector<Number> around;
@@ -213,12 +217,10 @@ namespace ompl_certificates
                 }
         }
         if (parent != NONE && bound && !mayImprove(*bound, cost, state))
-        {
-            si_->freeState(state);
             return NONE;
-        }
         const auto number = static_cast<Number>(nodes_.size());
         nodes_.push_back({configuration, state, cost, parent, {}});
+        owned.release();
         numbers_.emplace(configuration, number);
         near_->add(number);
         if (parent != NONE)

@@ -2,6 +2,7 @@
 
 #include "LimitedRRTConnect.h"
 #include "RobotSpaceInformation.h"
+#include "team/OwnedState.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -151,14 +152,13 @@ namespace ompl_certificates
 
     void Roadmap::grow(unsigned int samples, Vertex most)
     {
-        ob::State *sample = space_.allocState();
+        const OwnedState sample = newState(space_);
         for (; samples > 0 && size() < most; --samples)
         {
-            sampler_->sampleUniform(sample);
-            if (validator_.getChecker().isRobotFree(robot_, sample))
-                add(sample);
+            sampler_->sampleUniform(sample.get());
+            if (validator_.getChecker().isRobotFree(robot_, sample.get()))
+                add(sample.get());
         }
-        space_.freeState(sample);
     }
 
     std::vector<double> Roadmap::distancesTo(Vertex goal, std::vector<Vertex> *next) const

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <ompl/base/ScopedState.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -113,13 +114,12 @@ namespace ompl_certificates
     og::PathGeometric RoadmapPathCheck::toGeometric(const Path &path) const
     {
         og::PathGeometric geometric(si_);
-        ob::State *state = si_->allocState();
+        ob::ScopedState<> state(si_);
         for (const Configuration &configuration : path)
         {
-            roadmaps_.copyTo(configuration, state);
-            geometric.append(state);
+            roadmaps_.copyTo(configuration, state.get());
+            geometric.append(state.get());
         }
-        si_->freeState(state);
         return geometric;
     }
 }
