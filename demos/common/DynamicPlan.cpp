@@ -9,6 +9,7 @@
 #include "common/SolutionProof.h"
 
 #include "ompl_certificates/control/ControlPlanners.h"
+#include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/control/ProvePath.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
@@ -71,13 +72,12 @@ namespace demos
                         report.method.c_str(), number(report.seed));
             if (report.solved)
             {
-                ompl::control::PathControl path = setup.getSolutionPath();
+                const ompl::control::PathControl &path = setup.getSolutionPath();
                 std::printf("  solved        %.6g s", report.cost);
                 if (report.simplifiedCost >= 0.0)
                     std::printf(", simplified %.6g s in %.3f s", report.simplifiedCost, report.simplifyingSeconds);
                 std::printf(", %zu controls\n", path.getControlCount());
-                path.interpolate();
-                printProof(report, path.getControlCount(), "steps", "their ends");
+                printProof(report, pathSteps(path).getControlCount(), "steps", "their ends");
             }
             else
                 std::printf("  not solved    %s\n", report.reason.c_str());

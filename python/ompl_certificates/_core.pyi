@@ -189,6 +189,22 @@ class Robot:
         A state has the values of the group's joints, in radians or meters. What was ignored in the files is told by
         warnings."""
     @staticmethod
+    def arms(
+        urdf: Path,
+        srdf: Path,
+        groups: Mapping[str, str],
+        base: Optional[ArrayLike] = None,
+        joint_values: Mapping[str, float] = ...,
+        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        attached: Sequence[AttachedBody] = ...,
+        packages: Mapping[str, Path] = ...,
+        visuals: bool = False,
+        may_touch_obstacles: Sequence[str] = ...,
+    ) -> List[Robot]:
+        """The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of joints
+        that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link belongs to the robot
+        that moves it, and links that none moves to the first. The rest is as for arm()."""
+    @staticmethod
     def arm_states(
         urdf: Path, srdf: Path, group: str, packages: Mapping[str, Path] = ..., visuals: bool = False
     ) -> Dict[str, NDArray[np.float64]]:
@@ -203,6 +219,10 @@ class Robot:
     @property
     def coordinates(self) -> List[str]:
         """The names of the numbers of a state"""
+    @property
+    def bounds(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """From where to where the numbers of a state may be: two arrays, low and high. A joint without limits, and an
+        angle, is from -pi to pi."""
     @property
     def control_names(self) -> List[str]:
         """The names of its controls; none if it moves without"""
@@ -294,6 +314,9 @@ class Scene:
     @property
     def coordinates(self) -> List[str]:
         """The names of the numbers of a state of the team, such as scout.x"""
+    @property
+    def state_bounds(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """From where to where the numbers of a state of the team may be: two arrays, low and high"""
     @property
     def start(self) -> NDArray[np.float64]:
         """The team's start, of shape (coordinates,)"""

@@ -2,6 +2,8 @@
 
 #include "Rotations.h"
 
+#include <ompl_certificates/team/Coordinates.h>
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -78,6 +80,18 @@ namespace ompl_certificates_python
             pose.linear() = rotationOf(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>()));
             return pose;
         }
+    }
+
+    py::tuple toBoundArrays(const ompl::base::StateSpace &space)
+    {
+        const std::vector<CoordinateBounds> bounds = coordinateBounds(space);
+        Doubles low(static_cast<py::ssize_t>(bounds.size())), high(static_cast<py::ssize_t>(bounds.size()));
+        for (std::size_t i = 0; i < bounds.size(); ++i)
+        {
+            low.mutable_at(static_cast<py::ssize_t>(i)) = bounds[i].low;
+            high.mutable_at(static_cast<py::ssize_t>(i)) = bounds[i].high;
+        }
+        return py::make_tuple(low, high);
     }
 
     void requireOneState(const Doubles &values, std::size_t count, const std::string &what)

@@ -71,6 +71,9 @@ namespace ompl_certificates_python
         other */
     ompl::base::RealVectorBounds toBounds(const std::vector<double> &low, const std::vector<double> &high);
 
+    /** \brief The bounds of a space's coordinates: arrays (low, high) */
+    py::tuple toBoundArrays(const ompl::base::StateSpace &space);
+
     /** \brief Refuse what is not one state of \e count numbers, by its shape.
         \throws ompl::Exception that names \e what */
     void requireOneState(const Doubles &values, std::size_t count, const std::string &what);

@@ -2,6 +2,7 @@
 
 #include "Bindings.h"
 
+#include <ompl_certificates/control/PathSteps.h>
 #include <ompl_certificates/control/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
 
@@ -65,8 +66,7 @@ namespace ompl_certificates_python
 
     void setSolution(ControlPlan &plan, const control::PathControl &solution)
     {
-        const auto path = std::make_shared<control::PathControl>(solution);
-        path->interpolate();
+        const auto path = std::make_shared<control::PathControl>(pathSteps(solution));
         plan.path = readOnly(toRows(*plan.setup->getStateSpace(), static_cast<unsigned int>(path->getStateCount()),
                                     [&path](unsigned int i) { return path->getState(i); }));
         plan.times = readOnly(Doubles(static_cast<py::ssize_t>(path->getStateCount()), stateTimes(*path).data()));

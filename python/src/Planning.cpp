@@ -10,6 +10,7 @@
 #include <ompl_certificates/planning/Planners.h>
 #include <ompl_certificates/planning/TeamGoalRegion.h>
 #include <ompl_certificates/robots/RigidRobot.h>
+#include <ompl_certificates/team/Coordinates.h>
 #include <ompl_certificates/team/TeamObjective.h>
 
 #include <ompl/base/goals/GoalState.h>
@@ -133,9 +134,9 @@ namespace ompl_certificates_python
             for (unsigned int i = 0; i < setup.getTeam().getRobotCount(); ++i)
             {
                 const Robot &robot = setup.getTeam().getRobot(i);
-                if (!robot.getStateSpace()->satisfiesBounds(state->as<ob::CompoundState>()->components[i]))
-                    throw ompl::Exception(checker.getSceneName(),
-                                          what + " robot '" + robot.getName() + "' is outside the bounds");
+                const std::string why = describeOutOfBounds(robot, state->as<ob::CompoundState>()->components[i]);
+                if (!why.empty())
+                    throw ompl::Exception(checker.getSceneName(), what + " robot '" + robot.getName() + "' " + why);
             }
             const std::string collision = [&]
             {

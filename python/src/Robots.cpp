@@ -1,13 +1,14 @@
+#include "Arms.h"
 #include "Arrays.h"
 #include "Bindings.h"
 #include "DynamicRobots.h"
 #include "Goals.h"
 #include "Signals.h"
 
+#include <ompl_certificates/robots/Arm.h>
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
-#include <ompl_certificates/scene/ArmFile.h>
-#include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/team/Coordinates.h>
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
@@ -41,41 +42,6 @@ namespace ompl_certificates_python
             return hold(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
         }
 
-        RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                            const std::string &group, const std::optional<std::string> &name, const py::object &base,
-                            const std::map<std::string, double> &jointValues,
-                            const std::optional<std::pair<std::vector<double>, std::vector<double>>> &bounds,
-                            const std::vector<AttachedBody> &attached,
-                            const std::map<std::string, std::filesystem::path> &packages, bool visuals,
-                            const std::vector<std::string> &mayTouchObstacles)
-        {
-            ArmFile::Options options;
-            options.useVisuals = visuals;
-            options.packages.insert(packages.begin(), packages.end());
-            const ArmFile file(urdf, srdf, options);
-            ArmFile::ArmSettings settings;
-            settings.base = toPose(base, 3);
-            settings.jointValues = jointValues;
-            if (bounds)
-                settings.bounds = toBounds(bounds->first, bounds->second);
-            settings.attached = attached;
-            settings.mayTouchObstacles = mayTouchObstacles;
-            std::vector<std::string> notes;
-            const auto arm = file.makeArm(name.value_or(file.getName()), group, settings, &notes);
-            for (const std::string &note : notes)
-                if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
-                    throw py::error_already_set();
-            return hold(arm);
-        }
-
-        AttachedBody makeAttached(const std::string &name, const std::string &link, const Body &body,
-                                  const py::object &pose, const std::vector<std::string> &touchLinks)
-        {
-            if (body.getDimension() != 3)
-                throw ompl::Exception("body", "must be a body in space, since arms are");
-            return {name, link, body, toPose(pose, 3), touchLinks};
-        }
-
         const Arm &requireArm(const Robot &robot)
         {
             const auto *arm = dynamic_cast<const Arm *>(&robot);
@@ -90,31 +56,6 @@ namespace ompl_certificates_python
             for (std::size_t body = 0; body < robot.getBodies().size(); ++body)
                 links.push_back(requireArm(robot).getLinkOfBody(body));
             return links;
-        }
-
-        /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
-        std::map<std::string, Doubles> armStates(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                                                 const std::string &group,
-                                                 const std::map<std::string, std::filesystem::path> &packages,
-                                                 bool visuals)
-        {
-            ArmFile::Options options;
-            options.useVisuals = visuals;
-            options.packages.insert(packages.begin(), packages.end());
-            const ArmFile file(urdf, srdf, options);
-            const std::vector<std::string> &joints = file.getJoints(group);
-            std::map<std::string, Doubles> states;
-            for (const std::string &name : file.getStates(group))
-            {
-                const std::map<std::string, double> &values = file.getState(group, name);
-                std::vector<double> state;
-                for (const std::string &joint : joints)
-                    if (const auto value = values.find(joint); value != values.end())
-                        state.push_back(value->second);
-                if (state.size() == joints.size())
-                    states.emplace(name, Doubles(static_cast<py::ssize_t>(state.size()), state.data()));
-            }
-            return states;
         }
 
         using RowMatrix = Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>;
@@ -182,14 +123,6 @@ namespace ompl_certificates_python
 
     void bindRobots(py::module_ &module)
     {
-        py::class_<AttachedBody>(module, "AttachedBody", "A body that an arm carries, such as what it has grasped")
-            .def(py::init(&makeAttached), py::arg("name"), py::arg("link"), py::arg("body"),
-                 py::arg("pose") = py::none(), py::arg("touch_links") = std::vector<std::string>(),
-                 "pose is in the frame of the link that holds the body. The two are not checked against each other, "
-                 "nor are the body and the touch_links, such as fingers. No link may have that name.")
-            .def("__repr__",
-                 [](const AttachedBody &self) { return "<AttachedBody '" + self.name + "' on '" + self.link + "'>"; });
-
         py::class_<Robot, RobotHolder> robots(module, "Robot",
                                               "One member of a team: a rigid body, a car with a trailer, an arm, or a "
                                               "robot that moves by controls");
@@ -208,33 +141,16 @@ namespace ompl_certificates_python
                 { return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)); },
                 py::arg("name"), py::arg("car"), py::arg("trailer"), py::arg("hitch_length"), py::arg("low"),
                 py::arg("high"), "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle")
-            .def_static(
-                "arm", &makeArm, py::arg("urdf"), py::arg("srdf") = "", py::arg("group") = "",
-                py::arg("name") = py::none(), py::arg("base") = py::none(),
-                py::arg("joint_values") = std::map<std::string, double>(), py::arg("bounds") = py::none(),
-                py::arg("attached") = std::vector<AttachedBody>(),
-                py::arg("packages") = std::map<std::string, std::filesystem::path>(), py::arg("visuals") = false,
-                py::arg("may_touch_obstacles") = std::vector<std::string>(),
-                "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
-                "for. base is the pose of its root link; joint_values are those of joints that are not of the "
-                "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
-                "or 3 numbers. attached are bodies that it carries. packages tells the folders of packages that "
-                "meshes are in (package://name/...), where they are not around the URDF file; visuals takes visual "
-                "geometry in place of that for collisions. may_touch_obstacles are links, and attached bodies, that are "
-                "not checked against obstacles, such as the foot of a robot that is bolted to a table. A state has the values of the group's joints, in radians "
-                "or meters. What was ignored in the files is told by warnings.")
-            .def_static(
-                "arm_states", &armStates, py::arg("urdf"), py::arg("srdf"), py::arg("group"),
-                py::arg("packages") = std::map<std::string, std::filesystem::path>(), py::arg("visuals") = false,
-                "The states that the SRDF file names for a group, such as home: a dict of arrays, each a state "
-                "of the group's arm. Those that lack a joint of the group are left out. packages and visuals are "
-                "as for arm().")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
             .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")
             .def_property_readonly(
                 "coordinates", [](const Robot &robot) { return coordinateNames(robot); },
                 "The names of the numbers of a state")
+            .def_property_readonly(
+                "bounds", [](const Robot &robot) { return toBoundArrays(*robot.getStateSpace()); },
+                "From where to where the numbers of a state may be: two arrays, low and high. A joint without limits, "
+                "and an angle, is from -pi to pi.")
             .def_property_readonly("dimension", &Robot::getWorkspaceDimension, "The dimension of the workspace: 2 or 3")
             .def("poses", &posesOf, py::arg("state"),
                  "Where each body is in a state: matrices, of shape (bodies, 4, 4). Bodies of an arm have frames of "
@@ -249,6 +165,7 @@ namespace ompl_certificates_python
             .def("goal_distance", &goalDistance, py::arg("goal"), py::arg("state"),
                  "How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the "
                  "position's tolerances and radians beyond the rotation's are added.");
+        bindArms(module, robots);
         bindDynamicRobots(robots);
     }
 }

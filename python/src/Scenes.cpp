@@ -8,7 +8,7 @@
 #include <ompl_certificates/control/DynamicRobot.h>
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
-#include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/team/Coordinates.h>
 #include <ompl_certificates/pictures/ScenePicture.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/MoveItFiles.h>
@@ -270,6 +270,9 @@ namespace ompl_certificates_python
             .def_property_readonly(
                 "coordinates", [](const Scene &self) { return coordinateNames(*self.makeTeam()); },
                 "The names of the numbers of a state of the team, such as scout.x")
+            .def_property_readonly(
+                "state_bounds", [](const Scene &self) { return toBoundArrays(*self.makeTeam()); },
+                "From where to where the numbers of a state of the team may be: two arrays, low and high")
             .def_property_readonly(
                 "start", [](const Scene &self) { return toArray(joined(self, &Scene::Member::start)); },
                 "The team's start, of shape (coordinates,)")

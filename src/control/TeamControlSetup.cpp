@@ -1,9 +1,11 @@
 #include "ompl_certificates/control/TeamControlSetup.h"
 
 #include "ompl_certificates/control/ControlPathSimplifier.h"
+#include "ompl_certificates/control/ControlPlanners.h"
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 
 #include <cmath>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -36,6 +38,18 @@ namespace ompl_certificates
         nearestStructure_ = structure;
     }
 
+    void TeamControlSetup::choosePlanner()
+    {
+        // Whoever brings a propagator, a checker or a goal of another kind gets OMPL's choice.
+        const bool isOurs =
+            getStatePropagator().get() == propagator_ &&
+            dynamic_cast<const LimitedValidityChecker *>(getSpaceInformation()->getStateValidityChecker().get()) &&
+            dynamic_cast<const ob::GoalSampleableRegion *>(pdef_->getGoal().get());
+        if (!planner_ && !pa_ && isOurs)
+            planner_ =
+                makeControlPlanner(defaultControlPlanner(checker_->getTeam().getRobotCount()), getSpaceInformation());
+    }
+
     void TeamControlSetup::setup()
     {
         // OMPL would look into the goal to choose a planner, whether there is one or not.
@@ -51,6 +65,7 @@ namespace ompl_certificates
             OMPL_WARN(
                 "TeamControlSetup: steps are proved by the propagator of this setup, which another one has "
                 "replaced. They are not proved unless that one does it, as by TeamPropagator::requireProof().");
+        choosePlanner();
         if (!pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(
                 std::make_shared<ob::PathLengthOptimizationObjective>(getSpaceInformation()));

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/SpaceInformation.h>
 #include <sstream>
 #include <vector>
@@ -144,7 +145,9 @@ namespace ompl_certificates
             return text.str();
         }
         if (status == ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE)
-            return planner.getName() + " plans for a goal of one state alone";
+            return planner.getName() + (dynamic_cast<const ob::GoalSampleableRegion *>(problem.getGoal().get())
+                                            ? " plans for a goal of one state alone"
+                                            : " needs a goal that can be sampled");
         if (status == ob::PlannerStatus::UNKNOWN)
             return planner.getName() + " ended without a solution, and does not tell why";
         return status == ob::PlannerStatus::TIMEOUT ? "no solution was found before planning ended" : status.asString();

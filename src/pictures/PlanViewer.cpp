@@ -6,6 +6,7 @@
 #include "ViewerData.h"
 #include "ViewerPage.h"
 #include "files/WholeFile.h"
+#include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
@@ -78,8 +79,7 @@ namespace ompl_certificates
         if (original.getStateCount() == 0)
             throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
         // Between the states that it had, its robots do not move straight: all steps are shown.
-        ompl::control::PathControl path(original);
-        path.interpolate();
+        const ompl::control::PathControl path = pathSteps(original);
         std::vector<const ob::State *> states(path.getStateCount());
         for (unsigned int i = 0; i < path.getStateCount(); ++i)
             states[i] = path.getState(i);

@@ -3,6 +3,7 @@
 #include "CertificateChoice.h"
 #include "SceneDrawing.h"
 #include "files/WholeFile.h"
+#include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <algorithm>
@@ -173,8 +174,7 @@ namespace ompl_certificates
     {
         SceneDrawing(scene_).requireTeam(original.getSpaceInformation()->getStateSpace());
         // Between the states that it had, its robots do not move straight: all steps are drawn.
-        ompl::control::PathControl path(original);
-        path.interpolate();
+        ompl::control::PathControl path = pathSteps(original);
         setPath(path.asGeometric(), stateTimes(path));
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <charconv>
+#include <nlohmann/json.hpp>
 
 namespace ompl_certificates
 {
@@ -63,11 +64,18 @@ namespace ompl_certificates
                    "'";
         }
 
+        /** \e text with what is not UTF-8 replaced, as in reports: names come from users. */
+        std::string inUtf8(const std::string &text)
+        {
+            using Json = nlohmann::json;
+            return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+        }
+
         /** \e text with XML's special characters escaped and control characters replaced */
         std::string escaped(const std::string &text)
         {
             std::string result;
-            for (const char c : text)
+            for (const char c : inUtf8(text))
                 if (c == '&')
                     result += "&amp;";
                 else if (c == '<')

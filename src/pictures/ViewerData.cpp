@@ -92,7 +92,10 @@ namespace ompl_certificates
                 std::vector<std::uint16_t> size;
                 for (const CellBox &all : cells->getBoxes())
                 {
-                    const CellBox box = within(scene_.getBounds(), all, *cells);
+                    CellBox box = within(scene_.getBounds(), all, *cells);
+                    // Cells of the plane have no height, and are drawn with that of one.
+                    if (scene_.getDimension() == 2)
+                        box.high[2] = box.low[2] + 1;
                     if (box.low[0] >= box.high[0] || box.low[1] >= box.high[1] || box.low[2] >= box.high[2])
                         continue;
                     for (std::size_t axis = 0; axis < 3; ++axis)

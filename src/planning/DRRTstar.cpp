@@ -112,6 +112,7 @@ namespace ompl_certificates
         roadmaps_.reset();
         starts_.clear();
         best_.reset();
+        stuckRobot_.clear();
         rounds_ = 0;
         iterations_ = 0;
         vertices_ = 0;
@@ -130,8 +131,8 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < pdef_->getStartStateCount(); ++i)
             problem->addStartState(pdef_->getStartState(i));
         problem->setGoal(pdef_->getGoal());
-        if (const auto path =
-                planByRRTConnect(problem, team.getPlannerRange(), TEAM_ITERATIONS[team.getRobotCount()], condition))
+        if (const auto path = planByRRTConnect(problem, getName() + ", all robots at once", team.getPlannerRange(),
+                                               TEAM_ITERATIONS[team.getRobotCount()], condition))
         {
             report(*path);
             shorten(*path, condition);
@@ -279,7 +280,8 @@ namespace ompl_certificates
             return status;
         for (const Configuration &start : starts_)
             tree_->addStart(start);
-        if (rounds_ == 0 && roadmaps_->getRobotCount() < TEAM_ITERATIONS.size())
+        if (const unsigned int robots = roadmaps_->getRobotCount();
+            rounds_ == 0 && robots < TEAM_ITERATIONS.size() && TEAM_ITERATIONS[robots] > 0)
             planTogether(condition);
         for (; !condition && !isSatisfied(); ++rounds_)
         {

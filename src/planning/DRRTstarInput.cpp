@@ -4,6 +4,7 @@
 #include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
+#include "ompl_certificates/team/Coordinates.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <algorithm>
@@ -116,8 +117,9 @@ namespace ompl_certificates
             space.copyToReals(values, team.getRobotState(state, i));
             if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
                 return robot + " has a number that is not finite";
-            if (!space.satisfiesBounds(team.getRobotState(state, i)))
-                return robot + " is outside the bounds";
+            if (const std::string why = describeOutOfBounds(team.getRobot(i), team.getRobotState(state, i));
+                !why.empty())
+                return robot + ' ' + why;
         }
         return checker_->describeCollision(state);
     }

@@ -9,11 +9,12 @@ namespace ompl_certificates
     namespace ob = ompl::base;
     namespace og = ompl::geometric;
 
-    std::shared_ptr<og::PathGeometric> planByRRTConnect(const ob::ProblemDefinitionPtr &problem, double range,
-                                                        unsigned int iterations,
+    std::shared_ptr<og::PathGeometric> planByRRTConnect(const ob::ProblemDefinitionPtr &problem,
+                                                        const std::string &name, double range, unsigned int iterations,
                                                         const ob::PlannerTerminationCondition &condition)
     {
         og::RRTConnect planner(problem->getSpaceInformation());
+        planner.setName(name);
         planner.setRange(range);
         planner.setProblemDefinition(problem);
         planner.setup();

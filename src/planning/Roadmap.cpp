@@ -225,8 +225,9 @@ namespace ompl_certificates
         auto problem = std::make_shared<ob::ProblemDefinition>(si);
         problem->setStartAndGoalStates(ob::ScopedState<>(si->getStateSpace(), states_[start]),
                                        ob::ScopedState<>(si->getStateSpace(), states_[goal]));
-        const auto path = planByRRTConnect(
-            problem, validator_.getChecker().getTeam().getRobot(robot_).getPlannerRange(), iterations, condition);
+        const Robot &robot = validator_.getChecker().getTeam().getRobot(robot_);
+        const auto path = planByRRTConnect(problem, "Roadmap of robot '" + robot.getName() + "'",
+                                           robot.getPlannerRange(), iterations, condition);
         if (!path)
             return false;
         Vertex last = start;

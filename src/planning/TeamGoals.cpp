@@ -42,12 +42,13 @@ namespace ompl_certificates
         const auto each = static_cast<unsigned int>(std::clamp<std::uint64_t>(
             iterations / std::max<std::size_t>(goals_.size(), 1), 1, std::numeric_limits<unsigned int>::max()));
         std::vector<Configuration> reachable;
+        std::vector<bool> arrives(roadmaps_.getRobotCount(), false);
         for (const Configuration &start : starts)
-            addReachable(region, start, each, condition, reachable);
+            addReachable(region, start, each, condition, reachable, arrives);
         if (condition)
             return {};
-        if (!reachable.empty())
-            stuckRobot_.reset();
+        if (const auto stuck = std::find(arrives.begin(), arrives.end(), false); stuck != arrives.end())
+            stuckRobot_ = static_cast<unsigned int>(stuck - arrives.begin());
         if (reachable.size() > MOST_CHOSEN_GOALS)
         {
             // The first one may be mixed.
@@ -61,7 +62,7 @@ namespace ompl_certificates
 
     void TeamGoals::addReachable(const ob::Goal &region, const Configuration &start, unsigned int iterations,
                                  const ob::PlannerTerminationCondition &condition,
-                                 std::vector<Configuration> &reachable)
+                                 std::vector<Configuration> &reachable, std::vector<bool> &arrives)
     {
         std::vector<std::vector<Vertex>> reached(start.size());
         for (const Configuration &goal : goals_)
@@ -75,11 +76,13 @@ namespace ompl_certificates
             if (isReachable && std::find(reachable.begin(), reachable.end(), goal) == reachable.end())
                 reachable.push_back(goal);
         }
-        const auto stuck =
-            std::find_if(reached.begin(), reached.end(), [](const auto &parts) { return parts.empty(); });
-        if (stuck != reached.end())
-            stuckRobot_ = static_cast<unsigned int>(stuck - reached.begin());
-        else if (goals_.size() > 1 && !condition)
+        bool allArrive = true;
+        for (unsigned int robot = 0; robot < start.size(); ++robot)
+            if (reached[robot].empty())
+                allArrive = false;
+            else
+                arrives[robot] = true;
+        if (allArrive && goals_.size() > 1 && !condition)
             if (const auto mixed = mix(region, start, std::move(reached)))
             {
                 reachable.erase(std::remove(reachable.begin(), reachable.end(), *mixed), reachable.end());

@@ -61,10 +61,11 @@ namespace ompl_certificates
     private:
         using Vertex = TeamRoadmaps::Vertex;
 
-        /** \brief Add the goals to \e reachable that can be reached from \e start, the mixed one before all */
+        /** \brief Add the goals to \e reachable that can be reached from \e start, the mixed one before all. Note which
+            robots arrive at any goal. */
         void addReachable(const ompl::base::Goal &region, const Configuration &start, unsigned int iterations,
                           const ompl::base::PlannerTerminationCondition &condition,
-                          std::vector<Configuration> &reachable);
+                          std::vector<Configuration> &reachable, std::vector<bool> &arrives);
 
         /** \brief For each robot the vertex nearest to its start among those it reaches, but apart from the robots
             before it; nothing if that is no goal */

@@ -178,9 +178,10 @@ namespace ompl_certificates
             if (file.has(PROBLEM, "longest_valid_segment_fraction"))
             {
                 const double fraction = file.positive(PROBLEM, "longest_valid_segment_fraction");
-                if (fraction > 1.0)
+                if (fraction < Scene::FINEST_RESOLUTION || fraction >= 1.0)
                     file.fail(PROBLEM, "longest_valid_segment_fraction",
-                              "must be at most 1, not " + file.text(PROBLEM, "longest_valid_segment_fraction"));
+                              "must be at least 1e-6 and below 1, not " +
+                                  file.text(PROBLEM, "longest_valid_segment_fraction"));
                 scene.setResolution(fraction);
             }
             if (widened && hasVolume(file, dimension))

@@ -6,6 +6,7 @@
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 #include "ompl_certificates/planning/TeamGoalRegion.h"
 #include "ompl_certificates/robots/Arm.h"
+#include "ompl_certificates/team/Coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,13 +79,13 @@ namespace ompl_certificates
 
     void Scene::addObstacle(const PlacedBody &obstacle, const std::string &title)
     {
+        const std::string name =
+            title.empty() ? "environment.obstacles[" + std::to_string(obstacleTitles_.size()) + "]" : title;
         if (obstacle.body.getDimension() != getDimension())
-            throw ompl::Exception(source_, "obstacles[" + std::to_string(obstacles_.size()) + "]: must have " +
-                                               std::to_string(getDimension()) + " dimensions, not " +
-                                               std::to_string(obstacle.body.getDimension()));
+            throw ompl::Exception(source_, name + ": must have " + std::to_string(getDimension()) +
+                                               " dimensions, not " + std::to_string(obstacle.body.getDimension()));
         obstacles_.push_back(obstacle);
-        obstacleTitles_.push_back(
-            title.empty() ? "environment.obstacles[" + std::to_string(obstacleTitles_.size()) + "]" : title);
+        obstacleTitles_.push_back(name);
     }
 
     void Scene::addSensedObstacles(const ObstaclesPtr &obstacles, const std::string &title)
@@ -325,8 +326,8 @@ namespace ompl_certificates
         for (unsigned int i = 0; i < team->getRobotCount(); ++i)
         {
             const Robot &robot = team->getRobot(i);
-            if (!robot.getStateSpace()->satisfiesBounds(teamState->components[i]))
-                throw ompl::Exception(source_, describe(i) + " is outside the bounds");
+            if (const std::string why = describeOutOfBounds(robot, teamState->components[i]); !why.empty())
+                throw ompl::Exception(source_, describe(i) + ' ' + why);
             const auto *dynamic = dynamic_cast<const DynamicRobot *>(&robot);
             if (dynamic && !dynamic->isWithinLimits(teamState->components[i]))
                 throw ompl::Exception(source_, describe(i) + (dynamic_cast<const Car *>(dynamic)

@@ -169,7 +169,11 @@ namespace ompl_certificates
         expectBroken(replaced(PLANAR + VOLUME, "volume.max.y", "volume.max.y = -1\n"),
                      "[problem] volume.max.y: must be above volume.min.y, which is -1, not -1");
         expectBroken(PLANAR + "longest_valid_segment_fraction = 2\n",
-                     "[problem] longest_valid_segment_fraction: must be at most 1");
+                     "[problem] longest_valid_segment_fraction: must be at least 1e-6 and below 1, not 2");
+        expectBroken(PLANAR + "longest_valid_segment_fraction = 1\n",
+                     "[problem] longest_valid_segment_fraction: must be at least 1e-6 and below 1, not 1");
+        expectBroken(PLANAR + "longest_valid_segment_fraction = 1e-7\n",
+                     "[problem] longest_valid_segment_fraction: must be at least 1e-6");
         expectBroken(PLANAR + "[benchmark]\ntime_limit = 0\n", "[benchmark] time_limit: must be above 0, not '0'");
         expectBroken(PLANAR + "[benchmark]\nmem_limit = much\n", "[benchmark] mem_limit: must be a number, not 'much'");
         expectBroken(PLANAR + "[benchmark]\nrun_count = 2.5\n", "[benchmark] run_count: must be a whole number");

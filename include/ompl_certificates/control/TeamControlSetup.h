@@ -30,8 +30,10 @@ namespace ompl_certificates
             \throws ompl::Exception if the planner is set up already, and so has its structure */
         void setNearestStructure(NearestStructure structure);
 
-        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup. A problem
-            without an objective gets OMPL's PathLengthOptimizationObjective, which SST would take with a warning.
+        /** \brief Set up the space information and the planner, and the planner's structure; see SimpleSetup. If no
+            planner was chosen, it is that of defaultControlPlanner(), or OMPL's choice where propagator or checker were
+            replaced, or no goal can be sampled. A problem without an objective gets OMPL's
+            PathLengthOptimizationObjective, which SST would take with a warning.
             \throws ompl::Exception if there is neither a goal nor a planner, or the step of propagation is not finite */
         void setup() override;
 
@@ -69,6 +71,9 @@ namespace ompl_certificates
         }
 
     private:
+        /** \brief Choose a planner if nobody has */
+        void choosePlanner();
+
         const CertificateMotionValidator::Mode mode_;
         /** \brief The one that this setup made, which proves steps in continuous mode */
         const ompl::control::StatePropagator *propagator_;

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 #define OMPL_CERTIFICATES_PICTURES_PATH_FILE_
 
-#include "ompl_certificates/robots/Robot.h"
+#include "ompl_certificates/team/Coordinates.h"
 
 #include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -10,14 +10,6 @@
 
 namespace ompl_certificates
 {
-    /** \brief The names of a space's coordinates, in the order of ompl::base::StateSpace::copyToReals(): those of a
-        team are scout.x, scout.y, carrier.x, carrier.y, carrier.yaw and so on. In space a rotation is a quaternion:
-        qx, qy, qz, qw. Those of an arm are its joints: arm.elbow, and base.x, base.y, base.yaw of a planar one. */
-    std::vector<std::string> coordinateNames(const ompl::base::StateSpace &space);
-
-    /** \brief The names of a robot's coordinates: those above without its name */
-    std::vector<std::string> coordinateNames(const Robot &robot);
-
     /** \brief The names of the controls of a team's space, in the order of its control space, such as scout.steering
         \throws ompl::Exception if it is not a TeamStateSpace of DynamicRobots */
     std::vector<std::string> controlNames(const ompl::base::StateSpace &space);
