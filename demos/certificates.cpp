@@ -3,7 +3,7 @@
 //     certificates plan scene.yaml --time 2 --picture plan.svg
 //     certificates --help
 //
-// Each also has a name of its own, which is a link to this program. plan_team is certificates plan.
+// Most also have a name of their own, which is a link to this program. plan_team is certificates plan.
 
 #include "commands/Commands.h"
 #include "common/CommandLine.h"
@@ -18,7 +18,7 @@ namespace
     struct Command
     {
         std::string name;
-        /** The name of the link */
+        /** The name of the link; empty if there is none */
         std::string ownName;
         std::string about;
         demos::Work (*declare)(CLI::App &app);
@@ -28,6 +28,7 @@ namespace
     {
         static const std::vector<Command> all{
             {"plan", "plan_team", "Plan for the team of a scene", demos::declarePlan},
+            {"check", "", "Check a path that was written before, or by another program", demos::declareCheck},
             {"benchmark", "benchmark_team", "Benchmark planners for the teams of scenes, with each method",
              demos::declareBenchmark},
             {"generate", "generate_scene", "Make a scene", demos::declareGenerate},
@@ -66,7 +67,7 @@ int main(int argc, char **argv)
 {
     const std::string called = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "";
     for (const Command &command : commands())
-        if (called == command.ownName)
+        if (!command.ownName.empty() && called == command.ownName)
             return runAlone(command, argc, argv);
     return runCommand(argc, argv);
 }

@@ -11,6 +11,7 @@ namespace demos
     using Work = std::function<int()>;
 
     Work declareBenchmark(CLI::App &app);
+    Work declareCheck(CLI::App &app);
     Work declareCompare(CLI::App &app);
     Work declareExperiment(CLI::App &app);
     Work declareGenerate(CLI::App &app);

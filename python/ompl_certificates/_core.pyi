@@ -330,6 +330,10 @@ class Scene:
         """The same scene with the first robots alone"""
     def validate(self) -> None:
         """Raise an Error unless the team can stand at its start and goal."""
+    def load_path(self, file: Path) -> NDArray[np.float64]:
+        """The states of a path that Plan.save() wrote, or another program: comma-separated values whose first line names
+        the columns, in any order. Columns that are no coordinates are passed over. An array of shape (states,
+        coordinates), as for Checker.prove()"""
     def save_picture(self, file: Path) -> None:
         """Write a picture of the scene, as SVG. The name must end in .svg."""
 

@@ -8,12 +8,13 @@
 #include <ompl_certificates/control/DynamicRobot.h>
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
-#include <ompl_certificates/team/Coordinates.h>
+#include <ompl_certificates/pictures/PathReader.h>
 #include <ompl_certificates/pictures/ScenePicture.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/MoveItFiles.h>
 #include <ompl_certificates/scene/OccupancyMapFile.h>
 #include <ompl_certificates/scene/SceneFile.h>
+#include <ompl_certificates/team/Coordinates.h>
 
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -295,6 +296,23 @@ namespace ompl_certificates_python
                     copy.validate();
                 },
                 "Raise an Error unless the team can stand at its start and goal.")
+            .def(
+                "load_path",
+                [](const Scene &self, const std::filesystem::path &file)
+                {
+                    const auto si = std::make_shared<ompl::base::SpaceInformation>(self.makeTeam());
+                    const ompl::geometric::PathGeometric path = [&]
+                    {
+                        const py::gil_scoped_release release;
+                        return loadPath(file, si);
+                    }();
+                    return toRows(*si->getStateSpace(), static_cast<unsigned int>(path.getStateCount()),
+                                  [&path](unsigned int i) { return path.getState(i); });
+                },
+                py::arg("file"),
+                "The states of a path that Plan.save() wrote, or another program: comma-separated values whose first "
+                "line names the columns, in any order. Columns that are no coordinates are passed over. An array of "
+                "shape (states, coordinates), as for Checker.prove()")
             .def(
                 "save_picture",
                 [](const Scene &self, const std::filesystem::path &file)

@@ -271,7 +271,7 @@ def test_bad_problems_are_told_before_planning(yard: oc.Scene) -> None:
         ({"iterations": -5}, "^iterations: .*not -5$"),
         ({"parameters": {"speed": 1}}, "speed"),
         ({"start": [3, 1, 0]}, r"^yard: robots\[0\].start .*'cart' touches environment.obstacles\[0\]$"),
-        ({"goal": [1, 9, 0]}, r"^yard: robots\[0\].goal .*'cart' is outside the bounds$"),
+        ({"goal": [1, 9, 0]}, r"^yard: robots\[0\].goal .*'cart' is outside the bounds: y is 9, not from "),
         ({"goal": [5, 5]}, r"^goal: must be an array of shape \(3,\), not \(2,\)$"),
         ({"start": [[1, 1, 9], [1, 1, 9]]}, r"^start: must be an array of shape \(3,\), not \(2, 3\)$"),
         ({"start": "abc"}, "^start: must be numbers$"),

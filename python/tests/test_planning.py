@@ -106,6 +106,7 @@ def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     plan.save(tmp_path / "path.csv")
     plan.save_report(tmp_path / "report.json")
     assert json.loads((tmp_path / "report.json").read_text(encoding="utf-8")) == report
+    assert (room.load_path(tmp_path / "path.csv") == plan.path).all()
     table = np.loadtxt(tmp_path / "path.csv", delimiter=",", skiprows=1)
     assert (table[:, 1:5] == plan.path).all()
 
@@ -294,7 +295,7 @@ def test_bad_problems_are_told_before_planning(room: oc.Scene) -> None:
         ({"objective": "beauty"}, "beauty"),
         ({"planner": "RRT", "parameters": {"speed": 1}}, "speed"),
         ({"start": [5, 5, 1, 1]}, r"^room: start: robot 'left' touches environment.obstacles\[0\]$"),
-        ({"goal": [1, 9, 50, 1]}, "^room: goal: robot 'right' is outside the bounds$"),
+        ({"goal": [1, 9, 50, 1]}, "^room: goal: robot 'right' is outside the bounds: x is 50, not from 0 to 10$"),
         ({"goal": [5, 5]}, r"^goal: must be an array of shape \(4,\), not \(2,\)$"),
         ({"start": [[1, 1, 9, 9], [1, 1, 9, 9]]}, r"^start: must be an array of shape \(4,\), not \(2, 4\)$"),
         ({"start": 1.0}, r"^start: must be an array of shape \(4,\), not \(\)$"),

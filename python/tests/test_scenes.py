@@ -215,6 +215,48 @@ def test_arms_carry_bodies(scenes: pathlib.Path) -> None:
         disc.links
 
 
+def test_two_arms_of_a_torso_are_two_robots(scenes: pathlib.Path) -> None:
+    files = scenes / "arms" / "twin.urdf", scenes / "arms" / "twin.srdf"
+    told = oc.load_scene(scenes / "arms" / "twin_team.yaml")
+    scene = oc.Scene([-0.6, -1, -0.1], [1, 1, 1.4], "twin")
+    arms = oc.Robot.arms(*files, {"left": "left", "right": "right"})
+    assert [arm.name for arm in arms] == ["left", "right"]
+    for arm, part in zip(arms, (slice(0, 3), slice(3, 6))):
+        scene.add_robot(arm, told.start[part], told.goal[part])
+    assert scene.coordinates == told.coordinates
+    scene.validate()
+    # Their verdicts are those of the one robot that they are, both arms and the torso checked against each other.
+    both = oc.Scene([-0.6, -1, -0.1], [1, 1, 1.4], "both")
+    both.add_robot(oc.Robot.arm(*files, "both"), told.start, told.goal)
+    low, high = scene.state_bounds
+    states = np.random.default_rng(1).uniform(low, high, (2000, 6))
+    order = [[name.split(".")[1] for name in scene.coordinates].index(name) for name in both.robots[0].coordinates]
+    valid = oc.Checker(scene).is_valid(states)
+    assert 0 < valid.sum() < len(states)
+    assert (valid == oc.Checker(both).is_valid(states[:, order])).all()
+    with pytest.raises(oc.Error, match="'middle'"):
+        oc.Robot.arms(*files, {"left": "left", "right": "middle"})
+    with pytest.raises(oc.Error, match="left"):
+        oc.Robot.arms(*files, {"left": "left", "right": "left"})
+
+
+def test_robots_and_scenes_tell_their_bounds(scenes: pathlib.Path) -> None:
+    cart = oc.Robot.rigid("cart", oc.Body.box(1, 1), [-1, -2], [3, 4])
+    low, high = cart.bounds
+    assert low.tolist() == [-1, -2, -math.pi] and high.tolist() == [3, 4, math.pi]
+    arm = oc.Robot.arm(scenes / "arms" / "arm6.urdf", scenes / "arms" / "arm6.srdf", "arm")
+    low, high = arm.bounds
+    limits = {}
+    for joint in re.finditer(r'<joint name="(\w+)".*?</joint>', (scenes / "arms" / "arm6.urdf").read_text(), re.S):
+        limit = re.search(r'lower="([^"]+)" upper="([^"]+)"', joint[0])
+        limits[joint[1]] = (float(limit[1]), float(limit[2])) if limit else (-math.pi, math.pi)
+    assert list(zip(low, high)) == [limits[name] for name in arm.coordinates]
+    scene = oc.load_scene(scenes / "drones_3d.yaml")
+    low, high = scene.state_bounds
+    assert len(low) == len(high) == len(scene.coordinates)
+    assert ((low <= scene.start) & (scene.start <= high)).all()
+
+
 def test_links_may_touch_obstacles(scenes: pathlib.Path) -> None:
     urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
     states = oc.Robot.arm_states(urdf, srdf, "arm")

@@ -1,5 +1,6 @@
 #include "DynamicProblems.h"
 
+#include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/control/ProvePath.h"
 #include "support/Message.h"
 #include "support/Quiet.h"
@@ -90,6 +91,34 @@ TEST_F(ControlPathProof, FindsTheWallBetweenTheEndsOfAStep)
             EXPECT_FALSE(setup->getTeamChecker()->isValid(proof.collision->get()));
             EXPECT_EQ(path.check(), mode == CertificateMotionValidator::DISCRETE);
         }
+}
+
+/** Steps that are proved no longer end where they lead, not in states that are not numbers. */
+TEST_F(ControlPathProof, HasTheSameStepsWhateverIsInTheirWay)
+{
+    const TeamControlSetupPtr setup = setupFor(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
+    oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 5.0, 0.4}, {5.0, 0.0, 0.25}});
+    oc::PathControl interpolated(path);
+    interpolated.interpolate();
+    const auto expectSteps = [&](const oc::PathControl &steps)
+    {
+        EXPECT_EQ(steps.getStateCount(), steps.getControlCount() + 1);
+        ASSERT_EQ(steps.getStateCount(), interpolated.getStateCount());
+        for (unsigned int i = 0; i < steps.getStateCount(); ++i)
+            EXPECT_TRUE(setup->getStateSpace()->equalStates(steps.getStates()[i], interpolated.getStates()[i])) << i;
+        EXPECT_NEAR(steps.length(), path.length(), 1e-12) << "nothing of a control is left out";
+    };
+    expectSteps(pathSteps(path));
+    setup->getTeamChecker()->changeObstacles(
+        ObstacleChange::replacing(setup->getTeamChecker()->getObstacles(), boxes({{{-2.0, 1.0, 0.5, 0.5}}})));
+    oc::PathControl blocked(path);
+    blocked.interpolate();
+    EXPECT_TRUE(std::any_of(
+        blocked.getStates().begin(), blocked.getStates().end(),
+        [&](const ob::State *state)
+        { return std::isnan(state->as<ob::CompoundState>()->as<ob::RealVectorStateSpace::StateType>(0)->values[0]); }))
+        << "nothing is in the way";
+    expectSteps(pathSteps(path));
 }
 
 TEST_F(ControlPathProof, ProvesNoPathThatStartsOrEndsInAnObstacle)

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/rrt/RRT.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -220,6 +222,44 @@ TEST(TeamControlSetup, SaysThatItNeedsAGoalOrAPlanner)
     EXPECT_THROW(setup.solve(0.1), ompl::Exception);
     setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
     EXPECT_NO_THROW(setup.setup());
+}
+
+/** OMPL's own choice is KPIECE1, which seldom plans for several robots. */
+TEST(TeamControlSetup, ChoosesAPlannerForItsTeam)
+{
+    const Quiet quiet;
+    const auto chosen = [](unsigned int robots, const std::function<void(TeamControlSetup &)> &change)
+    {
+        const auto kinds = allKinds();
+        const std::vector<std::shared_ptr<const DynamicRobot>> team(kinds.begin(), kinds.begin() + robots);
+        TeamControlSetup setup(teamOf(team), boxes({{{2.9, 2.9, 0.1, 0.1}}}));
+        ob::ScopedState<> state(setup.getStateSpace());
+        state.random();
+        setup.setStartAndGoalStates(state, state);
+        change(setup);
+        setup.setup();
+        return setup.getPlanner()->getName();
+    };
+    const auto nothing = [](TeamControlSetup &) {};
+    EXPECT_EQ(chosen(1, nothing), "RRT");
+    EXPECT_EQ(chosen(2, nothing), "PrioritizedRRT");
+    const auto planner = [](TeamControlSetup &setup)
+    { setup.setPlanner(std::make_shared<oc::EST>(setup.getSpaceInformation())); };
+    EXPECT_EQ(chosen(2, planner), "EST");
+    const auto allocator = [](TeamControlSetup &setup)
+    {
+        setup.setPlannerAllocator(
+            [](const ob::SpaceInformationPtr &si)
+            { return std::make_shared<oc::EST>(std::static_pointer_cast<oc::SpaceInformation>(si)); });
+    };
+    EXPECT_EQ(chosen(2, allocator), "EST");
+    // PrioritizedRRT could not use these.
+    const auto propagator = [](TeamControlSetup &setup)
+    { setup.setStatePropagator([](const ob::State *, const oc::Control *, double, ob::State *) {}); };
+    EXPECT_NE(chosen(2, propagator), "PrioritizedRRT");
+    const auto checker = [](TeamControlSetup &setup)
+    { setup.setStateValidityChecker([](const ob::State *) { return true; }); };
+    EXPECT_NE(chosen(2, checker), "PrioritizedRRT");
 }
 
 TEST(TeamControlSetup, RefusesAStepThatIsNotFinite)

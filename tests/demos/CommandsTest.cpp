@@ -1,4 +1,4 @@
-// The program certificates, whose commands are also programs of their own names.
+// The program certificates, most of whose commands are also programs of their own names.
 
 #include "demos/Program.h"
 
@@ -14,6 +14,9 @@ namespace
                                                                     {"moving-world", "moving_world"},
                                                                     {"experiment", "certificate_experiment"}};
 
+    /** Commands that are no programs of their own */
+    const std::set<std::string> NEW_COMMANDS{"check"};
+
     /** What the program writes, from \e heading on */
     std::string helpAfter(const std::string &heading, Program &program)
     {
@@ -27,7 +30,7 @@ TEST(Commands, areThoseOfTheHelp)
 {
     Program program("certificates", {"--help"});
     std::istringstream lines(helpAfter("Commands:\n", program));
-    std::set<std::string> told, known;
+    std::set<std::string> told, known = NEW_COMMANDS;
     std::string line;
     for (std::getline(lines, line); std::getline(lines, line) && !line.empty();)
         told.insert(line.substr(2, line.find(' ', 2) - 2));

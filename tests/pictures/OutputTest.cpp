@@ -338,6 +338,15 @@ namespace ompl_certificates
         EXPECT_EQ(std::set<std::string>(inSpace.begin(), inSpace.end()).size(), inSpace.size());
     }
 
+    TEST_F(Output, PicturesAreInUtf8WhateverNamesAre)
+    {
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(1.0);
+        const std::string svg = ScenePicture(Scene("caf\xe9 \xc3\xa9 <1>", "none", bounds)).toSvg();
+        EXPECT_NE(svg.find("caf\xef\xbf\xbd \xc3\xa9 &lt;1&gt;"), std::string::npos) << svg;
+    }
+
     TEST_F(Output, PicturesAreWellFormed)
     {
         for (const std::string name : {"paper_five_discs", "warehouse", "drones_3d"})

@@ -171,3 +171,30 @@ TEST_F(DRRTstarGoals, OfAListAreNotMixed)
     EXPECT_EQ(setup_->solve(0.5), ob::PlannerStatus::TIMEOUT);
     EXPECT_EQ(setup_->getPlanner()->as<DRRTstar>()->getStuckRobot(), "");
 }
+
+/** Each robot has a way from one of the starts, and none from the other. */
+TEST_F(DRRTstarGoals, NamesNoRobotAsStuckThatArrivesFromAnotherStart)
+{
+    setUpLanes(2, {{Body::box(1.0, 60.0), planarPose(10.0, 0.0)}});
+    ob::ScopedState<> state(setup_->getStateSpace());
+    setup_->clearStartStates();
+    for (const std::vector<double> &start : {std::vector<double>{1, 1, 18, 7}, {18, 1, 1, 7}})
+    {
+        state = start;
+        setup_->addStartState(state);
+    }
+    state = std::vector<double>{16, 1, 16, 7};
+    setup_->setGoalState(state);
+    stopAt(std::numeric_limits<double>::infinity());
+    EXPECT_NE(setup_->solve(0.5), ob::PlannerStatus::EXACT_SOLUTION);
+    const auto &planner = *setup_->getPlanner()->as<DRRTstar>();
+    EXPECT_EQ(planner.getStuckRobot(), "");
+
+    setup_->clear();
+    state = std::vector<double>{1, 1, 18, 7};
+    setup_->setStartState(state);
+    EXPECT_NE(setup_->solve(0.5), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(planner.getStuckRobot(), "disc0");
+    setup_->clear();
+    EXPECT_EQ(planner.getStuckRobot(), "");
+}

@@ -1,0 +1,144 @@
+#include "ompl_certificates/pictures/PathReader.h"
+#include "ompl_certificates/control/ProvePath.h"
+#include "ompl_certificates/control/TeamControlSetup.h"
+#include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/scene/SceneFile.h"
+#include "support/Folder.h"
+#include "support/Message.h"
+#include "support/Random.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <ompl/util/RandomNumbers.h>
+
+namespace ompl_certificates
+{
+    namespace ob = ompl::base;
+
+    namespace
+    {
+        const std::string CART =
+            "environment: {min: [0, 0], max: [10, 10]}\n"
+            "robots:\n"
+            "  - {type: unicycle_first_order_0, name: '\"a\", b', start: [1, 1, 0], goal: [9, 9, 0]}\n";
+
+        class PathReaderTest : public ::testing::Test
+        {
+        protected:
+            ob::SpaceInformationPtr spaceOf(const Scene &scene) const
+            {
+                const TeamSetupPtr setup = scene.makeSetup();
+                setup->getSpaceInformation()->setup();
+                setups_.push_back(setup);
+                return setup->getSpaceInformation();
+            }
+
+            std::string complaintOf(const std::string &table) const
+            {
+                const std::string file = folder_.write("path.csv", table);
+                const std::string message = test::messageOf([&] { loadPath(file, cart_); });
+                EXPECT_EQ(message.compare(0, file.size(), file), 0) << message;
+                return message.substr(std::min(message.size(), file.size()));
+            }
+
+            const test::Folder folder_;
+            mutable std::vector<TeamSetupPtr> setups_;
+            const ob::SpaceInformationPtr cart_ = spaceOf(sceneFromYaml(CART, "cart"));
+        };
+    }
+
+    TEST_F(PathReaderTest, ReadsWhatWasWrittenToTheBit)
+    {
+        for (const std::string name : {"paper_five_discs", "warehouse", "drones_3d", "arms/twin_team"})
+        {
+            const auto si = spaceOf(loadScene(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/" + name + ".yaml"));
+            ompl::geometric::PathGeometric path(si);
+            const auto sampler = si->allocStateSampler();
+            ob::ScopedState<> state(si);
+            for (int i = 0; i < 50; ++i)
+            {
+                sampler->sampleUniform(state.get());
+                path.append(state.get());
+            }
+            const auto read = loadPath(folder_.write("path.csv", toCsv(path)), si);
+            ASSERT_EQ(read.getStateCount(), path.getStateCount());
+            std::vector<double> written, found;
+            for (unsigned int i = 0; i < path.getStateCount(); ++i)
+            {
+                si->getStateSpace()->copyToReals(written, path.getState(i));
+                si->getStateSpace()->copyToReals(found, read.getState(i));
+                EXPECT_EQ(found, written) << name;
+            }
+        }
+    }
+
+    TEST_F(PathReaderTest, TakesTablesOfOtherPrograms)
+    {
+        const auto path = loadPath(folder_.write("path.csv",
+                                                 "\xef\xbb\xbf\"\"\"a\"\", b.yaw\", \"\"\"a\"\", b.y\" ,who,"
+                                                 "\"\"\"a\"\", b.x\"\r\n\r\n7, +2.5 ,me, 1e0\r\n-0.5,3,,4"),
+                                   cart_);
+        ASSERT_EQ(path.getStateCount(), 2u);
+        std::vector<double> reals;
+        cart_->getStateSpace()->copyToReals(reals, path.getState(0));
+        EXPECT_EQ(reals[0], 1.0);
+        EXPECT_EQ(reals[1], 2.5);
+        EXPECT_NEAR(reals[2], 7.0 - 2.0 * M_PI, 1e-12);
+        cart_->getStateSpace()->copyToReals(reals, path.getState(1));
+        EXPECT_EQ(reals, (std::vector<double>{4.0, 3.0, -0.5}));
+    }
+
+    TEST_F(PathReaderTest, RefusesWhatIsNoPathByFileLineAndColumn)
+    {
+        const std::string names = "\"\"\"a\"\", b.x\",\"\"\"a\"\", b.y\",\"\"\"a\"\", b.yaw\"\n";
+        EXPECT_EQ(complaintOf(""), ": has no line with the names of its columns");
+        EXPECT_EQ(complaintOf(names), ": has no state");
+        EXPECT_EQ(complaintOf("x,y\n1,2\n"), ": there is no column '\"a\", b.x'");
+        EXPECT_EQ(complaintOf("\"\"\"a\"\", b.x\"," + names), ": column '\"a\", b.x' is there twice");
+        EXPECT_EQ(complaintOf(names + "1,2,3\n1,2\n"), ":3: has 2 values, not 3");
+        for (const std::string number : {"nan", "inf", "1e999", "two", "", "1 2", "0x1"})
+            EXPECT_EQ(complaintOf(names + "\n1," + number + ",3\n"),
+                      ":3: '\"a\", b.y' must be a finite number, not '" + number + "'");
+        EXPECT_NE(test::messageOf([&] { loadPath(folder_ / "none.csv", cart_); }).find("none.csv"), std::string::npos);
+    }
+
+    TEST_F(PathReaderTest, RefusesQuaternionsThatAreNone)
+    {
+        const auto si =
+            spaceOf(sceneFromYaml("environment: {min: [0, 0, 0], max: [9, 9, 9]}\n"
+                                  "robots: [{type: rigid, name: d, space: SE3, shape: {type: sphere, radius: 0.1}, "
+                                  "start: [1, 1, 1, 0, 0, 0, 1], goal: [2, 2, 2, 0, 0, 0, 1]}]\n",
+                                  "drone"));
+        const std::string names = "d.x,d.y,d.z,d.qx,d.qy,d.qz,d.qw\n";
+        const auto path = loadPath(folder_.write("path.csv", names + "1,1,1,0,0,0.707,0.707\n"), si);
+        EXPECT_TRUE(si->satisfiesBounds(path.getState(0)));
+        const std::string file = folder_.write("path.csv", names + "1,1,1,0,0,0.5,0.5\n");
+        EXPECT_NE(test::messageOf([&] { loadPath(file, si); }).find(":2: the quaternion of"), std::string::npos);
+    }
+
+    TEST_F(PathReaderTest, ReadsControlsAndTimes)
+    {
+        const Scene scene = loadScene(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/controls/doorway.yaml", true);
+        const TeamControlSetupPtr setup =
+            scene.makeControlSetup(1.0, Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
+        ompl::RNG::setSeed(1);
+        ASSERT_EQ(setup->solve(30.0), ob::PlannerStatus::EXACT_SOLUTION);
+        const auto si = setup->getSpaceInformation();
+        const std::string table = toCsv(setup->getSolutionPath());
+        const auto path = loadControlPath(folder_.write("path.csv", table), si);
+        EXPECT_EQ(toCsv(path), table);
+        EXPECT_TRUE(provePath(path, setup->getTeamChecker()).isProved());
+
+        const auto complaint = [&](const std::string &text)
+        { return test::messageOf([&] { loadControlPath(folder_.write("path.csv", text), si); }); };
+        const std::string first = table.substr(0, table.find('\n', table.find('\n') + 1) + 1);
+        EXPECT_NE(complaint(first).find("has no step"), std::string::npos);
+        EXPECT_NE(complaint(first + first.substr(first.find('\n') + 1)).find(":3: 'time' must increase"),
+                  std::string::npos);
+        EXPECT_NE(complaint(table + table.substr(table.rfind('\n', table.size() - 2) + 1)).find("'time' must increase"),
+                  std::string::npos);
+        EXPECT_NE(complaint(table + "999,2,2,0,4,1,0,0,,,,\n").find("comes after a line without controls"),
+                  std::string::npos);
+        EXPECT_NE(complaint("time,cart.x\n").find("there is no column 'cart.y'"), std::string::npos);
+    }
+}
