@@ -82,7 +82,7 @@ namespace
     /** What all paths have in common
         \param count of its motions, or of its steps, which \e motions calls them */
     template <typename Setup, typename Path>
-    int check(const Scene &scene, Setup &setup, const Path &path, std::size_t count, const char *motions, double time)
+    int check(const Scene &scene, Setup &setup, Path &path, std::size_t count, const char *motions, double time)
     {
         const auto team = std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace());
         const auto &states = path.getStates();
@@ -108,14 +108,14 @@ namespace
             demos::printNotes(scene);
             const TeamControlSetupPtr setup = scene.makeControlSetup(options.goalTolerance);
             setup->getSpaceInformation()->setup();
-            const ompl::control::PathControl path = loadControlPath(options.path, setup->getSpaceInformation());
+            ompl::control::PathControl path = loadControlPath(options.path, setup->getSpaceInformation());
             return check(scene, *setup, path, pathSteps(path).getControlCount(), "steps", stateTimes(path).back());
         }
         const Scene scene = demos::readScene(options.scene, options.moveIt).scene;
         demos::printNotes(scene);
         const TeamSetupPtr setup = scene.makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
         setup->getSpaceInformation()->setup();
-        const ompl::geometric::PathGeometric path = loadPath(options.path, setup->getSpaceInformation());
+        ompl::geometric::PathGeometric path = loadPath(options.path, setup->getSpaceInformation());
         return check(scene, *setup, path, path.getStateCount() - 1, "motions", stateTimes(path).back());
     }
 }

@@ -5,6 +5,7 @@
 #include <ompl_certificates/geometry/TriangleMesh.h>
 #include <ompl_certificates/obstacles/CellBox.h>
 
+#include <ompl/base/StateSpace.h>
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <pybind11/numpy.h>
 #include <string>

@@ -34,7 +34,7 @@ namespace ompl_certificates
                 propagator.propagate(state.get(), path.getControl(i), durations[k], state.get());
             }
         }
-        steps.append(path.getState(path.getControlCount()));
+        steps.append(path.getState(static_cast<unsigned int>(path.getControlCount())));
         return steps;
     }
 }

@@ -97,10 +97,10 @@ TEST_F(ControlPathProof, FindsTheWallBetweenTheEndsOfAStep)
 TEST_F(ControlPathProof, HasTheSameStepsWhateverIsInTheirWay)
 {
     const TeamControlSetupPtr setup = setupFor(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
-    oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 5.0, 0.4}, {5.0, 0.0, 0.25}});
+    const oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 5.0, 0.4}, {5.0, 0.0, 0.25}});
     oc::PathControl interpolated(path);
     interpolated.interpolate();
-    const auto expectSteps = [&](const oc::PathControl &steps)
+    const auto expectSteps = [&](oc::PathControl steps)
     {
         EXPECT_EQ(steps.getStateCount(), steps.getControlCount() + 1);
         ASSERT_EQ(steps.getStateCount(), interpolated.getStateCount());
@@ -109,8 +109,8 @@ TEST_F(ControlPathProof, HasTheSameStepsWhateverIsInTheirWay)
         EXPECT_NEAR(steps.length(), path.length(), 1e-12) << "nothing of a control is left out";
     };
     expectSteps(pathSteps(path));
-    setup->getTeamChecker()->changeObstacles(
-        ObstacleChange::replacing(setup->getTeamChecker()->getObstacles(), boxes({{{-2.0, 1.0, 0.5, 0.5}}})));
+    const ObstaclesPtr post = boxes({{{-2.0, 1.0, 0.5, 0.5}}});
+    setup->getTeamChecker()->changeObstacles(ObstacleChange::replacing(post, post));
     oc::PathControl blocked(path);
     blocked.interpolate();
     EXPECT_TRUE(std::any_of(
@@ -155,7 +155,7 @@ TEST_F(ControlPathProof, LooksAtAllOfAControl)
 TEST_F(ControlPathProof, ProvesNoPathThatItsControlsDoNotLeadAlong)
 {
     const TeamControlSetupPtr setup = setupFor();
-    oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}, {0.0, 1.0, 0.2}});
+    const oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 1.0, 0.5}, {0.0, 1.0, 0.2}});
     EXPECT_TRUE(provePath(path, setup->getTeamChecker()).isProved());
     path.getState(1)->as<ob::CompoundState>()->components[0]->as<ob::RealVectorStateSpace::StateType>()->values[0] =
         -1.9;
