@@ -3,6 +3,7 @@
 #include "common/Completion.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -199,8 +200,11 @@ namespace demos
         std::vector<std::string> words;
         std::istringstream stream(text);
         for (std::string word; std::getline(stream, word, ',');)
+        {
+            boost::algorithm::trim(word);
             if (!word.empty())
                 words.push_back(word);
+        }
         return words;
     }
 }

@@ -41,7 +41,8 @@ namespace demos
     /** \brief Accepts one of \e words; the complaint about another one suggests the most similar */
     CLI::Validator oneOf(const std::vector<std::string> &words);
 
-    /** \brief The words of \e text, which are separated by commas; empty ones are left out */
+    /** \brief The words of \e text, which are separated by commas, without blanks around them; empty ones are left
+        out */
     std::vector<std::string> splitAtCommas(const std::string &text);
 }
 

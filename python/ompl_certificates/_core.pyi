@@ -46,9 +46,9 @@ class Body:
         """A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for a planar scene:
         it keeps its z, and moves in x and y."""
     @staticmethod
-    def mesh_file(file: Path, dimension: int = 3, keep_axes: bool = False) -> Body:
+    def mesh_file(file: Path, dimension: int = 3, keep_axes: bool = False, scale: float = 1.0) -> Body:
         """The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in OMPL.app, unless
-        keep_axes is true, as in ROS."""
+        keep_axes is true, as in ROS. scale is 0.001 for a file in millimeters and a scene in meters."""
     @staticmethod
     def join(members: Sequence[Tuple[Body, Optional[ArrayLike]]]) -> Body:
         """One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)"""

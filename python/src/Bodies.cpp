@@ -6,6 +6,7 @@
 #include <ompl_certificates/scene/MeshFile.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ompl/util/Exception.h>
 #include <optional>
 #include <pybind11/stl.h>
@@ -35,10 +36,16 @@ namespace ompl_certificates_python
             return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 
-        Body readMesh(const std::filesystem::path &file, unsigned int dimension, bool keepsAxes)
+        Body readMesh(const std::filesystem::path &file, unsigned int dimension, bool keepsAxes, double scale)
         {
             requireDimension(dimension);
-            return MeshFile(file, keepsAxes).makeObstacle(dimension);
+            if (!(scale > 0.0) || !std::isfinite(scale))
+                throw ompl::Exception("scale", "must be positive and finite, not " + std::to_string(scale));
+            const MeshFile read(file, keepsAxes);
+            if (scale == 1.0)
+                return read.makeObstacle(dimension);
+            const TriangleMeshPtr mesh = read.transformed(Eigen::Affine3d(Eigen::Scaling(scale)));
+            return dimension == 2 ? Body::planarMesh(mesh) : Body::mesh(mesh);
         }
 
         Body makePolygon(const py::object &object)
@@ -110,9 +117,10 @@ namespace ompl_certificates_python
                         "A triangle mesh: vertices of shape (n, 3), faces of shape (m, 3). With dimension 2 it is for "
                         "a planar scene: it keeps its z, and moves in x and y.")
             .def_static("mesh_file", &readMesh, py::call_guard<py::gil_scoped_release>(), py::arg("file"),
-                        py::arg("dimension") = 3, py::arg("keep_axes") = false,
+                        py::arg("dimension") = 3, py::arg("keep_axes") = false, py::arg("scale") = 1.0,
                         "The mesh of a COLLADA, STL, OBJ or PLY file. COLLADA files are turned so that y is up, as in "
-                        "OMPL.app, unless keep_axes is true, as in ROS.")
+                        "OMPL.app, unless keep_axes is true, as in ROS. scale is 0.001 for a file in millimeters and a "
+                        "scene in meters.")
             .def_static("join", &join, py::arg("members"),
                         "One body of several: a list of pairs of a body and its pose (see Scene.add_obstacle)")
             .def("__repr__",
