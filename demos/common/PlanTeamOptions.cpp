@@ -48,7 +48,9 @@ namespace demos
                "of OMPL's planners, more for some")
             ->check(countUpTo(1000000000000ull))
             ->excludes(time);
-        app.add_flag("--first", options.first, "End with the first solution, also if the planner could lower its cost");
+        app.add_flag(
+            "--first", options.first,
+            "End with the first solution, also if the planner could lower its cost; LBTRRT and LazyLBTRRT go on");
         app.add_option("--seed", options.seed, "Seed of OMPL's random numbers; the same seed grows the same tree")
             ->check(countUpTo(4294967295ull))
             ->capture_default_str();

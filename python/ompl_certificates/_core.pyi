@@ -358,7 +358,7 @@ class Checker:
         by their numbers."""
     def prove(self, path: ArrayLike) -> Proof:
         """Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also between its
-        states, as Plan.prove() does for a plan's. Its ends are looked at, too."""
+        states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see Scene.state_bounds."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
     def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:

@@ -89,7 +89,8 @@ namespace ompl_certificates_python
                     },
                     py::arg("path"),
                     "Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also "
-                    "between its states, as Plan.prove() does for a plan's. Its ends are looked at, too.");
+                    "between its states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see "
+                    "Scene.state_bounds.");
         }
     }
 

@@ -5,11 +5,11 @@
 #include "BodyPreparation.h"
 #include "MemorylessMethod.h"
 #include "ProjectedMethod.h"
+#include "RepairInSteps.h"
 
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <ompl/util/Exception.h>
@@ -28,13 +28,6 @@ namespace ompl_certificates
     {
         /** The clearance of a valid state for which no larger one is proved: some rounding of coordinates */
         constexpr double LEAST_CLEARANCE = 1e-12;
-
-        /** Whether obstacles, or some of mixed ones, are still the same object, but stand for others now */
-        bool replacesItself(const ObstacleChange &change)
-        {
-            return (change.removed && change.removed == change.after) ||
-                   std::any_of(change.members.begin(), change.members.end(), replacesItself);
-        }
 
         void requireObstacles(const ObstaclesPtr &obstacles, const Team &team)
         {
@@ -67,52 +60,6 @@ namespace ompl_certificates
                                                              limit);
             }
             throw ompl::Exception("Unknown method");
-        }
-
-        /** How many certificates are repaired, and how many new ones looked at, while all checks wait */
-        constexpr std::size_t REPAIR_STEP = 128, LOOK_STEP = 64;
-
-        /** For about how long more of them are, while all checks wait: each wait for these may cost a busy machine's
-            time slice. */
-        constexpr std::chrono::microseconds LONG_STEP{300};
-
-        /** Calls \e step, which tells whether something is left, until nothing is or the time is over
-            \return whether something is left */
-        template <typename Step>
-        bool repeat(const Step &step)
-        {
-            const auto end = std::chrono::steady_clock::now() + LONG_STEP;
-            while (step())
-                if (std::chrono::steady_clock::now() >= end)
-                    return true;
-            return false;
-        }
-
-        /** So many times more than it needs to, a change lets checks go on before it has withdrawn all certificates. */
-        constexpr std::size_t MORE_OPENINGS = 20;
-
-        /** Withdraws all certificates that a change concerns, also those that other checks add meanwhile. These may be
-            the same again, as fast as they are withdrawn. So in the end all checks wait. */
-        void withdrawAll(WorldLock::Change &world, CertificateRepair &repair)
-        {
-            std::size_t openings = repair.countFound() / REPAIR_STEP + MORE_OPENINGS;
-            while (true)
-            {
-                if (repair.countNew() > LOOK_STEP && openings > 0)
-                {
-                    --openings;
-                    world.open();
-                    repair.find();
-                    world.close();
-                    continue;
-                }
-                repair.find();
-                if (!repeat([&] { return repair.withdraw(openings > 0 ? REPAIR_STEP : repair.countFound()); }))
-                    return;
-                --openings;
-                world.open();
-                world.close();
-            }
         }
 
         /** The team, once its bodies are prepared; FCL alone needs nothing of that. */
@@ -348,25 +295,13 @@ namespace ompl_certificates
         WorldLock::Change world(lock_);
         // Who tells of other obstacles alone may have taken the rest for optional.
         const ObstacleChange whole = namingReplaced(change, obstacles_);
-        world.close();
-        CertificateRepair repair(checkMethod_->getStores(), whole);
-        world.open();
-        repair.find();
-        world.close();
-        withdrawAll(world, repair);
-        before = std::exchange(obstacles_, change.after);
-        checkMethod_->setObstacles(obstacles_);
-        standardMethod_.setObstacles(obstacles_);
-        // Obstacles that replace themselves are others now, and nobody knows what they were.
-        if (replacesItself(whole))
-            checkMethod_->clear();
-        else
-            while (repeat([&] { return repair.repair(REPAIR_STEP); }))
-            {
-                world.open();
-                world.close();
-            }
-        world.open();  // The repair's memory takes time to give back: when the checks go on.
+        repairInSteps(world, *checkMethod_, whole,
+                      [&]
+                      {
+                          before = std::exchange(obstacles_, change.after);
+                          checkMethod_->setObstacles(obstacles_);
+                          standardMethod_.setObstacles(obstacles_);
+                      });
     }
 
     void TeamCheck::ignoreAllButObstacles()
