@@ -264,11 +264,8 @@ namespace
             if (stopped || demos::interrupted())
                 std::puts("interrupted: this is what was found so far");
             demos::print(report, *setup);
+            demos::printUnwritten(options, report);
         }
-        if (!options.quiet && !report.solved)
-            for (const auto &[what, name] : {std::pair{"path", options.path}, {"animation", options.animation}})
-                if (!name.empty())
-                    std::printf("no %s was written to %s\n", what, name.c_str());
         std::fflush(stdout);
         // Pictures show the goal that the path ends at.
         const Scene shown = report.solved ? scene.endingAt(setup->getSolutionPath().getStates().back()) : scene;

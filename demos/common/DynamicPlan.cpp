@@ -13,6 +13,7 @@
 #include "ompl_certificates/control/ProvePath.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/pictures/PlanReport.h"
 #include "ompl_certificates/pictures/ScenePicture.h"
 #include "ompl_certificates/scene/MoveItFiles.h"
@@ -179,15 +180,18 @@ namespace demos
             if (stopped || interrupted())
                 std::puts("interrupted: this is what was found so far");
             print(report, setup);
-            if (!report.solved && !options.path.empty())
-                std::printf("no path was written to %s\n", options.path.c_str());
+            printUnwritten(options, report);
         }
         std::fflush(stdout);
         Outputs outputs;
         outputs.attempt(options.report, [&](const std::string &file) { writeOutput(file, report.toJson()); });
         if (report.solved)
+        {
             outputs.attempt(options.path,
                             [&](const std::string &file) { writeOutput(file, toCsv(setup.getSolutionPath())); });
+            outputs.attempt(options.animation, [&](const std::string &file)
+                            { writeOutput(file, PlanAnimation(scene, setup.getSolutionPath()).toSvg()); });
+        }
         outputs.attempt(options.picture,
                         [&](const std::string &file) { writeOutput(file, drawn(options, scene, setup, tree)); });
         outputs.attempt(options.view,

@@ -86,8 +86,7 @@ namespace demos
             "one) and SST of ompl::control, and --motion continuous proves each step free between its ends");
         for (const std::string &option : moveItOptionNames())
             dynamics->excludes(app.get_option(option));
-        for (const char *option :
-             {"--first", "--objective", "--animation", "--load-certificates", "--save-certificates"})
+        for (const char *option : {"--first", "--objective", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
         app.add_option("--goal-tolerance", options.goalTolerance,
                        "With --dynamics: how far from the goal the team may end, in its space's distance")

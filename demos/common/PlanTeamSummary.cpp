@@ -47,6 +47,15 @@ namespace demos
                         number(report.treeEdges));
     }
 
+    void printUnwritten(const PlanTeamOptions &options, const PlanReport &report)
+    {
+        if (report.solved)
+            return;
+        for (const auto &[what, name] : {std::pair{"path", options.path}, {"animation", options.animation}})
+            if (!name.empty())
+                std::printf("no %s was written to %s\n", what, name.c_str());
+    }
+
     void printNotes(const Scene &scene)
     {
         for (const std::string &note : scene.getNotes())

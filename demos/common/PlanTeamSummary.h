@@ -12,6 +12,9 @@ namespace demos
     /** \brief Print what came of a plan, and how its checks were settled */
     void print(const ompl_certificates::PlanReport &report, const ompl_certificates::TeamSetup &setup);
 
+    /** \brief Print which files of a path were not written, if there is none */
+    void printUnwritten(const PlanTeamOptions &options, const ompl_certificates::PlanReport &report);
+
     /** \brief Print the planner's iterations, and how large its tree is if the report knows it */
     void printTree(const ompl_certificates::PlanReport &report);
 

@@ -487,6 +487,9 @@ class Plan:
     def save_picture(self, file: Path, *, tree: bool = False, certificates: bool = False) -> None:
         """Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if asked. The
         name must end in .svg."""
+    def save_animation(self, file: Path) -> None:
+        """Write a picture in which the robots follow the path again and again, as SVG, which browsers play. The name
+        must end in .svg. Raises Error if there is no path."""
     def view(self, path: Optional[Path] = None) -> View:
         """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
         too."""
@@ -538,6 +541,9 @@ class ControlPlan:
     def save_picture(self, file: Path, *, tree: bool = False, certificates: bool = False) -> None:
         """Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if asked. The
         name must end in .svg."""
+    def save_animation(self, file: Path) -> None:
+        """Write a picture in which the robots follow the path again and again, as SVG, which browsers play. The name
+        must end in .svg. Raises Error if there is no path."""
     def view(self, path: Optional[Path] = None) -> View:
         """A page in which the plan can be looked at, which a notebook shows. With a path it is written to that file,
         too."""

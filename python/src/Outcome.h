@@ -6,6 +6,7 @@
 
 #include <ompl_certificates/certificates/Certificate.h>
 #include <ompl_certificates/pictures/PathFile.h>
+#include <ompl_certificates/pictures/PlanAnimation.h>
 #include <ompl_certificates/pictures/PlanReport.h>
 #include <ompl_certificates/pictures/PlanViewer.h>
 #include <ompl_certificates/pictures/ScenePicture.h>
@@ -105,6 +106,17 @@ namespace ompl_certificates_python
         picture.write(file.string());
     }
 
+    /** \brief An animation as Python asks for it */
+    template <typename Kind>
+    void saveAnimation(const Kind &plan, const std::filesystem::path &file)
+    {
+        requireSvg(file);
+        if (!plan.solution)
+            throw ompl::Exception(file, "there is no path to be shown");
+        const py::gil_scoped_release release;
+        ompl_certificates::PlanAnimation(*plan.scene, *plan.solution).write(file.string());
+    }
+
     /** \brief A page as Python asks for it */
     template <typename Kind>
     py::object view(Kind &plan, const py::object &path)
@@ -168,6 +180,10 @@ namespace ompl_certificates_python
                  py::arg("certificates") = false,
                  "Write a picture of the scene and the path, as SVG; with the planner's tree and the certificates if "
                  "asked. The name must end in .svg.")
+            .def(
+                "save_animation", &saveAnimation<Kind>, py::arg("file"),
+                "Write a picture in which the robots follow the path again and again, as SVG, which browsers play. The "
+                "name must end in .svg. Raises Error if there is no path.")
             .def("view", &view<Kind>, py::arg("path") = py::none(),
                  "A page in which the plan can be looked at, which a notebook shows. With a path it is written to that "
                  "file, too.")

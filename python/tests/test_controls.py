@@ -205,6 +205,8 @@ def test_paths_pages_and_pictures_are_written(yard: oc.Scene, tmp_path: pathlib.
     for name, tree in (("path", False), ("tree", True)):
         plan.save_picture(tmp_path / f"{name}.svg", tree=tree)
         sizes.append((tmp_path / f"{name}.svg").stat().st_size)
+    plan.save_animation(tmp_path / "moving.svg")
+    assert "<animateTransform" in (tmp_path / "moving.svg").read_text(encoding="utf-8")
     yard.save_picture(tmp_path / "yard.svg")
     assert (tmp_path / "yard.svg").stat().st_size < sizes[0] < sizes[1]
     with pytest.raises(oc.Error, match="plan.png: pictures are SVG"):

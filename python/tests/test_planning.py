@@ -82,6 +82,10 @@ def test_pictures_are_drawn(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     for picture in (room, plan):
         with pytest.raises(oc.Error, match="plan.png: pictures are SVG: the name must end in .svg$"):
             picture.save_picture(tmp_path / "plan.png")  # type: ignore[attr-defined]
+    plan.save_animation(tmp_path / "moving.svg")
+    assert "<animateTransform" in (tmp_path / "moving.svg").read_text(encoding="utf-8")
+    with pytest.raises(oc.Error, match="plan.png: pictures are SVG: the name must end in .svg$"):
+        plan.save_animation(tmp_path / "plan.png")
     assert not (tmp_path / "plan.png").exists()
     with pytest.raises(oc.Error, match="nowhere"):
         plan.save_picture(tmp_path / "nowhere" / "plan.svg")

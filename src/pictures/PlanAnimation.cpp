@@ -3,6 +3,7 @@
 #include "RobotMotion.h"
 #include "SceneDrawing.h"
 #include "files/WholeFile.h"
+#include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -31,17 +32,6 @@ namespace ompl_certificates
         /** How far lines of a changing outline may be from where they are, in pixels */
         constexpr double OUTLINE_TOLERANCE = 0.2;
 
-        /** How far a body may be from where it is, as a fraction of the scene's extent: less than a tenth of a pixel */
-        constexpr double MOTION_TOLERANCE = 1e-4;
-
-        double extentOf(const ob::RealVectorBounds &bounds)
-        {
-            double extent = 0.0;
-            for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
-                extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
-            return extent;
-        }
-
         double angleOf(const Pose &pose)
         {
             return std::atan2(pose(1, 0), pose(0, 0));
@@ -50,19 +40,20 @@ namespace ompl_certificates
 
     PlanAnimation::PlanAnimation(const Scene &scene, const ompl::geometric::PathGeometric &path) : scene_(scene)
     {
-        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
-        if (path.getStateCount() == 0)
-            throw ompl::Exception(scene.getSource(), "a path without states cannot be animated");
+        const std::vector<const ob::State *> states = SceneDrawing(scene_).statesOf(path);
         const std::vector<double> times = stateTimes(path);
+        motions_ = motionsOf(scene_, states, times);
         end_ = times.back();
-        for (const Scene::Member &member : scene_.getMembers())
-        {
-            std::vector<const ob::State *> states;
-            for (unsigned int i = 0; i < path.getStateCount(); ++i)
-                states.push_back(path.getState(i)->as<ob::CompoundState>()->components[motions_.size()]);
-            motions_.push_back(std::make_shared<const RobotMotion>(*member.robot, states, times,
-                                                                   MOTION_TOLERANCE * extentOf(scene_.getBounds())));
-        }
+    }
+
+    PlanAnimation::PlanAnimation(const Scene &scene, const ompl::control::PathControl &path) : scene_(scene)
+    {
+        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
+        const ompl::control::PathControl steps = pathSteps(path);
+        const std::vector<const ob::State *> states = SceneDrawing(scene_).statesOf(steps);
+        const std::vector<double> times = stateTimes(steps);
+        motions_ = motionsOf(scene_, states, times);
+        end_ = times.back();
     }
 
     void PlanAnimation::setDuration(double seconds)

@@ -20,9 +20,6 @@ namespace ompl_certificates
 
     namespace
     {
-        /** How far a body may be from where it is, as a fraction of the scene's extent: a tenth of a pixel */
-        constexpr double PLACE_TOLERANCE = 1e-4;
-
         /** How many lines of a tree are shown, of all robots together */
         constexpr std::size_t MAX_SEGMENTS = 24000;
 
@@ -45,45 +42,21 @@ namespace ompl_certificates
 
     void PlanViewer::setStates(const std::vector<const ob::State *> &states, const std::vector<double> &times)
     {
-        const ob::RealVectorBounds &bounds = scene_.getBounds();
-        double extent = 0.0;
-        for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
-            extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
-        motions_.clear();
-        for (const Scene::Member &member : scene_.getMembers())
-        {
-            std::vector<const ob::State *> components;
-            components.reserve(states.size());
-            for (const ob::State *state : states)
-                components.push_back(state->as<ob::CompoundState>()->components[motions_.size()]);
-            motions_.push_back(
-                std::make_shared<const RobotMotion>(*member.robot, components, times, PLACE_TOLERANCE * extent));
-        }
+        motions_ = motionsOf(scene_, states, times);
         end_ = times.back();
     }
 
     void PlanViewer::setPath(const ompl::geometric::PathGeometric &path)
     {
-        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
-        if (path.getStateCount() == 0)
-            throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
-        std::vector<const ob::State *> states(path.getStateCount());
-        for (unsigned int i = 0; i < path.getStateCount(); ++i)
-            states[i] = path.getState(i);
-        setStates(states, stateTimes(path));
+        setStates(SceneDrawing(scene_).statesOf(path), stateTimes(path));
     }
 
-    void PlanViewer::setPath(const ompl::control::PathControl &original)
+    void PlanViewer::setPath(const ompl::control::PathControl &path)
     {
-        SceneDrawing(scene_).requireTeam(original.getSpaceInformation()->getStateSpace());
-        if (original.getStateCount() == 0)
-            throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
-        // Between the states that it had, its robots do not move straight: all steps are shown.
-        const ompl::control::PathControl path = pathSteps(original);
-        std::vector<const ob::State *> states(path.getStateCount());
-        for (unsigned int i = 0; i < path.getStateCount(); ++i)
-            states[i] = path.getState(i);
-        setStates(states, stateTimes(path));
+        SceneDrawing(scene_).requireTeam(path.getSpaceInformation()->getStateSpace());
+        // Between the states that it has, its robots do not move straight: all steps are shown.
+        const ompl::control::PathControl steps = pathSteps(path);
+        setStates(SceneDrawing(scene_).statesOf(steps), stateTimes(steps));
     }
 
     void PlanViewer::setTree(const ob::PlannerData &data)

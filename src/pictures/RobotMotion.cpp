@@ -137,4 +137,24 @@ namespace ompl_certificates
         const Key &from = *(after - 1);
         return rotationOf(from.poses[body]).slerp(fractionOf(time, from, *after), rotationOf(after->poses[body]));
     }
+
+    std::vector<std::shared_ptr<const RobotMotion>> motionsOf(const Scene &scene,
+                                                              const std::vector<const ompl::base::State *> &states,
+                                                              const std::vector<double> &times)
+    {
+        constexpr double tolerance = 1e-4;
+        const ompl::base::RealVectorBounds &bounds = scene.getBounds();
+        double extent = 0.0;
+        for (std::size_t axis = 0; axis < bounds.low.size(); ++axis)
+            extent = std::max(extent, bounds.high[axis] - bounds.low[axis]);
+        std::vector<std::shared_ptr<const RobotMotion>> motions;
+        std::vector<const ompl::base::State *> parts(states.size());
+        for (const Scene::Member &member : scene.getMembers())
+        {
+            for (std::size_t i = 0; i < states.size(); ++i)
+                parts[i] = states[i]->as<ompl::base::CompoundState>()->components[motions.size()];
+            motions.push_back(std::make_shared<const RobotMotion>(*member.robot, parts, times, tolerance * extent));
+        }
+        return motions;
+    }
 }

@@ -1,8 +1,9 @@
 #ifndef OMPL_CERTIFICATES_SRC_PICTURES_ROBOT_MOTION_
 #define OMPL_CERTIFICATES_SRC_PICTURES_ROBOT_MOTION_
 
-#include "ompl_certificates/robots/Robot.h"
+#include "ompl_certificates/scene/Scene.h"
 
+#include <memory>
 #include <vector>
 
 namespace ompl_certificates
@@ -50,6 +51,12 @@ namespace ompl_certificates
         double tolerance_;
         std::vector<Key> keys_;
     };
+
+    /** \brief The motions of a scene's robots through states of its team at \e times; bodies are at most a
+        ten-thousandth of the scene's extent, about a tenth of a pixel, from where they are. */
+    std::vector<std::shared_ptr<const RobotMotion>> motionsOf(const Scene &scene,
+                                                              const std::vector<const ompl::base::State *> &states,
+                                                              const std::vector<double> &times);
 }
 
 #endif

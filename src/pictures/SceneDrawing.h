@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +55,20 @@ namespace ompl_certificates
         /** \brief Require that \e space is the space of the scene's robots
             \throws ompl::Exception if not */
         void requireTeam(const ompl::base::StateSpacePtr &space) const;
+
+        /** \brief The states of a path of the scene's team
+            \throws ompl::Exception if it is of another team, or has no states */
+        template <typename Path>
+        std::vector<const ompl::base::State *> statesOf(const Path &path) const
+        {
+            requireTeam(path.getSpaceInformation()->getStateSpace());
+            std::vector<const ompl::base::State *> states(path.getStateCount());
+            for (unsigned int i = 0; i < states.size(); ++i)
+                states[i] = path.getState(i);
+            if (states.empty())
+                throw ompl::Exception(scene_.getSource(), "a path without states cannot be shown");
+            return states;
+        }
 
         /** \brief The poses of each robot at a state of the team */
         std::vector<BodyPoses> posesOf(const ompl::base::State *state) const;

@@ -26,9 +26,10 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
     const Folder folder;
     for (const char *motion : {"discrete", "continuous"})
     {
-        Program program("plan_team", {DOORWAY, "--dynamics", "--goal-tolerance", "1", "--motion", motion, "--time",
-                                      "30", "--path", folder / "path.csv", "--picture", folder / "plan.svg", "--view",
-                                      folder / "plan.html", "--picture-tree", "--report", folder / "report.json"});
+        Program program("plan_team",
+                        {DOORWAY, "--dynamics", "--goal-tolerance", "1", "--motion", motion, "--time", "30", "--path",
+                         folder / "path.csv", "--picture", folder / "plan.svg", "--animation", folder / "moving.svg",
+                         "--view", folder / "plan.html", "--picture-tree", "--report", folder / "report.json"});
         EXPECT_EQ(program.wait(), 0) << program.errors();
         const auto lines = linesOf(folder / "path.csv");
         ASSERT_GT(lines.size(), 3u);
@@ -40,6 +41,7 @@ TEST(PlanDynamicsTest, WritesTimesAndControls)
         EXPECT_EQ(lines[4].substr(0, 4), "0.3,");
         EXPECT_EQ(lines.back().substr(lines.back().size() - 4), ",,,,");
         EXPECT_NE(contentOf(folder / "plan.svg").find("</svg>"), std::string::npos);
+        EXPECT_NE(contentOf(folder / "moving.svg").find("<animateTransform"), std::string::npos);
         EXPECT_NE(contentOf(folder / "plan.html").find("</html>"), std::string::npos);
         const auto report = nlohmann::json::parse(contentOf(folder / "report.json"));
         EXPECT_EQ(report.at("motion"), motion);

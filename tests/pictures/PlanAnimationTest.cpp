@@ -1,4 +1,5 @@
 #include "ompl_certificates/pictures/PlanAnimation.h"
+#include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "files/WholeFile.h"
@@ -366,6 +367,36 @@ namespace ompl_certificates
         EXPECT_EQ(attributeOf(element, "keyTimes"), "0.00000;0.80000;1.00000");
         for (const double seconds : {0.0, -1.0, 3601.0, std::numeric_limits<double>::infinity(), std::nan("")})
             EXPECT_THROW(animation.setDuration(seconds), ompl::Exception) << seconds;
+    }
+
+    /** Between the states of its path, a unicycle drives along arcs. */
+    TEST(PlanAnimation, ShowsTheStepsOfAPathByControls)
+    {
+        const Scene scene = loadScene(OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/controls/doorway.yaml", true);
+        const TeamControlSetupPtr setup = scene.makeControlSetup(1.0);
+        setup->getSpaceInformation()->setup();
+        const auto &si = setup->getSpaceInformation();
+        ompl::control::PathControl path(si);
+        ob::ScopedState<> state(si);
+        state = std::vector<double>{2, 2, 0, 4, 1, 0, 0};
+        path.append(state.get());
+        ompl::control::Control *control = si->allocControl();
+        double *values = control->as<ompl::control::RealVectorControlSpace::ControlType>()->values;
+        std::fill(values, values + 4, 0.0);
+        values[0] = values[1] = 0.5;
+        si->propagate(state.get(), control, 20, state.get());
+        path.append(state.get(), control, 2.0);
+        si->freeControl(control);
+        const std::string svg = PlanAnimation(scene, path).toSvg();
+        EXPECT_TRUE(test::isWellFormed(svg));
+        // A circle of radius 1, through an angle of 1
+        const auto cart = elementsWith(svg, TRANSLATE).at(0);
+        EXPECT_GT(numbersOf(attributeOf(cart, "keyTimes")).size(), 5u);
+        const Eigen::VectorXd begin = valuesAt(cart, 0.0), middle = valuesAt(cart, 5.0 / 11.0),
+                              end = valuesAt(cart, 1.0);
+        const double scale = (end - begin).norm() / (2.0 * std::sin(0.5));
+        EXPECT_NEAR((middle - 0.5 * (begin + end)).norm() / scale, 1.0 - std::cos(0.5), 0.01);
+        EXPECT_THROW(PlanAnimation(scene, ompl::control::PathControl(si)), ompl::Exception);
     }
 
     TEST(PlanAnimation, RefusesWhatIsNoPathOfTheTeam)

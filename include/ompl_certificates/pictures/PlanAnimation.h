@@ -4,6 +4,7 @@
 #include "ompl_certificates/scene/Scene.h"
 
 #include <memory>
+#include <ompl/control/PathControl.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ namespace ompl_certificates
             \throws ompl::Exception if its states are not those of a TeamStateSpace with the scene's robots, or if it
             has none */
         PlanAnimation(const Scene &scene, const ompl::geometric::PathGeometric &path);
+
+        /** \brief An animation of a path by controls, whose robots move as these move them
+            \throws ompl::Exception as for other paths, and as pathSteps() does */
+        PlanAnimation(const Scene &scene, const ompl::control::PathControl &path);
 
         /** \brief Set how long the robots move, in seconds of the viewer; then they rest at their goals for a second.
             10 by default.
