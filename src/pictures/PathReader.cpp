@@ -152,8 +152,7 @@ namespace ompl_certificates
                 const auto &turn = *state->as<ob::SO3StateSpace::StateType>();
                 const double norm = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
                 if (!(std::abs(norm - 1.0) <= QUATERNION_ROUNDING))
-                    table.fail("the quaternion of '" + space.getName() + "' must have length 1, not " +
-                               std::to_string(norm));
+                    table.fail("a quaternion has length " + std::to_string(norm) + ", not 1");
             }
             if (space.getType() == ob::STATE_SPACE_SO3 || space.getType() == ob::STATE_SPACE_SO2)
                 space.enforceBounds(state);

@@ -21,6 +21,12 @@ namespace ompl_certificates
             return root_;
         }
 
+        /** \brief The file */
+        const std::string &getName() const
+        {
+            return name_;
+        }
+
         /** \brief Notes on elements that xacro has left in the file, which ROS ignores, too
             \throws ompl::Exception if the file was never expanded: it has expressions or definitions of xacro */
         std::vector<std::string> leftOverFromXacro() const;
