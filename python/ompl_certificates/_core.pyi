@@ -331,8 +331,8 @@ class Scene:
     def validate(self) -> None:
         """Raise an Error unless the team can stand at its start and goal."""
     def load_path(self, file: Path) -> NDArray[np.float64]:
-        """The states of a path that Plan.save() wrote, or another program: comma-separated values whose first line names
-        the columns, in any order. Columns that are no coordinates are passed over. An array of shape (states,
+        """The states of a path that Plan.save() wrote, or another program: comma-separated values whose first line
+        names the columns, in any order. Columns that are no coordinates are passed over. An array of shape (states,
         coordinates), as for Checker.prove()"""
     def save_picture(self, file: Path) -> None:
         """Write a picture of the scene, as SVG. The name must end in .svg."""
@@ -358,7 +358,8 @@ class Checker:
         by their numbers."""
     def prove(self, path: ArrayLike) -> Proof:
         """Prove that no robot touches anything on a path of your own, of shape (n, coordinates), also between its
-        states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see Scene.state_bounds."""
+        states, as Plan.prove() does for a plan's. Its ends are looked at, too, but no bounds: see
+        Scene.state_bounds."""
     def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
         """Add an obstacle and return its number."""
     def move_obstacle(self, obstacle: int, pose: Optional[ArrayLike]) -> None:

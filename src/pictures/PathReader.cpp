@@ -154,7 +154,9 @@ namespace ompl_certificates
                 if (!(std::abs(norm - 1.0) <= QUATERNION_ROUNDING))
                     table.fail("a quaternion has length " + std::to_string(norm) + ", not 1");
             }
-            if (space.getType() == ob::STATE_SPACE_SO3 || space.getType() == ob::STATE_SPACE_SO2)
+            // What is within OMPL's bounds stays as it is, to the bit.
+            if ((space.getType() == ob::STATE_SPACE_SO3 || space.getType() == ob::STATE_SPACE_SO2) &&
+                !space.satisfiesBounds(state))
                 space.enforceBounds(state);
         }
 

@@ -70,7 +70,7 @@ TEST(Completion, suggestsTheWordsOfAnOption)
 TEST(Completion, suggestsCommandsAndWhatTheyTake)
 {
     EXPECT_EQ(suggested("certificates", {""}),
-              (Words{"plan", "benchmark", "generate", "experiment", "compare", "moving-world"}));
+              (Words{"plan", "check", "benchmark", "generate", "experiment", "compare", "moving-world"}));
     EXPECT_EQ(suggested("certificates", {"pl"}), Words{"plan"});
     EXPECT_EQ(suggested("certificates", {"--"}), (Words{"--help", "--version"}));
     for (const std::string command : {"plan", "generate", "moving-world"})

@@ -113,7 +113,8 @@ namespace ompl_certificates
         const auto path = loadPath(folder_.write("path.csv", names + "1,1,1,0,0,0.707,0.707\n"), si);
         EXPECT_TRUE(si->satisfiesBounds(path.getState(0)));
         const std::string file = folder_.write("path.csv", names + "1,1,1,0,0,0.5,0.5\n");
-        EXPECT_NE(test::messageOf([&] { loadPath(file, si); }).find(":2: a quaternion has length 0.707107, not 1"), std::string::npos);
+        EXPECT_NE(test::messageOf([&] { loadPath(file, si); }).find(":2: a quaternion has length 0.707107, not 1"),
+                  std::string::npos);
     }
 
     TEST_F(PathReaderTest, ReadsControlsAndTimes)

@@ -5,7 +5,6 @@
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/PathTimes.h"
-#include "obstacles/JoinCells.h"
 #include "pictures/PackedArray.h"
 #include "pictures/QuantizedMesh.h"
 #include "support/Random.h"
@@ -263,7 +262,7 @@ namespace ompl_certificates
         bounds.setHigh(20.0);
         Scene scene("sensed", "sensed", bounds);
         const std::vector<CellBox> boxes{{{22, 23, -4}, {24, 24, 9}}};
-        scene.addSensedObstacles(std::make_shared<CellObstacles>(0.5, flattenCells(boxes)), "cells");
+        scene.addSensedObstacles(std::make_shared<CellObstacles>(0.5, boxes, 2), "cells");
         const json page = json::parse(PlanViewer(scene).toJson());
         EXPECT_EQ(unpacked<std::int16_t>(page["cells"][0]["low"]), (std::vector<std::int16_t>{22, 23, 0}));
         EXPECT_EQ(unpacked<std::uint16_t>(page["cells"][0]["size"]), (std::vector<std::uint16_t>{2, 1, 1}));

@@ -361,7 +361,7 @@ namespace ompl_certificates
         };
         EXPECT_EQ(validate("{type: single_integrator, start: [1, 1], goal: [2, 2]}"), "");
         EXPECT_EQ(validate("{type: single_integrator, name: a, start: [6, 1], goal: [2, 2]}"),
-                  "file.yaml: robots[0].start [6, 1] of 'a' is outside the bounds");
+                  "file.yaml: robots[0].start [6, 1] of 'a' is outside the bounds: x is 6, not from 0 to 5");
         EXPECT_EQ(validate("{type: single_integrator, name: a, start: [1, 1], goal: [4, 4.55]}"),
                   "file.yaml: robots[0].goal [4, 4.55] of 'a' touches environment.obstacles[1]");
         EXPECT_EQ(validate("{type: single_integrator, name: a, start: [1, 1], goal: [2, 2]},"

@@ -34,20 +34,28 @@ namespace
 
 TEST(Coordinates, HaveTheBoundsOfTheirSpaces)
 {
-    TeamStateSpace team;
-    team.addRobot(RigidRobot::inSE2("cart", Body::disc(0.1), oblong(2)));
-    team.addRobot(RigidRobot::inSE3("drone", Body::sphere(0.1), oblong(3)));
-    const auto names = coordinateNames(team);
-    const auto bounds = coordinateBounds(team);
-    ASSERT_EQ(bounds.size(), names.size());
-    std::vector<double> low, high;
-    for (const CoordinateBounds &one : bounds)
+    const auto ends = [](const RobotPtr &first, const RobotPtr &second)
     {
-        low.push_back(one.low);
-        high.push_back(one.high);
-    }
-    EXPECT_EQ(low, (std::vector<double>{-1, -2, -M_PI, -1, -2, -3, -1, -1, -1, -1}));
-    EXPECT_EQ(high, (std::vector<double>{2.5, 3.5, M_PI, 2.5, 3.5, 4.5, 1, 1, 1, 1}));
+        TeamStateSpace team;
+        team.addRobot(first);
+        team.addRobot(second);
+        std::pair<std::vector<double>, std::vector<double>> lowAndHigh;
+        for (const CoordinateBounds &one : coordinateBounds(team))
+        {
+            lowAndHigh.first.push_back(one.low);
+            lowAndHigh.second.push_back(one.high);
+        }
+        EXPECT_EQ(lowAndHigh.first.size(), coordinateNames(team).size());
+        return lowAndHigh;
+    };
+    const auto [low, high] =
+        ends(RigidRobot::inSE2("cart", Body::disc(0.1), oblong(2)), RigidRobot::disc("puck", 0.1, oblong(2)));
+    EXPECT_EQ(low, (std::vector<double>{-1, -2, -M_PI, -1, -2}));
+    EXPECT_EQ(high, (std::vector<double>{2.5, 3.5, M_PI, 2.5, 3.5}));
+    const auto [lowest, highest] = ends(RigidRobot::inSE3("drone", Body::sphere(0.1), oblong(3)),
+                                        RigidRobot::inR3("ball", Body::sphere(0.1), oblong(3)));
+    EXPECT_EQ(lowest, (std::vector<double>{-1, -2, -3, -1, -1, -1, -1, -1, -2, -3}));
+    EXPECT_EQ(highest, (std::vector<double>{2.5, 3.5, 4.5, 1, 1, 1, 1, 2.5, 3.5, 4.5}));
     EXPECT_TRUE(std::isinf(coordinateBounds(ob::DiscreteStateSpace(1, 3)).at(0).high));
 }
 

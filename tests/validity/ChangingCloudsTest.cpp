@@ -192,6 +192,7 @@ TEST_F(ChangingClouds, LetWaitingChecksInBetweenTheSteps)
             wrong += changing++ != 0 ? 1 : 0;
             for (int step = 0; step < 5; ++step)
             {
+                world.close();
                 ++changes;
                 wrong += inside != 0 ? 1 : 0;
                 --changes;
@@ -199,7 +200,6 @@ TEST_F(ChangingClouds, LetWaitingChecksInBetweenTheSteps)
                 const unsigned int before = checks;
                 while (checks == before)
                     std::this_thread::yield();
-                world.close();
             }
             --changing;
         }

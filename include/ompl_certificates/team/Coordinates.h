@@ -20,7 +20,11 @@ namespace ompl_certificates
     /** \brief From where to where a coordinate may be */
     struct CoordinateBounds
     {
-        double low, high;
+        /** \brief The least value, or minus infinity */
+        double low;
+
+        /** \brief The greatest value, or infinity */
+        double high;
     };
 
     /** \brief The bounds of a space's coordinates, in the order of coordinateNames(): those of positions and joints, -pi
