@@ -12,6 +12,7 @@
 #include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/control/ProvePath.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
+#include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/pictures/PathReader.h"
 #include "ompl_certificates/planning/ProvePath.h"
 #include "ompl_certificates/team/Coordinates.h"
@@ -19,10 +20,13 @@
 
 #include <cstdio>
 #include <memory>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Console.h>
+#include <sstream>
 
 using namespace ompl_certificates;
 namespace ob = ompl::base;
+namespace oc = ompl::control;
 
 namespace
 {
@@ -30,22 +34,79 @@ namespace
     {
         std::string scene, path;
         demos::MoveItOptions moveIt;
-        double goalTolerance{0.5};
         bool dynamics{false};
     };
 
-    /** The first state of a path that is outside the bounds, and why; empty if none is */
+    /** The goal's threshold, which no line of the output depends on */
+    constexpr double GOAL_TOLERANCE = 0.5;
+
+    /** What rounding explains, of controls and of distances between states */
+    constexpr double ROUNDING = 1e-9;
+
+    /** The first state of a path that is outside the bounds, or beyond a robot's limits, and why; empty if none is */
     std::string describeOutOfBounds(const TeamStateSpace &team, const std::vector<ob::State *> &states)
     {
         for (std::size_t i = 0; i < states.size(); ++i)
-            for (unsigned int robot = 0; robot < team.getRobotCount(); ++robot)
+            for (unsigned int k = 0; k < team.getRobotCount(); ++k)
             {
-                const std::string why = ompl_certificates::describeOutOfBounds(
-                    team.getRobot(robot), states[i]->as<ob::CompoundState>()->components[robot]);
+                const Robot &robot = team.getRobot(k);
+                const ob::State *state = states[i]->as<ob::CompoundState>()->components[k];
+                std::string why = ompl_certificates::describeOutOfBounds(robot, state);
+                const auto *dynamic = dynamic_cast<const DynamicRobot *>(&robot);
+                if (why.empty() && dynamic && !dynamic->isWithinLimits(state))
+                    why = "is beyond its limits";
                 if (!why.empty())
-                    return "state " + std::to_string(i) + ": robot '" + team.getRobot(robot).getName() + "' " + why;
+                    return "state " + std::to_string(i) + ": robot '" + robot.getName() + "' " + why;
             }
         return "";
+    }
+
+    /** The first control of a path that is beyond its limits; empty if none is */
+    std::string describeOutOfLimits(const oc::PathControl &path)
+    {
+        const auto &si = static_cast<const oc::SpaceInformation &>(*path.getSpaceInformation());
+        const ob::RealVectorBounds &bounds = si.getControlSpace()->as<oc::RealVectorControlSpace>()->getBounds();
+        const std::vector<std::string> names = controlNames(*si.getStateSpace());
+        for (unsigned int i = 0; i < path.getControlCount(); ++i)
+        {
+            const double *values = path.getControl(i)->as<oc::RealVectorControlSpace::ControlType>()->values;
+            for (std::size_t k = 0; k < names.size(); ++k)
+                if (!(values[k] >= bounds.low[k] - ROUNDING && values[k] <= bounds.high[k] + ROUNDING))
+                {
+                    std::ostringstream text;
+                    text << "after state " << i << ": " << names[k] << " is " << values[k] << ", not from "
+                         << bounds.low[k] << " to " << bounds.high[k];
+                    return text.str();
+                }
+        }
+        return "";
+    }
+
+    /** Where controls first lead elsewhere than to the next state of the path; empty if all lead there */
+    std::string describeJump(const oc::PathControl &steps)
+    {
+        const auto si = std::static_pointer_cast<oc::SpaceInformation>(steps.getSpaceInformation());
+        const TeamPropagator propagator(si);
+        ob::ScopedState<> reached(si->getStateSpace());
+        for (unsigned int i = 0; i < steps.getControlCount(); ++i)
+        {
+            propagator.propagate(steps.getState(i), steps.getControl(i), steps.getControlDuration(i), reached.get());
+            const double distance = si->distance(reached.get(), steps.getState(i + 1));
+            if (!(distance <= ROUNDING))
+            {
+                std::ostringstream text;
+                text << "step " << i << " ends " << distance << " from the next state, so it cannot be proved";
+                return text.str();
+            }
+        }
+        return "";
+    }
+
+    /** \return whether it is empty */
+    bool print(const char *what, const std::string &complaint, const char *otherwise)
+    {
+        std::printf("  %-13s %s\n", what, complaint.empty() ? otherwise : complaint.c_str());
+        return complaint.empty();
     }
 
     void printEnds(const ob::ProblemDefinition &problem, const std::vector<ob::State *> &states)
@@ -54,8 +115,8 @@ namespace
         std::printf("  starts        %.6g from the scene's start\n",
                     si.distance(problem.getStartState(0), states.front()));
         double distance = 0.0;
-        const bool isGoal = problem.getGoal()->isSatisfied(states.back(), &distance);
-        std::printf("  ends          %s, %.6g from it\n", isGoal ? "at the goal" : "not at the goal", distance);
+        problem.getGoal()->isSatisfied(states.back(), &distance);
+        std::printf("  ends          %.6g from the goal\n", distance);
     }
 
     /** \return whether the path is known to be free */
@@ -69,54 +130,64 @@ namespace
         }
         if (proof.collision)
             std::printf("  not free      %s\n", scene.describeCollision(team, proof.collision->get()).c_str());
-        else
-            std::puts("  not proved    no collision was found");
+        if (count == 0)
+            return false;
         std::printf("  not proved    %zu of %zu %s, the first is number %zu", proof.unproved.size(), count, motions,
                     proof.unproved.front());
         if (proof.unseen > 0)
             std::printf("; %zu were not looked at before the interrupt", proof.unseen);
+        else if (!proof.collision)
+            std::printf("; no collision was found");
         std::puts("");
         return false;
     }
 
-    /** What all paths have in common
-        \param count of its motions, or of its steps, which \e motions calls them */
-    template <typename Setup, typename Path>
-    int check(const Scene &scene, Setup &setup, Path &path, std::size_t count, const char *motions, double time)
+    int checkGeometric(const CheckOptions &options)
     {
-        const auto team = std::static_pointer_cast<TeamStateSpace>(setup.getStateSpace());
-        const auto &states = path.getStates();
-        std::printf("%s: %zu states, %zu %s, %.6g of time\n", scene.getName().c_str(), states.size(), count, motions,
-                    time);
-        printEnds(*setup.getProblemDefinition(), states);
-        const std::string outside = describeOutOfBounds(*team, states);
-        std::printf("  bounds        %s\n", outside.empty() ? "kept" : outside.c_str());
-        std::fflush(stdout);
-        demos::catchInterrupts();
-        const PathProof proof =
-            provePath(path, setup.getTeamChecker(), ob::PlannerTerminationCondition(demos::interrupted));
-        const bool isFree = printFreedom(scene, team, proof, count, motions);
-        return isFree && outside.empty() ? demos::SOLVED : demos::NOT_SOLVED;
-    }
-
-    int run(const CheckOptions &options)
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        if (options.dynamics)
-        {
-            const Scene scene = loadScene(options.scene, true);
-            demos::printNotes(scene);
-            const TeamControlSetupPtr setup = scene.makeControlSetup(options.goalTolerance);
-            setup->getSpaceInformation()->setup();
-            ompl::control::PathControl path = loadControlPath(options.path, setup->getSpaceInformation());
-            return check(scene, *setup, path, pathSteps(path).getControlCount(), "steps", stateTimes(path).back());
-        }
         const Scene scene = demos::readScene(options.scene, options.moveIt).scene;
         demos::printNotes(scene);
         const TeamSetupPtr setup = scene.makeSetup(Method::SHARED_PROJECTION, CertificateMotionValidator::CONTINUOUS);
         setup->getSpaceInformation()->setup();
         ompl::geometric::PathGeometric path = loadPath(options.path, setup->getSpaceInformation());
-        return check(scene, *setup, path, path.getStateCount() - 1, "motions", stateTimes(path).back());
+        const auto team = std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace());
+        const std::size_t count = path.getStateCount() - 1;
+        std::printf("%s: %zu states, %.6g of time\n", scene.getName().c_str(), path.getStateCount(),
+                    stateTimes(path).back());
+        printEnds(*setup->getProblemDefinition(), path.getStates());
+        const bool isWithin = print("bounds", describeOutOfBounds(*team, path.getStates()), "kept by all states");
+        demos::catchInterrupts();
+        const PathProof proof =
+            provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition(demos::interrupted));
+        const bool isFree = printFreedom(scene, team, proof, count, "motions");
+        return isFree && isWithin ? demos::SOLVED : demos::NOT_SOLVED;
+    }
+
+    int checkDynamic(const CheckOptions &options)
+    {
+        const Scene scene = loadScene(options.scene, true);
+        demos::printNotes(scene);
+        const TeamControlSetupPtr setup = scene.makeControlSetup(GOAL_TOLERANCE);
+        setup->getSpaceInformation()->setup();
+        oc::PathControl path = loadControlPath(options.path, setup->getSpaceInformation());
+        oc::PathControl steps = pathSteps(path);
+        const auto team = std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace());
+        std::printf("%s: %zu states, %zu steps, %.6g of time\n", scene.getName().c_str(), path.getStateCount(),
+                    steps.getControlCount(), stateTimes(path).back());
+        printEnds(*setup->getProblemDefinition(), path.getStates());
+        bool isWithin = print("bounds", describeOutOfBounds(*team, steps.getStates()), "kept at the ends of all steps");
+        isWithin = print("controls", describeOutOfLimits(path), "within their limits") && isWithin;
+        isWithin = print("steps", describeJump(steps), "lead from state to state") && isWithin;
+        demos::catchInterrupts();
+        const PathProof proof =
+            provePath(path, setup->getTeamChecker(), ob::PlannerTerminationCondition(demos::interrupted));
+        const bool isFree = printFreedom(scene, team, proof, steps.getControlCount(), "steps");
+        return isFree && isWithin ? demos::SOLVED : demos::NOT_SOLVED;
+    }
+
+    int run(const CheckOptions &options)
+    {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+        return options.dynamics ? checkDynamic(options) : checkGeometric(options);
     }
 }
 
@@ -133,11 +204,6 @@ demos::Work demos::declareCheck(CLI::App &app)
         app.add_flag("--dynamics", options->dynamics, "The robots move by the controls of the path, not straight");
     for (const std::string &option : moveItOptionNames())
         dynamics->excludes(app.get_option(option));
-    app.add_option("--goal-tolerance", options->goalTolerance,
-                   "With --dynamics: how far from the goal the path may end, in the team's distance")
-        ->check(positiveNumber())
-        ->capture_default_str()
-        ->needs(dynamics);
-    app.footer("Returns 0 if all of the path is proved free and in the bounds, 1 if not, 2 for bad input.");
+    app.footer("Returns 0 if all of the path is proved free and keeps bounds and limits, 1 if not, 2 for bad input.");
     return [options] { return run(*options); };
 }

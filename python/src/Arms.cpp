@@ -79,7 +79,11 @@ namespace ompl_certificates_python
         {
             std::vector<ArmFile::Part> parts;
             for (const auto &[name, group] : groups)
+            {
+                if (!py::isinstance<py::str>(name) || !py::isinstance<py::str>(group))
+                    throw py::type_error("groups: must be a dict from names of robots to names of groups");
                 parts.push_back({name.cast<std::string>(), group.cast<std::string>()});
+            }
             std::vector<std::string> notes;
             const auto arms =
                 readArmFile(urdf, srdf, packages, visuals)

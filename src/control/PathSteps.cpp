@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <ompl/base/ScopedState.h>
+#include <typeinfo>
 
 namespace ompl_certificates
 {
@@ -15,7 +16,9 @@ namespace ompl_certificates
     oc::PathControl pathSteps(const oc::PathControl &path)
     {
         const auto si = std::static_pointer_cast<oc::SpaceInformation>(path.getSpaceInformation());
-        if (path.getControlCount() == 0 || !dynamic_cast<const TeamPropagator *>(si->getStatePropagator().get()))
+        // A derived one may move otherwise, so only it can tell where its steps lead.
+        const ompl::control::StatePropagator &own = *si->getStatePropagator();
+        if (path.getStateCount() <= path.getControlCount() || typeid(own) != typeid(TeamPropagator))
         {
             oc::PathControl steps(path);
             steps.interpolate();

@@ -1,11 +1,11 @@
 #include "ompl_certificates/pictures/PathReader.h"
 
 #include "files/WholeFile.h"
+#include "scene/LineReader.h"
 
 #include "ompl_certificates/pictures/PathFile.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/StateSpaceTypes.h>
@@ -24,14 +24,18 @@ namespace ompl_certificates
     {
         constexpr std::uintmax_t MOST_PATH_BYTES = std::uintmax_t(1) << 30u;
 
+        /** For how many steps a control may be held */
+        constexpr double MOST_STEPS = 1e5;
+
         /** How much the length of a quaternion may differ from 1 */
         constexpr double QUATERNION_ROUNDING = 1e-3;
 
-        /** The fields of a line; those in quotes may have commas, and quotes twice. */
-        std::vector<std::string> fieldsOf(const std::string &line)
+        /** The fields of a line; those in quotes may have commas, and quotes twice.
+            \param isQuoted whether the last one has no closing quote */
+        std::vector<std::string> fieldsOf(const std::string &line, bool &isQuoted)
         {
             std::vector<std::string> fields(1);
-            bool isQuoted = false;
+            isQuoted = false;
             for (std::size_t i = 0; i < line.size(); ++i)
                 if (line[i] == '"' && isQuoted && i + 1 < line.size() && line[i + 1] == '"')
                     fields.back() += line[i++];
@@ -61,8 +65,6 @@ namespace ompl_certificates
                 names_ = fields_;
                 if (names_[0].compare(0, 3, "\xef\xbb\xbf") == 0)
                     names_[0].erase(0, 3);
-                for (std::string &name : names_)
-                    name = withoutBlanks(name);
             }
 
             /** Go to the next line that is not empty; false if there is none */
@@ -76,7 +78,10 @@ namespace ompl_certificates
                         line.pop_back();
                     if (withoutBlanks(line).empty())
                         continue;
-                    fields_ = fieldsOf(line);
+                    bool isOpen = false;
+                    fields_ = fieldsOf(line, isOpen);
+                    if (isOpen)
+                        fail("a quote is not closed");
                     if (!names_.empty() && fields_.size() != names_.size())
                         fail("has " + std::to_string(fields_.size()) + " values, not " + std::to_string(names_.size()));
                     return true;
@@ -91,7 +96,7 @@ namespace ompl_certificates
                 {
                     std::vector<std::size_t> found;
                     for (std::size_t i = 0; i < names_.size(); ++i)
-                        if (names_[i] == name)
+                        if (names_[i] == name || withoutBlanks(names_[i]) == name)
                             found.push_back(i);
                     if (found.size() != 1)
                         throw ompl::Exception(file_, found.empty() ? "there is no column '" + name + "'"
@@ -109,10 +114,8 @@ namespace ompl_certificates
             double number(std::size_t column) const
             {
                 const std::string text = withoutBlanks(fields_[column]);
-                const std::size_t sign = text.size() > 1 && text[0] == '+' ? 1 : 0;
                 double value = 0.0;
-                const auto [end, error] = std::from_chars(text.data() + sign, text.data() + text.size(), value);
-                if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+                if (!parseNumber(text, value) || !std::isfinite(value))
                     fail("'" + names_[column] + "' must be a finite number, not '" + text + "'");
                 return value;
             }
@@ -126,9 +129,19 @@ namespace ompl_certificates
                 return values;
             }
 
+            std::string place() const
+            {
+                return file_ + ":" + std::to_string(line_);
+            }
+
+            const std::string &name(std::size_t column) const
+            {
+                return names_[column];
+            }
+
             [[noreturn]] void fail(const std::string &complaint) const
             {
-                throw ompl::Exception(file_ + ":" + std::to_string(line_), complaint);
+                throw ompl::Exception(place(), complaint);
             }
 
         private:
@@ -160,6 +173,42 @@ namespace ompl_certificates
                 space.enforceBounds(state);
         }
 
+        /** Add where the angles are among the numbers of a state; \e count of these were before. */
+        void findAngles(const ob::StateSpace &space, std::size_t &count, std::vector<std::size_t> &angles)
+        {
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+                for (const ob::StateSpacePtr &part : compound->getSubspaces())
+                    findAngles(*part, count, angles);
+            else if (space.getType() == ob::STATE_SPACE_SO2)
+                angles.push_back(count++);
+            else
+                count += space.getType() == ob::STATE_SPACE_SO3 ? 4 : space.getDimension();
+        }
+
+        /** Watches over a column of angles. If some are beyond half a turn, they count all turns, and states an angle of
+            more than half a turn apart would be moved between the other way round. */
+        struct AngleColumn
+        {
+            std::size_t column;
+            bool countsTurns{false};
+            double last{0.0};
+            /** The first place at which it turns so far, and how far */
+            std::string place{};
+            double turn{0.0};
+
+            void read(const PathTable &table, bool isFirst)
+            {
+                const double angle = table.number(column);
+                countsTurns = countsTurns || std::abs(angle) > 1.001 * M_PI;
+                if (!isFirst && place.empty() && std::abs(angle - last) > M_PI)
+                {
+                    place = table.place();
+                    turn = angle - last;
+                }
+                last = angle;
+            }
+        };
+
         void readState(const PathTable &table, const std::vector<std::size_t> &columns, ob::ScopedState<> &state)
         {
             state.getSpace()->copyFromReals(state.get(), table.numbers(columns));
@@ -171,13 +220,27 @@ namespace ompl_certificates
     {
         PathTable table(file);
         const std::vector<std::size_t> columns = table.columnsOf(coordinateNames(*si->getStateSpace()));
+        std::vector<std::size_t> angles;
+        std::size_t count = 0;
+        findAngles(*si->getStateSpace(), count, angles);
+        std::vector<AngleColumn> turning;
+        for (const std::size_t i : angles)
+            turning.push_back({columns.at(i)});
         ompl::geometric::PathGeometric path(si);
         ob::ScopedState<> state(si->getStateSpace());
         while (table.next())
         {
+            for (AngleColumn &angle : turning)
+                angle.read(table, path.getStateCount() == 0);
             readState(table, columns, state);
             path.append(state.get());
         }
+        for (const AngleColumn &angle : turning)
+            if (angle.countsTurns && !angle.place.empty())
+                throw ompl::Exception(angle.place, "'" + table.name(angle.column) + "' turns by " +
+                                                       shortestText(angle.turn) +
+                                                       " since the state before, more than half a turn; add a state "
+                                                       "in between");
         if (path.getStateCount() == 0)
             throw ompl::Exception(file, "has no state");
         return path;
@@ -207,6 +270,8 @@ namespace ompl_certificates
                 const double now = table.number(time);
                 if (!isFirst && !(now > begin))
                     table.fail("'time' must increase");
+                if (!isFirst && now - begin > MOST_STEPS * si->getPropagationStepSize())
+                    table.fail("the controls before are held for more than 100000 steps");
                 if (!isFirst && held.empty() && !controls.empty())
                     table.fail("comes after a line without controls");
                 readState(table, columns, state);

@@ -20,7 +20,8 @@ namespace ompl_certificates
                 for (std::size_t k = 0; k < others.size(); ++k)
                     if (arm->getLinkOfBody(i) == other->getLinkOfBody(k) && poses[i].matrix() == others[k].matrix())
                         return ": both have link '" + arm->getLinkOfBody(i) +
-                               "' there; to be parts of one mechanism they need the same file, srdf and base, and are made together";
+                               "' there; to be parts of one mechanism they must be made together, of the same file, "
+                               "srdf and base";
             return "";
         }
 

@@ -1,5 +1,6 @@
 #include "YamlArms.h"
 
+#include "geometry/Angle.h"
 #include "LineReader.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"
@@ -40,13 +41,6 @@ namespace ompl_certificates
             if (!tree.hasJoint(name))
                 node.fail("there is no joint '" + name + "'");
             return tree.getLinks()[tree.getChildOf(name)].joint;
-        }
-
-        /** An angle within the bounds of OMPL's, which pi itself is out of */
-        double wrappedAngle(double angle)
-        {
-            angle = std::remainder(angle, 2.0 * M_PI);
-            return angle < M_PI ? angle : -M_PI;
         }
 
         void checkLimits(const YamlNode &node, const Joint &joint, double value)

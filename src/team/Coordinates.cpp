@@ -138,13 +138,14 @@ namespace ompl_certificates
         if (space.satisfiesBounds(state))
             return "";
         const std::string what = "is outside the bounds";
+        constexpr double rounding = std::numeric_limits<double>::epsilon();  // OMPL's
         std::vector<double> values;
         space.copyToReals(values, state);
         const std::vector<std::string> names = coordinateNames(robot);
         const std::vector<CoordinateBounds> bounds = coordinateBounds(space);
         if (names.size() == values.size() && bounds.size() == values.size())
             for (std::size_t i = 0; i < values.size(); ++i)
-                if (!(values[i] >= bounds[i].low && values[i] <= bounds[i].high))
+                if (!(values[i] + rounding >= bounds[i].low && values[i] - rounding <= bounds[i].high))
                     return what + ": " + names[i] + " is " + shortestTextOf(values[i]) + ", not from " +
                            shortestTextOf(bounds[i].low) + " to " + shortestTextOf(bounds[i].high);
         return what;

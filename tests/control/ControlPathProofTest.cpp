@@ -121,6 +121,31 @@ TEST_F(ControlPathProof, HasTheSameStepsWhateverIsInTheirWay)
     expectSteps(pathSteps(path));
 }
 
+/** Only it knows where its steps lead. */
+TEST_F(ControlPathProof, HasTheStepsOfAPropagatorOfOnesOwn)
+{
+    class Slow : public TeamPropagator
+    {
+    public:
+        using TeamPropagator::TeamPropagator;
+
+        void propagate(const ob::State *state, const oc::Control *control, double duration,
+                       ob::State *result) const override
+        {
+            TeamPropagator::propagate(state, control, 0.5 * duration, result);
+        }
+    };
+    const TeamControlSetupPtr setup = setupFor();
+    const auto &si = setup->getSpaceInformation();
+    oc::PathControl path = driven(*setup, {-2.0, 0.0}, {{0.0, 5.0, 0.2}});
+    setup->setStatePropagator(std::make_shared<Slow>(si));
+    si->setup();
+    const oc::PathControl steps = pathSteps(path);
+    std::vector<double> reals;
+    setup->getStateSpace()->copyToReals(reals, steps.getState(1));
+    EXPECT_NEAR(reals[1], 0.25, 1e-12);
+}
+
 TEST_F(ControlPathProof, ProvesNoPathThatStartsOrEndsInAnObstacle)
 {
     const TeamControlSetupPtr setup = setupFor();

@@ -96,10 +96,24 @@ namespace ompl_certificates
         EXPECT_EQ(complaintOf("x,y\n1,2\n"), ": there is no column '\"a\", b.x'");
         EXPECT_EQ(complaintOf("\"\"\"a\"\", b.x\"," + names), ": column '\"a\", b.x' is there twice");
         EXPECT_EQ(complaintOf(names + "1,2,3\n1,2\n"), ":3: has 2 values, not 3");
-        for (const std::string number : {"nan", "inf", "1e999", "two", "", "1 2", "0x1"})
+        for (const std::string number : {"nan", "inf", "1e999", "two", "", "1 2", "0x1", "+-1"})
             EXPECT_EQ(complaintOf(names + "\n1," + number + ",3\n"),
                       ":3: '\"a\", b.y' must be a finite number, not '" + number + "'");
+        EXPECT_EQ(complaintOf(names + "1,2,\"3\n"), ":2: a quote is not closed");
         EXPECT_NE(test::messageOf([&] { loadPath(folder_ / "none.csv", cart_); }).find("none.csv"), std::string::npos);
+    }
+
+    /** OMPL turns the shorter way: from 0 to 3.5 by way of -1. */
+    TEST_F(PathReaderTest, RefusesTurnsThatWouldGoTheOtherWay)
+    {
+        const std::string names = "\"\"\"a\"\", b.x\",\"\"\"a\"\", b.y\",\"\"\"a\"\", b.yaw\"\n";
+        EXPECT_EQ(complaintOf(names + "1,2,0\n1,2,3.5\n1,2,6\n"),
+                  ":3: '\"a\", b.yaw' turns by 3.5 since the state before, more than half a turn; add a state in "
+                  "between");
+        EXPECT_EQ(loadPath(folder_.write("path.csv", names + "1,2,0\n1,2,2\n1,2,4\n1,2,6.5\n"), cart_).getStateCount(),
+                  4u);
+        // Where no angle is beyond half a turn they may all have been wrapped, as OMPL's are.
+        EXPECT_EQ(loadPath(folder_.write("path.csv", names + "1,2,3.1\n1,2,-3.1\n"), cart_).getStateCount(), 2u);
     }
 
     TEST_F(PathReaderTest, RefusesQuaternionsThatAreNone)
@@ -140,6 +154,9 @@ namespace ompl_certificates
                   std::string::npos);
         EXPECT_NE(complaint(table + "999,2,2,0,4,1,0,0,,,,\n").find("comes after a line without controls"),
                   std::string::npos);
+        EXPECT_NE(
+            complaint(first + "1e9,2,2,0,4,1,0,0,,,,\n").find(":3: the controls before are held for more than 100000"),
+            std::string::npos);
         EXPECT_NE(complaint("time,cart.x\n").find("there is no column 'cart.y'"), std::string::npos);
     }
 }

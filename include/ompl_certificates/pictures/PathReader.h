@@ -11,15 +11,18 @@ namespace ompl_certificates
 {
     /** \brief Read a path from a table of comma-separated values, such as toCsv() makes and other programs do: a line
         with the names of the columns, then a line for each state. Columns are found by coordinateNames(), in any order;
-        others are passed over. Angles may be outside [-pi, pi), and quaternions rounded to three digits. Bounds are not
-        looked at.
+        others are passed over. Angles may count turns, beyond [-pi, pi), and quaternions be rounded to three digits. Bounds
+        are not looked at.
         \throws ompl::Exception that names the file, the line, the column and the value if a column is missing or twice
-        there, if a value is no finite number, if a line has more or fewer than the first one, or if there is no state */
+        there, if a value is no finite number, if a line has more or fewer than the first one, or if there is no state.
+        Also if an angle that counts turns moves by more than half of one between two states: a path of OMPL's would turn
+        the other way. */
     ompl::geometric::PathGeometric loadPath(const std::string &file, const ompl::base::SpaceInformationPtr &si);
 
     /** \brief The same with the columns time and controlNames(), which tell for how long which controls are held. The
         last line needs no controls.
-        \throws ompl::Exception as loadPath(), if times do not increase, and as controlNames() does */
+        \throws ompl::Exception as loadPath() but for turns, if times do not increase, if a control is held for more than
+        100 000 steps, and as controlNames() does */
     ompl::control::PathControl loadControlPath(const std::string &file, const ompl::control::SpaceInformationPtr &si);
 }
 

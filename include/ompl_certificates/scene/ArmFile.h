@@ -166,8 +166,8 @@ namespace ompl_certificates
         /** \brief Whether the SRDF file calls a joint passive: no group has it */
         bool isPassive(const std::string &joint) const;
 
-        /** \brief What of the SRDF file is ignored and may be missed in groups and frames, one line each. It belongs to
-            every complaint about a joint that a group lacks. */
+        /** \brief What of the SRDF file is ignored and may be missed in groups and frames, one line each. Errors of
+            planning scenes of MoveIt come with it: a group or a frame may lack what was ignored. */
         const std::vector<std::string> &getIgnored() const;
 
         /** \brief The names of all groups. Without an SRDF file there is one, without a name, of all joints that can

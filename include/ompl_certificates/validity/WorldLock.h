@@ -74,8 +74,8 @@ namespace ompl_certificates
         class Change
         {
         public:
-            /** \brief Begin a change, once all holds have ended. Others wait from now on. Checks do so from close()
-                on. */
+            /** \brief Begin a change, once all holds have ended. Later holds and other changes wait until this one ends.
+                Checks go on until close(). */
             explicit Change(WorldLock &lock);
             ~Change();
 
