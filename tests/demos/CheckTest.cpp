@@ -70,7 +70,7 @@ TEST(CheckTest, looksAtTheLimitsOfRobotsThatMoveByControls)
                      "  - {type: car_first_order_with_1_trailers_0, name: c, start: [6, 6, 0, 0], "
                      "goal: [7, 7, 0, 0]}\n");
     const std::string names =
-        "time,u.x,u.y,u.yaw,c.car.x,c.car.y,c.car.yaw,c.trailer.yaw,u.linear,u.angular,c.linear,"
+        "time,u.x,u.y,u.yaw,c.car.x,c.car.y,c.car.yaw,c.trailer.yaw,u.linear,u.angular,c.speed,"
         "c.steering\n";
     const auto outputOf = [&](const std::string &lines)
     {
