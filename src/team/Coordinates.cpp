@@ -137,7 +137,7 @@ namespace ompl_certificates
         const ob::StateSpace &space = *robot.getStateSpace();
         if (space.satisfiesBounds(state))
             return "";
-        const std::string what = "is outside the bounds";
+        std::string what = "is outside the bounds";
         constexpr double rounding = std::numeric_limits<double>::epsilon();  // OMPL's
         std::vector<double> values;
         space.copyToReals(values, state);
