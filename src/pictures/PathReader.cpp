@@ -224,6 +224,7 @@ namespace ompl_certificates
         std::size_t count = 0;
         findAngles(*si->getStateSpace(), count, angles);
         std::vector<AngleColumn> turning;
+        turning.reserve(angles.size());
         for (const std::size_t i : angles)
             turning.push_back({columns.at(i)});
         ompl::geometric::PathGeometric path(si);
