@@ -273,7 +273,7 @@ namespace ompl_certificates
         Names missing;
         const auto linkOf = [&](const Node &node, const char *key)
         {
-            const std::string name = file.attribute(node, key);
+            std::string name = file.attribute(node, key);
             if (!tree.hasLink(name))
                 missing.insert(name);
             return name;

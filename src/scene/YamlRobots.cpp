@@ -334,7 +334,7 @@ namespace ompl_certificates
         /** The name of the next robot of \e scene */
         std::string robotNameOf(const YamlNode &node, const Scene &scene)
         {
-            const std::string name =
+            std::string name =
                 node.has("name") ? node.at("name").text() : "robot_" + std::to_string(scene.getMembers().size());
             for (const Scene::Member &member : scene.getMembers())
                 if (member.robot->getName() == name)
