@@ -1,12 +1,12 @@
 #include "ompl_certificates/pictures/PathFile.h"
 
 #include "files/WholeFile.h"
+#include "geometry/ShortestText.h"
 #include "ompl_certificates/control/DynamicRobot.h"
 #include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
-#include <charconv>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Exception.h>
@@ -29,13 +29,6 @@ namespace ompl_certificates
         }
 
         using ControlType = ompl::control::RealVectorControlSpace::ControlType;
-
-        /** All digits of \e value that tell it from its neighbors, and no more */
-        std::string digitsOf(double value)
-        {
-            char text[32];
-            return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
-        }
     }
 
     std::vector<std::string> controlNames(const ob::StateSpace &space)
@@ -67,11 +60,11 @@ namespace ompl_certificates
         {
             if (i > 0)
                 length += si.distance(path.getState(i - 1), path.getState(i));
-            text += digitsOf(length);
+            text += shortestText(length);
             si.getStateSpace()->copyToReals(reals, path.getState(i));
             for (const double real : reals)
-                text += ',' + digitsOf(real);
-            text += ',' + digitsOf(times[i]) + '\n';
+                text += ',' + shortestText(real);
+            text += ',' + shortestText(times[i]) + '\n';
         }
         return text;
     }
@@ -90,15 +83,15 @@ namespace ompl_certificates
         std::vector<double> reals;
         for (std::size_t i = 0; i < path.getStateCount(); ++i)
         {
-            text += '\n' + digitsOf(times[i]);
+            text += '\n' + shortestText(times[i]);
             space.copyToReals(reals, path.getState(static_cast<unsigned int>(i)));
             for (const double real : reals)
-                text += ',' + digitsOf(real);
+                text += ',' + shortestText(real);
             const bool moves = i < path.getControlCount();
             const auto *values =
                 moves ? path.getControl(static_cast<unsigned int>(i))->as<ControlType>()->values : nullptr;
             for (std::size_t k = 0; k < controls.size(); ++k)
-                text += ',' + (values ? digitsOf(values[k]) : "");
+                text += ',' + (values ? shortestText(values[k]) : "");
         }
         return text + '\n';
     }

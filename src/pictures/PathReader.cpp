@@ -1,6 +1,7 @@
 #include "ompl_certificates/pictures/PathReader.h"
 
 #include "files/WholeFile.h"
+#include "geometry/ShortestText.h"
 #include "scene/LineReader.h"
 
 #include "ompl_certificates/pictures/PathFile.h"

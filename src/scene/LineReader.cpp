@@ -94,12 +94,6 @@ namespace ompl_certificates
         throw std::runtime_error("line " + std::to_string(number_) + ": " + complaint);
     }
 
-    std::string shortestText(double number)
-    {
-        char text[32];
-        return {text, std::to_chars(text, text + sizeof(text), number).ptr};
-    }
-
     std::string inQuotes(std::string_view word)
     {
         std::string shown(word.substr(0, 40));

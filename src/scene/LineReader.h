@@ -61,9 +61,6 @@ namespace ompl_certificates
         return error == std::errc() && end == word.data() + word.size();
     }
 
-    /** \brief The shortest text that parseNumber() reads as \e number: two numbers that differ have two texts. */
-    std::string shortestText(double number);
-
     /** \brief \e word in quotes, cut off if it is long, with ? for what cannot be printed */
     std::string inQuotes(std::string_view word);
 }

@@ -1,6 +1,7 @@
 #include "YamlArms.h"
 
 #include "geometry/Angle.h"
+#include "geometry/ShortestText.h"
 #include "LineReader.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"

@@ -1,10 +1,11 @@
 #include "ompl_certificates/team/Coordinates.h"
 
+#include "geometry/ShortestText.h"
+
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <boost/math/constants/constants.hpp>
-#include <charconv>
 #include <limits>
 #include <ompl/base/StateSpaceTypes.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -87,12 +88,6 @@ namespace ompl_certificates
             else
                 bounds.insert(bounds.end(), space.getValueLocations().size(), {-none, none});
         }
-
-        std::string shortestTextOf(double value)
-        {
-            char text[32];
-            return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
-        }
     }
 
     std::vector<std::string> coordinateNames(const ob::StateSpace &space)
@@ -146,8 +141,8 @@ namespace ompl_certificates
         if (names.size() == values.size() && bounds.size() == values.size())
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (!(values[i] + rounding >= bounds[i].low && values[i] - rounding <= bounds[i].high))
-                    return what + ": " + names[i] + " is " + shortestTextOf(values[i]) + ", not from " +
-                           shortestTextOf(bounds[i].low) + " to " + shortestTextOf(bounds[i].high);
+                    return what + ": " + names[i] + " is " + shortestText(values[i]) + ", not from " +
+                           shortestText(bounds[i].low) + " to " + shortestText(bounds[i].high);
         return what;
     }
 }
