@@ -5,7 +5,9 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <ompl/util/Exception.h>
 #include <sstream>
 #include <utility>
@@ -14,23 +16,91 @@ namespace ompl_certificates
 {
     namespace
     {
-        bool isPointBefore(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+        /** How often each point is in a list, which must stay as it is: a hash table. To sort the points of a frame takes
+            several times longer. */
+        class PointCounts
         {
-            return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-        }
+        public:
+            explicit PointCounts(const std::vector<Eigen::Vector3d> &points) : points_(points), counts_(points.size())
+            {
+                std::size_t size = 2;
+                while (size < 2 * points.size())
+                    size *= 2;
+                slots_.resize(size);
+                for (std::size_t i = 0; i < points.size(); ++i)
+                {
+                    const std::uint64_t hash = hashOf(points[i]);
+                    Slot &slot = find(points[i], hash);
+                    if (slot.point == NONE)
+                        slot = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(hash)};
+                    ++counts_[slot.point];
+                }
+            }
+
+            /** Counts a point once less, if it is still counted
+                \return whether it was */
+            bool take(const Eigen::Vector3d &point)
+            {
+                const Slot &slot = find(point, hashOf(point));
+                if (slot.point == NONE || counts_[slot.point] == 0)
+                    return false;
+                --counts_[slot.point];
+                return true;
+            }
+
+        private:
+            static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+
+            /** The first of equal points. Half of the hash spares most looks at other points. */
+            struct Slot
+            {
+                std::uint32_t point{NONE}, hash{0};
+            };
+
+            static std::uint64_t hashOf(const Eigen::Vector3d &point)
+            {
+                std::uint64_t hash = 0;
+                for (const double coordinate : point)
+                {
+                    hash = (hash ^ std::hash<double>()(coordinate)) * 0x9E3779B97F4A7C15ULL;
+                    hash ^= hash >> 32;
+                }
+                return hash;
+            }
+
+            /** The slot of a point, or the empty one that it would get */
+            Slot &find(const Eigen::Vector3d &point, std::uint64_t hash)
+            {
+                const std::size_t last = slots_.size() - 1;
+                std::size_t i = (hash >> 20) & last;
+                while (slots_[i].point != NONE &&
+                       (slots_[i].hash != static_cast<std::uint32_t>(hash) || points_[slots_[i].point] != point))
+                    i = (i + 1) & last;
+                return slots_[i];
+            }
+
+            const std::vector<Eigen::Vector3d> &points_;
+            std::vector<std::uint32_t> counts_;
+            std::vector<Slot> slots_;
+        };
 
         /** Takes out what is in both, each point as often as it is */
         void dropEqual(std::vector<Eigen::Vector3d> &first, std::vector<Eigen::Vector3d> &second)
         {
             if (first.empty() || second.empty())
                 return;
-            std::sort(first.begin(), first.end(), isPointBefore);
-            std::sort(second.begin(), second.end(), isPointBefore);
+            PointCounts counts(first);
             std::vector<Eigen::Vector3d> ofFirst, ofSecond;
-            std::set_difference(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(ofFirst),
-                                isPointBefore);
-            std::set_difference(second.begin(), second.end(), first.begin(), first.end(), std::back_inserter(ofSecond),
-                                isPointBefore);
+            ofSecond.reserve(second.size());
+            for (const Eigen::Vector3d &point : second)
+                if (!counts.take(point))
+                    ofSecond.push_back(point);
+            // What is still counted is in the first alone.
+            if (ofSecond.size() == second.size())
+                return;
+            for (const Eigen::Vector3d &point : first)
+                if (counts.take(point))
+                    ofFirst.push_back(point);
             first = std::move(ofFirst);
             second = std::move(ofSecond);
         }
