@@ -2,6 +2,8 @@
 
 #include "common/Completion.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
@@ -12,6 +14,8 @@
 #ifndef OMPL_CERTIFICATES_VERSION
 #define OMPL_CERTIFICATES_VERSION "of unknown version"
 #endif
+
+using namespace ompl_certificates;
 
 namespace demos
 {
@@ -33,40 +37,6 @@ namespace demos
                     c = ' ';
             std::cerr << name << ": " << line << std::endl;
             return BAD_INPUT;
-        }
-
-        /** How many letters have to be put in, left out, replaced, or swapped with the next one */
-        std::size_t editDistance(const std::string &a, const std::string &b)
-        {
-            std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-            for (std::size_t i = 0; i <= a.size(); ++i)
-                for (std::size_t j = 0; j <= b.size(); ++j)
-                {
-                    if (i == 0 || j == 0)
-                    {
-                        steps[i][j] = i + j;
-                        continue;
-                    }
-                    steps[i][j] = std::min({steps[i - 1][j] + 1, steps[i][j - 1] + 1,
-                                            steps[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-                    if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                        steps[i][j] = std::min(steps[i][j], steps[i - 2][j - 2] + 1);
-                }
-            return steps[a.size()][b.size()];
-        }
-
-        /** What a complaint about \e word ends with: the most similar of \e names, or nothing if none is similar */
-        std::string didYouMean(const std::string &word, const std::vector<std::string> &names)
-        {
-            std::string best;
-            std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
-            for (const std::string &name : names)
-                if (const std::size_t steps = editDistance(word, name); steps < fewest)
-                {
-                    fewest = steps;
-                    best = name;
-                }
-            return best.empty() ? "" : "; did you mean " + best + "?";
         }
 
         /** What is told of an error if no command was named: the one that was meant, if \e app has commands */
@@ -182,9 +152,7 @@ namespace demos
 
     CLI::Validator oneOf(const std::vector<std::string> &words)
     {
-        std::string all;
-        for (const std::string &word : words)
-            all += (all.empty() ? "" : ", ") + word;
+        const std::string all = joined(words);
         return CLI::Validator(
             [words, all](const std::string &word)
             {

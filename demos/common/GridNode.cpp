@@ -1,9 +1,13 @@
 #include "common/GridNode.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <ompl/util/Exception.h>
+
+using namespace ompl_certificates;
 
 namespace demos
 {
@@ -62,12 +66,7 @@ namespace demos
     {
         for (const std::string &key : keys())
             if (std::find(known.begin(), known.end(), key) == known.end())
-            {
-                std::string names;
-                for (const std::string &name : known)
-                    names += (names.empty() ? "" : ", ") + name;
-                at(key).fail("unknown key; known here: " + names);
-            }
+                at(key).fail("unknown key; known here: " + joined(known) + didYouMean(key, known));
     }
 
     std::vector<std::string> GridNode::keys() const

@@ -2,6 +2,7 @@
 
 #include "common/Interrupt.h"
 
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/planning/Planners.h"
 
 #include <algorithm>
@@ -50,7 +51,8 @@ namespace demos
             const std::string source = file.scene.getSource() + ": [planner] " + planner.type;
             const std::string name = classOf(planner.type);
             if (name.empty())
-                throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve");
+                throw ompl::Exception(source, "there is no such planner, or it needs more than a problem to solve" +
+                                                  didYouMean(planner.type, plannerNames()));
             known.push_back({name, planner.title.empty() ? name : planner.title, planner.parameters, source});
         }
         for (const std::string &name : names)

@@ -7,6 +7,7 @@
 #include "Quiet.h"
 
 #include <ompl_certificates/control/DynamicRobot.h>
+#include <ompl_certificates/files/Suggestion.h>
 #include <ompl_certificates/planning/Planners.h>
 #include <ompl_certificates/planning/TeamGoalRegion.h>
 #include <ompl_certificates/robots/RigidRobot.h>
@@ -63,15 +64,16 @@ namespace ompl_certificates_python
             }
             if (!py::isinstance<py::dict>(goal))
                 return parts;
+            std::vector<std::string> names;
+            for (unsigned int robot = 0; robot < parts.size(); ++robot)
+                names.push_back(setup.getTeam().getRobot(robot).getName());
             for (const auto &[key, value] : goal.cast<py::dict>())
             {
                 const std::string name = py::str(key);
-                unsigned int robot = 0;
-                while (robot < parts.size() && setup.getTeam().getRobot(robot).getName() != name)
-                    ++robot;
-                if (robot == parts.size())
-                    throw ompl::Exception("goal", "there is no robot '" + name + "'");
-                parts[robot] = py::reinterpret_borrow<py::object>(value);
+                const auto robot = std::find(names.begin(), names.end(), name);
+                if (robot == names.end())
+                    throw ompl::Exception("goal", "there is no robot '" + name + "'" + didYouMean(name, names));
+                parts[static_cast<std::size_t>(robot - names.begin())] = py::reinterpret_borrow<py::object>(value);
             }
             return parts;
         }

@@ -257,7 +257,7 @@ def test_planners_have_names_and_parameters(yard: oc.Scene, capfd: pytest.Captur
 
 def test_bad_problems_are_told_before_planning(yard: oc.Scene) -> None:
     for kwargs, message in (
-        ({"planner": "RTT"}, "RTT.*known are"),
+        ({"planner": "RTT"}, "RTT.*known are.*did you mean RRT"),
         ({"method": "best"}, "best"),
         ({"motion": "jumpy"}, "^motion: must be discrete or continuous, not 'jumpy'$"),
         ({"motion": "continuous", "method": "fcl"}, "^motion: .*certificates, which method fcl does not"),

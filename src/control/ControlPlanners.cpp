@@ -1,6 +1,7 @@
 #include "ompl_certificates/control/ControlPlanners.h"
 
 #include "ompl_certificates/control/PrioritizedRRT.h"
+#include "ompl_certificates/files/Suggestion.h"
 
 #include <map>
 #include <ompl/control/planners/est/EST.h>
@@ -47,10 +48,8 @@ namespace ompl_certificates
     {
         if (const auto planner = PLANNERS.find(name); planner != PLANNERS.end())
             return planner->second(si);
-        std::string known;
-        for (const std::string &other : controlPlannerNames())
-            known += (known.empty() ? "" : ", ") + other;
-        throw ompl::Exception(name, "there is no such control planner; known are: " + known +
-                                        ". Syclop's need a decomposition of the workspace, so programs make them");
+        throw ompl::Exception(name, "there is no such control planner; known are: " + joined(controlPlannerNames()) +
+                                        ". Syclop's need a decomposition of the workspace, so programs make them" +
+                                        didYouMean(name, controlPlannerNames()));
     }
 }

@@ -3,6 +3,7 @@
 #include "TimedNeighbors.h"
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <ompl/control/planners/rrt/RRT.h>
 #include <ompl/control/planners/sst/SST.h>
 #include <ompl/datastructures/NearestNeighborsGNATNoThreadSafety.h>
@@ -274,14 +275,15 @@ namespace ompl_certificates
 
     NearestStructure nearestStructureOf(const std::string &name)
     {
-        std::string known;
+        std::vector<std::string> names;
         for (const NearestStructure structure : allNearestStructures())
         {
             if (nameOf(structure) == name)
                 return structure;
-            known += (known.empty() ? "" : ", ") + nameOf(structure);
+            names.push_back(nameOf(structure));
         }
-        throw ompl::Exception("There is no structure '" + name + "'; the structures are " + known);
+        throw ompl::Exception("There is no structure '" + name + "'; the structures are " +
+                              boost::algorithm::join(names, ", "));
     }
 
     bool useKdTree(ob::Planner &planner)

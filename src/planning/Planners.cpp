@@ -1,7 +1,6 @@
 #include "ompl_certificates/planning/Planners.h"
 
-#include "Suggestion.h"
-
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 

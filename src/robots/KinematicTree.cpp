@@ -2,6 +2,8 @@
 
 #include "LinkMemory.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <cmath>
 #include <ompl/util/Exception.h>
 #include <sstream>
@@ -97,6 +99,17 @@ namespace ompl_certificates
         }
     }
 
+    namespace
+    {
+        std::string noLink(const std::string &name, const std::vector<KinematicTree::Link> &links)
+        {
+            std::vector<std::string> names;
+            for (const KinematicTree::Link &link : links)
+                names.push_back(link.name);
+            return "there is no link '" + name + "'" + didYouMean(name, names);
+        }
+    }
+
     KinematicTree::KinematicTree(const std::string &root, const std::optional<Body> &body)
       : memory_(std::make_shared<LinkMemory>())
     {
@@ -110,7 +123,7 @@ namespace ompl_certificates
                                        const std::optional<Body> &body)
     {
         if (!hasLink(parent))
-            failAt(joint, "there is no link '" + parent + "'");
+            failAt(joint, noLink(parent, links_));
         return add({name, body, getLinkIndex(parent), joint, centered(body)});
     }
 
@@ -171,7 +184,7 @@ namespace ompl_certificates
     {
         const auto found = linkIndices_.find(link);
         if (found == linkIndices_.end())
-            throw ompl::Exception("there is no link '" + link + "'");
+            throw ompl::Exception(noLink(link, links_));
         return found->second;
     }
 
@@ -179,7 +192,12 @@ namespace ompl_certificates
     {
         const auto found = jointIndices_.find(joint);
         if (found == jointIndices_.end())
-            throw ompl::Exception("there is no joint '" + joint + "'");
+        {
+            std::vector<std::string> names;
+            for (const auto &known : jointIndices_)
+                names.push_back(known.first);
+            throw ompl::Exception("there is no joint '" + joint + "'" + didYouMean(joint, names));
+        }
         return found->second;
     }
 

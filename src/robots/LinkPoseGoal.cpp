@@ -3,6 +3,8 @@
 #include "UniformState.h"
 #include "geometry/RigidPose.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -111,20 +113,23 @@ namespace ompl_certificates
             return reach > 0.0 ? reach : 1.0;
         }
 
-        /** The links that an arm moves, for messages; those of large robots are cut off. */
-        std::string movedLinks(const Arm &arm)
+        std::vector<std::string> movedLinks(const Arm &arm)
+        {
+            std::vector<std::string> names;
+            for (const KinematicTree::Link &link : arm.getTree().getLinks())
+                if (arm.moves(link.name))
+                    names.push_back(link.name);
+            return names;
+        }
+
+        /** A list for messages; that of a large robot's links is cut off. */
+        std::string listOfLinks(const std::vector<std::string> &links)
         {
             constexpr std::size_t most = 400;
-            std::string names;
-            for (const KinematicTree::Link &link : arm.getTree().getLinks())
-            {
-                if (!arm.moves(link.name))
-                    continue;
-                if (names.size() >= most)
-                    return names + ", …";
-                names += (names.empty() ? "'" : ", '") + link.name + "'";
-            }
-            return names;
+            std::string text = joined(links, "'");
+            if (const std::size_t end = text.find(", '", most); end != std::string::npos)
+                text.replace(end, std::string::npos, ", …");
+            return text;
         }
     }
 
@@ -135,7 +140,8 @@ namespace ompl_certificates
             throw ompl::Exception("LinkPoseGoal", "the arm must not be null");
         const std::string owner = arm_->getName() + ": goal of link '" + pose_.link + "'";
         if (!arm_->getTree().hasLink(pose_.link))
-            throw ompl::Exception(owner, "there is no such link; it moves " + movedLinks(*arm_));
+            throw ompl::Exception(owner, "there is no such link; it moves " + listOfLinks(movedLinks(*arm_)) +
+                                             didYouMean(pose_.link, movedLinks(*arm_)));
         if (!arm_->moves(pose_.link))
             throw ompl::Exception(owner, "the arm does not move this link");
         if (!pose_.position && !pose_.rotation)

@@ -4,6 +4,8 @@
 #include "SrdfReader.h"
 #include "UrdfReader.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <cmath>
@@ -18,10 +20,7 @@ namespace ompl_certificates
         /** A list of names, for messages */
         std::string listOf(const std::vector<std::string> &names)
         {
-            std::string text;
-            for (const std::string &name : names)
-                text += (text.empty() ? "'" : ", '") + name + "'";
-            return text.empty() ? "none" : text;
+            return names.empty() ? "none" : joined(names, "'");
         }
 
         /** The same of pairs; nothing if there is none */
@@ -31,7 +30,7 @@ namespace ompl_certificates
             names.reserve(pairs.size());
             for (const LinkPair &pair : pairs)
                 names.push_back(pair.first + " and " + pair.second);
-            return boost::algorithm::join(names, ", ");
+            return joined(names);
         }
 
         template <typename Map>
@@ -210,7 +209,7 @@ namespace ompl_certificates
                                   srdf_.empty()
                                       ? "there is no group '" + group + "' without an SRDF file"
                                       : (group.empty() ? "the group is missing" : "there is no group '" + group + "'") +
-                                            "; there are " + listOf(getGroups()));
+                                            "; there are " + listOf(getGroups()) + didYouMean(group, getGroups()));
         return found->second;
     }
 
@@ -226,7 +225,8 @@ namespace ompl_certificates
         const auto states = semantics_->states.find(group);
         if (states == semantics_->states.end() || states->second.count(state) == 0)
             throw ompl::Exception(srdf_.empty() ? urdf_ : srdf_, "group '" + group + "' has no state '" + state +
-                                                                     "'; there are " + listOf(getStates(group)));
+                                                                     "'; there are " + listOf(getStates(group)) +
+                                                                     didYouMean(state, getStates(group)));
         return states->second.at(state);
     }
 
@@ -307,8 +307,7 @@ namespace ompl_certificates
         const std::vector<std::string> free = linksFreeByDefault(tree, settings);
         options.mayTouchObstacles.insert(options.mayTouchObstacles.end(), free.begin(), free.end());
         if (!free.empty())
-            notes.push_back(title + ": by disable_default_collisions these links may touch obstacles: " +
-                            boost::algorithm::join(free, ", "));
+            notes.push_back(title + ": by disable_default_collisions these links may touch obstacles: " + joined(free));
         options.linkPairs = pairsToCheck(tree, settings);
         addPairs(settings.touchable, tree, free, options.linkPairs);
         const Arm all(title, tree, joints, options);

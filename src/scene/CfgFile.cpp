@@ -3,6 +3,8 @@
 #include "LineReader.h"
 #include "files/WholeFile.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
@@ -52,12 +54,7 @@ namespace ompl_certificates
             if (entry.section != section)
                 continue;
             if (std::find(keys.begin(), keys.end(), entry.key) == keys.end())
-            {
-                std::string known;
-                for (const std::string &key : keys)
-                    known += (known.empty() ? "" : ", ") + key;
-                fail(section, entry.key, "unknown key; known here: " + known);
-            }
+                fail(section, entry.key, "unknown key; known here: " + joined(keys) + didYouMean(entry.key, keys));
             if (!seen.insert(entry.key).second)
                 fail(section, entry.key, "given twice, now as " + inQuotes(entry.value));
         }

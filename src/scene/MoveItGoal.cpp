@@ -4,6 +4,7 @@
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
 #include "YamlArms.h"
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 
 #include <algorithm>
@@ -114,7 +115,9 @@ namespace ompl_certificates
                 if (!isMoved(name))
                     item.at("joint_name")
                         .fail("'" + name + "' is not a joint of the group" +
-                              (robot.isPassive(name) ? ": the SRDF file says that it is passive" : ""));
+                              (robot.isPassive(name) ? ": the SRDF file says that it is passive"
+                               : tree.hasJoint(name) ? ""
+                                                     : didYouMean(name, group)));
                 if (!values.emplace(name, item.at("position").number()).second)
                     item.at("joint_name").fail("'" + name + "' is given twice");
             }
@@ -190,11 +193,12 @@ namespace ompl_certificates
         const auto frame = frames.find(name);
         if (frame == frames.end())
         {
-            std::string known;
+            std::vector<std::string> known;
             for (const auto &[one, pose] : frames)
                 if (!one.empty())
-                    known += (known.empty() ? "'" : ", '") + one + "'";
-            node.at("header").fail("there is no fixed frame '" + name + "'; there are " + known);
+                    known.push_back(one);
+            node.at("header").fail("there is no fixed frame '" + name + "'; there are " + joined(known, "'") +
+                                   didYouMean(name, known));
         }
         return frame->second;
     }

@@ -15,8 +15,7 @@ namespace ompl_certificates
         {
             node.allow({"link_name", "object", "touch_links", "detach_posture", "weight"});
             AttachedBody attached{"", node.at("link_name").text(), Body::sphere(0.0)};
-            if (!tree.hasLink(attached.link))
-                node.at("link_name").fail("there is no link '" + attached.link + "'");
+            node.at("link_name").orFail([&] { return tree.getLinkIndex(attached.link); });
             refuse(node.at("object"), {"planes", "plane_poses"});
             std::vector<std::string> about;
             const MoveItObject object = readMoveItObject(node.at("object"), folder, about);
@@ -58,12 +57,11 @@ namespace ompl_certificates
             for (std::size_t i = 0; i < names.size(); ++i)
             {
                 const std::string name = names[i].text();
-                if (!tree.hasJoint(name))
-                    names[i].fail("there is no joint '" + name + "'");
+                const std::size_t child = names[i].orFail([&] { return tree.getChildOf(name); });
                 if (!seen.insert(name).second)
                     names[i].fail("'" + name + "' is given twice");
                 // MoveIt's messages may list fixed joints, too.
-                const KinematicTree::JointType type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                const KinematicTree::JointType type = tree.getLinks()[child].joint.type;
                 if (type != KinematicTree::JointType::FIXED)
                     state.joints[name] = positions[i];
             }

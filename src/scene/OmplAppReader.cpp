@@ -1,6 +1,7 @@
 #include "OmplAppReader.h"
 
 #include "CfgFile.h"
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/MeshFile.h"
 
@@ -22,9 +23,11 @@ namespace ompl_certificates
 
         void allowKeys(const CfgFile &file)
         {
+            const std::vector<std::string> sections{PROBLEM, BENCHMARK, PLANNER};
             for (const CfgFile::Entry &entry : file.getEntries())
-                if (entry.section != PROBLEM && entry.section != BENCHMARK && entry.section != PLANNER)
-                    file.fail(entry.section, entry.key, "unknown section; known are problem, benchmark, planner");
+                if (std::find(sections.begin(), sections.end(), entry.section) == sections.end())
+                    file.fail(entry.section, entry.key,
+                              "unknown section; known are " + joined(sections) + didYouMean(entry.section, sections));
             std::vector<std::string> keys{"name",
                                           "robot",
                                           "world",

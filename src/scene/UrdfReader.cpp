@@ -2,8 +2,8 @@
 
 #include "UrdfGeometry.h"
 #include "XmlFile.h"
+#include "ompl_certificates/files/Suggestion.h"
 
-#include <boost/algorithm/string/join.hpp>
 #include <console_bridge/console.h>
 #include <map>
 #include <mutex>
@@ -299,9 +299,9 @@ namespace ompl_certificates
             xml.fail(exception.what());
         }
         if (!seenOnly.empty())
-            result.notes.push_back(file +
-                                   ": these links have a visual and no collision geometry, so they are not checked: " +
-                                   boost::algorithm::join(seenOnly, ", "));
+            result.notes.push_back(
+                file +
+                ": these links have a visual and no collision geometry, so they are not checked: " + joined(seenOnly));
         return result;
     }
 }

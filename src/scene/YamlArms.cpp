@@ -39,9 +39,7 @@ namespace ompl_certificates
 
         const Joint &jointOf(const YamlNode &node, const KinematicTree &tree, const std::string &name)
         {
-            if (!tree.hasJoint(name))
-                node.fail("there is no joint '" + name + "'");
-            return tree.getLinks()[tree.getChildOf(name)].joint;
+            return tree.getLinks()[node.orFail([&] { return tree.getChildOf(name); })].joint;
         }
 
         void checkLimits(const YamlNode &node, const Joint &joint, double value)

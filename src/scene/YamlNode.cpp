@@ -2,6 +2,8 @@
 
 #include "LineReader.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -79,12 +81,7 @@ namespace ompl_certificates
             const std::string &key = entry.first.Scalar();
             const YamlNode place(entry.first, (key_.empty() ? "" : key_ + ".") + oneLine(key), file_);
             if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            {
-                std::string known;
-                for (const std::string &name : keys)
-                    known += (known.empty() ? "" : ", ") + name;
-                place.fail("unknown key; known here: " + known);
-            }
+                place.fail("unknown key; known here: " + joined(keys) + didYouMean(key, keys));
             if (!seen.insert(key).second)
                 place.fail("given twice");
         }

@@ -3,6 +3,7 @@
 #include "YamlDynamics.h"
 #include "YamlPlanarArm.h"
 #include "YamlShapes.h"
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
@@ -184,17 +185,17 @@ namespace ompl_certificates
             robot.at("goal").orFail([&] { member.chooseGoal(); });
         }
 
-        std::string namesOfKnownTypes()
+        std::vector<std::string> namesOfKnownTypes()
         {
-            std::string names;
+            std::vector<std::string> names;
             for (const KnownType &type : KNOWN_TYPES)
-                names += std::string(names.empty() ? "" : ", ") + type.name;
+                names.emplace_back(type.name);
             return names;
         }
 
         [[noreturn]] void failOnDynamics(const YamlNode &node)
         {
-            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + namesOfKnownTypes());
+            node.fail("'" + node.text() + "' has no dynamics; types that have are: " + joined(namesOfKnownTypes()));
         }
 
         void noteWithoutDynamics(const KnownType &type, const std::string &name, Scene &scene)
@@ -313,14 +314,16 @@ namespace ompl_certificates
             const std::string name = node.text();
             if (findType(name))
                 return known;
-            std::string names;
+            std::vector<std::string> names;
             for (const RobotType &type : ownTypes())
             {
                 if (type.name == name)
                     return type;
-                names += type.name + ", ";
+                names.push_back(type.name);
             }
-            node.fail("unknown type '" + name + "'; known are: " + names + namesOfKnownTypes());
+            for (const std::string &other : namesOfKnownTypes())
+                names.push_back(other);
+            node.fail("unknown type '" + name + "'; known are: " + joined(names) + didYouMean(name, names));
         }
 
         void checkWorkspace(const YamlNode &node, const RobotType &type, unsigned int dimension)

@@ -1,5 +1,7 @@
 #include "YamlShapes.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <algorithm>
 
 namespace ompl_certificates
@@ -114,11 +116,17 @@ namespace ompl_certificates
                 const Eigen::Matrix3d rotation = planar ? readRotation(node) : Eigen::Matrix3d::Identity();
                 return {meshes.read(node, dimension, rotation), readPose(node, dimension, false)};
             }
-            const std::string known =
-                planar ? "box, disc, capsule, polygon, mesh" : "box, sphere, capsule, cylinder, polytope, mesh";
-            typeNode.fail("must be one of " + known + (inCompound ? "" : ", compound") +
-                          (placed ? planar ? ", cloud, octomap, occupancy_map" : ", cloud, octomap" : "") + " in " +
-                          std::to_string(dimension) + " dimensions, not '" + type + "'");
+            std::vector<std::string> known =
+                planar ? std::vector<std::string>{"box", "disc", "capsule", "polygon", "mesh"}
+                       : std::vector<std::string>{"box", "sphere", "capsule", "cylinder", "polytope", "mesh"};
+            if (!inCompound)
+                known.emplace_back("compound");
+            if (placed)
+                known.insert(known.end(), {"cloud", "octomap"});
+            if (placed && planar)
+                known.emplace_back("occupancy_map");
+            typeNode.fail("must be one of " + joined(known) + " in " + std::to_string(dimension) +
+                          " dimensions, not '" + type + "'" + didYouMean(type, known));
         }
     }
 

@@ -1,5 +1,6 @@
 #include "ompl_certificates/team/TeamObjective.h"
 
+#include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -141,7 +142,7 @@ namespace ompl_certificates
             return std::make_shared<TeamObjective>(si, TeamObjective::MAKESPAN, goal);
         if (name == "arrival")
             return std::make_shared<TeamObjective>(si, TeamObjective::SUM_OF_ARRIVAL_TIMES, goal);
-        throw ompl::Exception("There is no objective '" + name +
-                              "'; the objectives are length, sum, makespan, arrival");
+        throw ompl::Exception("There is no objective '" + name + "'; the objectives are " + joined(objectiveNames()) +
+                              didYouMean(name, objectiveNames()));
     }
 }

@@ -1,5 +1,7 @@
 #include "ompl_certificates/validity/Method.h"
 
+#include "ompl_certificates/files/Suggestion.h"
+
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -31,13 +33,14 @@ namespace ompl_certificates
 
     Method methodOf(const std::string &name)
     {
-        std::string known;
+        std::vector<std::string> names;
         for (const Method method : allMethods())
         {
             if (nameOf(method) == name)
                 return method;
-            known += (known.empty() ? "" : ", ") + nameOf(method);
+            names.push_back(nameOf(method));
         }
-        throw ompl::Exception("There is no method '" + name + "'; the methods are " + known);
+        throw ompl::Exception("There is no method '" + name + "'; the methods are " + joined(names) +
+                              didYouMean(name, names));
     }
 }

@@ -1,4 +1,5 @@
 #include "support/Checkers.h"
+#include "support/Message.h"
 
 #include "ompl_certificates/neighbors/PlannerKdTree.h"
 #include "ompl_certificates/validity/Basic.h"
@@ -128,6 +129,7 @@ TEST(TeamSetup, KnowsTheNamesOfTheMethods)
         for (const Method method : allMethods())
             EXPECT_NE(text.find(nameOf(method)), std::string::npos);
     }
+    EXPECT_NE(messageOf([] { methodOf("shraed"); }).find("; did you mean shared?"), std::string::npos);
 }
 
 TEST(TeamSetup, RefusesMissingObstaclesOtherDimensionsAndEmptyTeams)

@@ -1,4 +1,4 @@
-#include "Suggestion.h"
+#include "ompl_certificates/files/Suggestion.h"
 
 #include <algorithm>
 #include <cctype>
@@ -44,11 +44,18 @@ namespace ompl_certificates
 
     std::string didYouMean(const std::string &word, const std::vector<std::string> &names)
     {
+        // Damaged files have words so long that to compare them would take all memory.
+        constexpr std::size_t LONGEST = 100;
+        if (word.size() > LONGEST)
+            return "";
         const std::string typed = lowerCase(word);
         std::string best;
-        std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
+        // One letter is not similar to another.
+        std::size_t fewest = std::min(typed.size(), std::max<std::size_t>(1, typed.size() / 3) + 1);
         for (const std::string &name : names)
         {
+            if (name.size() > LONGEST)
+                continue;
             const std::string known = lowerCase(name);
             // The beginning of a name is as good as one wrong letter.
             const std::size_t steps = isBeginning(typed, known) ? std::min<std::size_t>(1, editDistance(typed, known))
@@ -62,11 +69,11 @@ namespace ompl_certificates
         return best.empty() ? "" : "; did you mean " + best + "?";
     }
 
-    std::string joined(const std::vector<std::string> &words)
+    std::string joined(const std::vector<std::string> &words, const std::string &quote)
     {
         std::string text;
         for (const std::string &word : words)
-            text += (text.empty() ? "" : ", ") + word;
+            text += (text.empty() ? "" : ", ") + quote + word + quote;
         return text;
     }
 }

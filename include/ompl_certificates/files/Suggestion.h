@@ -1,5 +1,5 @@
-#ifndef OMPL_CERTIFICATES_PLANNING_SUGGESTION_
-#define OMPL_CERTIFICATES_PLANNING_SUGGESTION_
+#ifndef OMPL_CERTIFICATES_FILES_SUGGESTION_
+#define OMPL_CERTIFICATES_FILES_SUGGESTION_
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@ namespace ompl_certificates
         the other. */
     std::string didYouMean(const std::string &word, const std::vector<std::string> &names);
 
-    /** \brief The words, with commas between them */
-    std::string joined(const std::vector<std::string> &words);
+    /** \brief The words with commas between them, each between two of \e quote */
+    std::string joined(const std::vector<std::string> &words, const std::string &quote = "");
 }
 
 #endif
