@@ -2,8 +2,6 @@
 #include "support/MoveItScene.h"
 #include "support/Random.h"
 
-#include "ompl_certificates/robots/LinkPoseGoal.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
@@ -183,22 +181,6 @@ namespace ompl_certificates
             EXPECT_EQ(armOf(moved).getLinkPose(state.get(), "base").translation(), Eigen::Vector3d(0, 0, 5));
         }
 
-        TEST_F(MoveItScene, StartAndGoalAreThoseOfTheRequest)
-        {
-            const SceneFile file = read(BALL + "robot_model_name: other\n", REQUEST + "allowed_planning_time: 7\n");
-            const Scene::Member &member = file.scene.getMembers().front();
-            EXPECT_EQ(member.start, (std::vector<double>{1.0, 0.5}));
-            ASSERT_EQ(member.goal.size(), 2u);
-            EXPECT_EQ(member.goal[0], -1.0);
-            EXPECT_NEAR(member.goal[1], 4.0 - 2.0 * M_PI, 1e-12);
-            EXPECT_EQ(file.timeLimit, 7.0);
-            EXPECT_EQ(file.scene.getResolution(), 0.005);
-            EXPECT_EQ(file.scene.getName(), "scene");
-            ASSERT_EQ(file.scene.getNotes().size(), 1u);
-            EXPECT_EQ(file.scene.getNotes().front(), "robot_model_name is other; the robot is two_links");
-            EXPECT_NO_THROW(file.scene.validate());
-        }
-
         TEST_F(MoveItScene, OrientationsOfZerosAreNoRotationAndNoted)
         {
             const std::string zeros = "orientation: [0, 0, 0, 0]", world = "world.collision_objects",
@@ -227,98 +209,6 @@ namespace ompl_certificates
                           "goal_constraints[0].orientation_constraints[0]." + counts}));
             for (const PlacedBody &obstacle : file.scene.getObstacles())
                 EXPECT_EQ(obstacle.pose.linear(), Eigen::Matrix3d::Identity());
-        }
-
-        TEST_F(MoveItScene, GoalsCanBePosesOfLinks)
-        {
-            const std::string frames =
-                "fixed_frame_transforms:\n"
-                "  - {header: {frame_id: table}, child_frame_id: world, transform: {translation: [0.3, 0, 0.3], "
-                "rotation: [0, 0, 1, 1]}}\n";
-            const SceneFile file =
-                read(frames + BALL,
-                     "group_name: arm\n" + START +
-                         "goal_constraints:\n"
-                         "  - joint_constraints: []\n"
-                         "    position_constraints:\n"
-                         "      - header: {frame_id: table}\n"
-                         "        link_name: tip\n"
-                         "        target_point_offset: {x: 0.1, y: 0, z: 0}\n"
-                         "        constraint_region:\n"
-                         "          primitives: [{type: box, dimensions: [0.2, 0.1, 0.06]}]\n"
-                         "          primitive_poses: [{position: [0.5, 0.1, 0.02], orientation: [0, 0, 1, 0]}]\n"
-                         "        weight: 1\n"
-                         "    orientation_constraints:\n"
-                         "      - {header: {frame_id: world}, orientation: {x: 0, y: 0, z: 1, w: 1}, link_name: tip, "
-                         "absolute_x_axis_tolerance: 0.1, absolute_y_axis_tolerance: 0.2, "
-                         "absolute_z_axis_tolerance: 1.5, weight: 1}\n");
-            const Scene::Member &member = file.scene.getMembers().front();
-            const LinkPose &pose = dynamic_cast<const LinkPoseGoal &>(*member.region).getLinkPose();
-            EXPECT_EQ(pose.link, "tip");
-            EXPECT_EQ(pose.point, Eigen::Vector3d(0.1, 0, 0));
-            // The frame is turned by a quarter, the box by a half further.
-            EXPECT_TRUE(pose.position->point.isApprox(Eigen::Vector3d(0.2, 0.5, 0.32)));
-            EXPECT_TRUE(pose.position->axes.col(0).isApprox(Eigen::Vector3d(0, -1, 0)));
-            EXPECT_TRUE(pose.position->tolerance.isApprox(Eigen::Vector3d(0.1, 0.05, 0.03)));
-            EXPECT_TRUE(pose.rotation->rotation.col(0).isApprox(Eigen::Vector3d(0, 1, 0)));
-            EXPECT_EQ(pose.rotation->tolerance, Eigen::Vector3d(0.1, 0.2, 1.5));
-            EXPECT_NO_THROW(file.scene.validate());
-            ompl::base::ScopedState<> state(member.robot->getStateSpace());
-            state = member.goal;
-            const Pose tip = armOf(file).getLinkPose(state.get(), "tip");
-            EXPECT_LE(
-                ((tip * pose.point - pose.position->point).cwiseAbs() - Eigen::Vector3d(0.05, 0.1, 0.03)).maxCoeff(),
-                0.0);
-            EXPECT_LE(std::abs(Eigen::AngleAxisd(pose.rotation->rotation.transpose() * tip.linear()).angle()), 1.5);
-
-            // In a sphere fits a cube; a rotation vector counts by half.
-            const SceneFile round =
-                read(BALL, "group_name: arm\n" + START +
-                               "goal_constraints: [{position_constraints: [{link_name: tip, constraint_region: "
-                               "{primitives: [{type: sphere, dimensions: [0.3]}], primitive_poses: [{position: [0.4, "
-                               "0.5, 0.32]}]}}], orientation_constraints: [{orientation: [0, 0, 0, 1], link_name: tip, "
-                               "parameterization: 1, absolute_x_axis_tolerance: 0.1, absolute_y_axis_tolerance: 0.1, "
-                               "absolute_z_axis_tolerance: 0.5}]}]\n");
-            const LinkPose &other =
-                dynamic_cast<const LinkPoseGoal &>(*round.scene.getMembers().front().region).getLinkPose();
-            EXPECT_NEAR(other.position->tolerance.norm(), 0.3, 1e-12);
-            EXPECT_EQ(other.rotation->tolerance, Eigen::Vector3d(0.05, 0.05, 0.25));
-        }
-
-        /** Two turns one after another turn about the third axis, too. */
-        TEST_F(MoveItScene, TurnsStayWithinTheTolerancesOfARotationVector)
-        {
-            Random random(1);
-            for (unsigned int i = 0; i < scaled(30); ++i)
-            {
-                Eigen::Vector3d asked;
-                std::string request = "group_name: arm\n" + START +
-                                      "goal_constraints: [{orientation_constraints: [{orientation: [0, 0, 0, 1], "
-                                      "link_name: tip, parameterization: 1";
-                for (Eigen::Index axis = 0; axis < 3; ++axis)
-                {
-                    asked[axis] = i == 0 && axis < 2 ? 0.5 : random.logUniform(0.001, 0.5);
-                    request +=
-                        std::string(", absolute_") + "xyz"[axis] + "_axis_tolerance: " + std::to_string(asked[axis]);
-                }
-                const SceneFile file = read(BALL, request + "}]}]\n");
-                const Eigen::Vector3d turns =
-                    dynamic_cast<const LinkPoseGoal &>(*file.scene.getMembers().front().region)
-                        .getLinkPose()
-                        .rotation->tolerance;
-                EXPECT_GE(turns.minCoeff(), 0.2 * asked.minCoeff());
-                for (int k = 0; k < 200; ++k)
-                {
-                    Eigen::Vector3d angles;
-                    for (Eigen::Index axis = 0; axis < 3; ++axis)
-                        angles[axis] = random.chance(0.5) ? random.sign() * turns[axis]
-                                                          : random.uniform(-turns[axis], turns[axis]);
-                    const Eigen::AngleAxisd turn(Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
-                                                 Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
-                                                 Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()));
-                    ASSERT_LE(((turn.angle() * turn.axis()).cwiseAbs() - asked).maxCoeff(), 1e-6) << asked.transpose();
-                }
-            }
         }
 
         TEST_F(MoveItScene, JointsThatTheGroupDoesNotMoveKeepTheirValues)
@@ -378,22 +268,6 @@ namespace ompl_certificates
             // One that is empty replaces nothing.
             EXPECT_EQ(pairsOf(armOf(read(BALL + "allowed_collision_matrix: {}\n"))),
                       (Pairs{"base lower", "base tip", "upper tip"}));
-        }
-
-        TEST_F(MoveItScene, GoalsMayTellOfJointsThatFollow)
-        {
-            std::string urdf = TWO_LINKS_URDF;
-            urdf.replace(urdf.find("<limit lower=\"0\""), 0,
-                         "<mimic joint=\"turn\" multiplier=\"0.02\" offset=\"0.1\"/>");
-            robot_ = std::make_unique<const ArmFile>(folder_.write("follows.urdf", urdf),
-                                                     folder_.write("arm.srdf", TWO_LINKS_SRDF));
-            const auto slideAt = [](const std::string &position)
-            { return REQUEST + "      - {joint_name: slide, position: " + position + "}\n"; };
-            EXPECT_EQ(read(BALL, slideAt("0.08")).scene.getMembers().front().goal,
-                      read(BALL).scene.getMembers().front().goal);
-            EXPECT_NE(messageOf(BALL, slideAt("0.1")).find("must be 0.080000, where the joint follows joint 'turn'"),
-                      std::string::npos)
-                << messageOf(BALL, slideAt("0.1"));
         }
 
         TEST_F(MoveItScene, IsKnownByItsKeys)
