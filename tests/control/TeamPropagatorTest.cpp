@@ -4,6 +4,7 @@
 #include "support/Message.h"
 #include "support/Quiet.h"
 #include "support/Random.h"
+#include "support/Warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/control/planners/est/EST.h>
 #include <ompl/control/planners/rrt/RRT.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 using namespace ompl_certificates;
@@ -274,49 +274,19 @@ TEST(TeamControlSetup, RefusesAStepThatIsNotFinite)
     EXPECT_NO_THROW(setup->setup());
 }
 
-namespace
-{
-    /** Counts warnings with some words */
-    class CountedWarnings : public ompl::msg::OutputHandler
-    {
-    public:
-        explicit CountedWarnings(std::string words) : words_(std::move(words))
-        {
-            ompl::msg::useOutputHandler(this);
-            ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
-        }
-
-        ~CountedWarnings() override
-        {
-            ompl::msg::restorePreviousOutputHandler();
-        }
-
-        void log(const std::string &text, ompl::msg::LogLevel /*level*/, const char * /*filename*/,
-                 int /*line*/) override
-        {
-            count += text.find(words_) == std::string::npos ? 0 : 1;
-        }
-
-        int count{0};
-
-    private:
-        std::string words_;
-    };
-}
-
 TEST(TeamControlSetup, WarnsOfAPropagatorThatReplacesTheOneThatProves)
 {
     for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
         for (const bool isReplaced : {false, true})
         {
-            const CountedWarnings warnings("another one has replaced");
+            const Warnings warnings("another one has replaced");
             TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({{0.0, 1.6, 0.2, 2.0}}), Method::SHARED_PROJECTION,
                                    mode);
             setup.setPlanner(std::make_shared<oc::RRT>(setup.getSpaceInformation()));
             if (isReplaced)
                 setup.setStatePropagator(std::make_shared<TeamPropagator>(setup.getSpaceInformation()));
             setup.setup();
-            EXPECT_EQ(warnings.count, isReplaced && mode == CertificateMotionValidator::CONTINUOUS ? 1 : 0);
+            EXPECT_EQ(warnings.count, isReplaced && mode == CertificateMotionValidator::CONTINUOUS ? 1U : 0U);
         }
 }
 
@@ -326,8 +296,8 @@ TEST(TeamControlSetup, WarnsOfAMotionValidatorThatNoControlPlannerAsks)
                                  CertificateMotionValidator::CONTINUOUS);
     for (const auto mode : {CertificateMotionValidator::DISCRETE, CertificateMotionValidator::CONTINUOUS})
     {
-        const CountedWarnings warnings("proves nothing");
+        const Warnings warnings("proves nothing");
         const CertificateMotionValidator validator(setup.getTeamChecker(), mode);
-        EXPECT_EQ(warnings.count, mode == CertificateMotionValidator::CONTINUOUS ? 1 : 0);
+        EXPECT_EQ(warnings.count, mode == CertificateMotionValidator::CONTINUOUS ? 1U : 0U);
     }
 }
