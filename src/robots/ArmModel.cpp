@@ -1,6 +1,7 @@
 #include "ArmModel.h"
 
 #include "Interpolation.h"
+#include "JointTypes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +40,6 @@ namespace ompl_certificates
             if (memory.size() < size)
                 memory.resize(size);
             return memory.data();
-        }
-
-        bool isLimited(JointType type)
-        {
-            return type == JointType::REVOLUTE || type == JointType::PRISMATIC;
         }
 
         ob::RealVectorBounds firstOf(const ob::RealVectorBounds &bounds, unsigned int dimension)

@@ -1,5 +1,7 @@
 #include "JointFrames.h"
 
+#include "JointTypes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -43,7 +45,7 @@ namespace ompl_certificates
             const auto given = options.jointValues.find(joint.name);
             if (given != options.jointValues.end())
                 return given->second;
-            if (joint.type == JointType::REVOLUTE || joint.type == JointType::PRISMATIC)
+            if (isLimited(joint.type))
                 return std::clamp(0.0, joint.lower, joint.upper);
             return 0.0;
         }
@@ -56,10 +58,9 @@ namespace ompl_certificates
                 fail("is fixed, so it cannot be moved");
             if (joint.mimic)
                 fail("follows joint '" + joint.mimic->joint + "', so it cannot be moved by itself");
-            const bool limited = joint.type == JointType::REVOLUTE || joint.type == JointType::PRISMATIC;
-            if (limited && !(joint.lower < joint.upper))
+            if (isLimited(joint.type) && !(joint.lower < joint.upper))
                 fail("its limits are equal, so it cannot be moved");
-            if (joint.type != JointType::PLANAR && joint.type != JointType::FLOATING)
+            if (coordinatesOf(joint.type) == 1)
                 return;
             const std::size_t dimension = joint.type == JointType::PLANAR ? 2 : 3;
             if (!options.bounds || options.bounds->low.size() < dimension || options.bounds->high.size() < dimension)
@@ -83,21 +84,6 @@ namespace ompl_certificates
             throw ompl::Exception("joint '" + joint.name + "'",
                                   "mimics the continuous joint '" + followed.name +
                                       "', so it must turn, by a whole multiple and not by " + text.str());
-        }
-    }
-
-    std::size_t coordinatesOf(JointType type)
-    {
-        switch (type)
-        {
-            case JointType::FIXED:
-                return 0;
-            case JointType::PLANAR:
-                return 3;
-            case JointType::FLOATING:
-                return 7;
-            default:
-                return 1;
         }
     }
 
@@ -168,7 +154,7 @@ namespace ompl_certificates
         if (joint.mimic)
             refuseJumps(joint, *source);
         const std::size_t first = coordinate->second;
-        if (joint.type == JointType::FLOATING || joint.type == JointType::PLANAR)
+        if (coordinatesOf(joint.type) > 1)
         {
             const bool planar = joint.type == JointType::PLANAR;
             const Pose turn = planar ? alongZ(joint.axis) : Pose::Identity();

@@ -134,9 +134,6 @@ namespace ompl_certificates
         std::vector<Place> links_;
         std::size_t coordinates_{0};
     };
-
-    /** \brief How many coordinates a joint of a group has */
-    std::size_t coordinatesOf(KinematicTree::JointType type);
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "ompl_certificates/robots/KinematicTree.h"
 
+#include "JointTypes.h"
 #include "LinkMemory.h"
 
 #include "ompl_certificates/files/Suggestion.h"
@@ -27,11 +28,6 @@ namespace ompl_certificates
             throw ompl::Exception("joint '" + joint.name + "'", complaint);
         }
 
-        bool hasOneCoordinate(JointType type)
-        {
-            return type == JointType::REVOLUTE || type == JointType::CONTINUOUS || type == JointType::PRISMATIC;
-        }
-
         /** Complain about what is wrong with \e joint itself. */
         void check(const Joint &joint)
         {
@@ -46,7 +42,7 @@ namespace ompl_certificates
                 if (!(joint.axis.norm() >= 1e-9))
                     failAt(joint, "the axis must not be zero");
             }
-            if (joint.type == JointType::REVOLUTE || joint.type == JointType::PRISMATIC)
+            if (isLimited(joint.type))
             {
                 if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper))
                     failAt(joint, "the limits must be finite, not lower " + briefly(joint.lower) + ", upper " +
@@ -57,7 +53,7 @@ namespace ompl_certificates
             }
             if (!joint.mimic)
                 return;
-            if (!hasOneCoordinate(joint.type))
+            if (coordinatesOf(joint.type) != 1)
                 failAt(joint, "only revolute, continuous and prismatic joints can mimic others");
             if (!std::isfinite(joint.mimic->multiplier) || !std::isfinite(joint.mimic->offset))
                 failAt(joint, "the mimic's multiplier " + briefly(joint.mimic->multiplier) + " and offset " +
@@ -175,7 +171,7 @@ namespace ompl_certificates
             const Joint &followed = links_[getChildOf(name)].joint;
             if (followed.mimic)
                 failAt(joint, "mimics joint '" + name + "', which mimics a joint itself");
-            if (followed.type == JointType::PLANAR || followed.type == JointType::FLOATING)
+            if (coordinatesOf(followed.type) > 1)
                 failAt(joint, "mimics joint '" + name + "', which has more than one coordinate");
         }
     }

@@ -3,6 +3,7 @@
 #include "LinkPairs.h"
 #include "SrdfReader.h"
 #include "UrdfReader.h"
+#include "robots/JointTypes.h"
 
 #include "ompl_certificates/files/Suggestion.h"
 
@@ -61,9 +62,8 @@ namespace ompl_certificates
                     continue;
                 const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
                 const auto &mimic = joint.mimic;
-                const bool isLimited = joint.type == KinematicTree::JointType::REVOLUTE ||
-                                       joint.type == KinematicTree::JointType::PRISMATIC;
-                if (!mimic && isLimited && (value < joint.lower - FILE_ROUNDING || value > joint.upper + FILE_ROUNDING))
+                if (!mimic && isLimited(joint.type) &&
+                    (value < joint.lower - FILE_ROUNDING || value > joint.upper + FILE_ROUNDING))
                     notes.push_back("joint '" + name + "' is at " + std::to_string(value) + ", beyond its limits " +
                                     std::to_string(joint.lower) + " and " + std::to_string(joint.upper));
                 if (!mimic)

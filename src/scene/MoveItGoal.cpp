@@ -4,6 +4,7 @@
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
 #include "YamlArms.h"
+#include "robots/JointTypes.h"
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 
@@ -45,7 +46,7 @@ namespace ompl_certificates
                             const std::map<std::string, double> &values)
         {
             const KinematicTree::Joint &joint = tree.getLinks()[tree.getChildOf(name)].joint;
-            if (joint.type == JointType::PLANAR || joint.type == JointType::FLOATING)
+            if (coordinatesOf(joint.type) > 1)
                 node.fail("joint '" + name + "' of the group has several degrees of freedom, which is not supported");
             const auto found = values.find(name);
             if (found == values.end())

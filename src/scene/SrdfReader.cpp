@@ -2,6 +2,7 @@
 
 #include "LineReader.h"
 #include "XmlFile.h"
+#include "robots/JointTypes.h"
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
@@ -130,16 +131,10 @@ namespace ompl_certificates
             std::map<std::string, Node> nodes_;
         };
 
-        bool isLimited(const KinematicTree::Joint &joint)
-        {
-            return joint.type == KinematicTree::JointType::REVOLUTE ||
-                   joint.type == KinematicTree::JointType::PRISMATIC;
-        }
-
         bool canMove(const KinematicTree::Joint &joint)
         {
             return joint.type != KinematicTree::JointType::FIXED && !joint.mimic &&
-                   (!isLimited(joint) || joint.lower < joint.upper);
+                   (!isLimited(joint.type) || joint.lower < joint.upper);
         }
 
         std::string noteOnEqualLimits(const KinematicTree::Joint &joint)
@@ -233,12 +228,12 @@ namespace ompl_certificates
 
     bool hasEqualLimits(const KinematicTree::Joint &joint)
     {
-        return isLimited(joint) && !joint.mimic && joint.lower == joint.upper;
+        return isLimited(joint.type) && !joint.mimic && joint.lower == joint.upper;
     }
 
     double withinLimits(const KinematicTree::Joint &joint, double value)
     {
-        if (!isLimited(joint))
+        if (!isLimited(joint.type))
             return value;
         const double nearest = std::clamp(value, joint.lower, joint.upper);
         return std::abs(value - nearest) <= FILE_ROUNDING ? nearest : value;

@@ -2,6 +2,7 @@
 
 #include "UrdfGeometry.h"
 #include "XmlFile.h"
+#include "robots/JointTypes.h"
 #include "ompl_certificates/files/Suggestion.h"
 
 #include <console_bridge/console.h>
@@ -232,7 +233,7 @@ namespace ompl_certificates
             result.origin = poseOf(joint.parent_to_joint_origin_transform);
             result.type = typeOf(joint);
             result.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
-            if (result.type == Type::REVOLUTE || result.type == Type::PRISMATIC)
+            if (isLimited(result.type))
             {
                 if (!joint.limits)
                     throw ompl::Exception("has no limits");

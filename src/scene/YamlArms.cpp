@@ -2,6 +2,7 @@
 
 #include "geometry/Angle.h"
 #include "geometry/ShortestText.h"
+#include "robots/JointTypes.h"
 #include "LineReader.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"
@@ -33,8 +34,7 @@ namespace ompl_certificates
 
         bool hasOneValue(const Joint &joint)
         {
-            return joint.type == JointType::REVOLUTE || joint.type == JointType::CONTINUOUS ||
-                   joint.type == JointType::PRISMATIC;
+            return coordinatesOf(joint.type) == 1;
         }
 
         const Joint &jointOf(const YamlNode &node, const KinematicTree &tree, const std::string &name)
@@ -66,17 +66,12 @@ namespace ompl_certificates
             return values;
         }
 
-        std::size_t coordinatesIn(const Joint &joint)
-        {
-            return joint.type == JointType::PLANAR ? 3 : joint.type == JointType::FLOATING ? 7 : 1;
-        }
-
         /** The coordinates that \e node lists, of \e joints one after another */
         std::vector<double> readCoordinates(const YamlNode &node, const std::vector<const Joint *> &joints)
         {
             std::size_t count = 0;
             for (const Joint *joint : joints)
-                count += coordinatesIn(*joint);
+                count += coordinatesOf(joint->type);
             std::vector<double> state = node.numbers(count);
             const auto items = node.items(0, MAX_COORDINATES);
             std::size_t i = 0;
@@ -93,7 +88,7 @@ namespace ompl_certificates
                         items[i + 3].fail("the quaternion of joint '" + joint->name + "' must not be zero");
                     turn.normalize();
                 }
-                i += coordinatesIn(*joint);
+                i += coordinatesOf(joint->type);
             }
             return state;
         }

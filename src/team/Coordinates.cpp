@@ -1,6 +1,7 @@
 #include "ompl_certificates/team/Coordinates.h"
 
 #include "geometry/ShortestText.h"
+#include "robots/JointTypes.h"
 
 #include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
@@ -62,7 +63,7 @@ namespace ompl_certificates
             for (const std::string &name : arm.getGroup())
             {
                 const auto type = tree.getLinks()[tree.getChildOf(name)].joint.type;
-                if (type == KinematicTree::JointType::PLANAR || type == KinematicTree::JointType::FLOATING)
+                if (coordinatesOf(type) > 1)
                     for (const char *part : type == KinematicTree::JointType::PLANAR
                                                 ? std::vector<const char *>{"x", "y", "yaw"}
                                                 : std::vector<const char *>{"x", "y", "z", "qx", "qy", "qz", "qw"})
