@@ -83,14 +83,10 @@ namespace ompl_certificates_python
 
         Body join(const std::vector<std::pair<Body, py::object>> &members)
         {
-            std::vector<Body::Part> parts;
+            std::vector<PlacedBody> bodies;
             for (const auto &[body, object] : members)
-            {
-                const Pose pose = toPose(object, body.getDimension());
-                for (const Body::Part &part : body.getParts())
-                    parts.push_back({part.shape, pose * part.pose});
-            }
-            return Body(std::move(parts));
+                bodies.push_back({body, toPose(object, body.getDimension())});
+            return Body::join(bodies);
         }
     }
 

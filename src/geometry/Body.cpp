@@ -170,6 +170,15 @@ namespace ompl_certificates
         return single(Shape::mesh(2, std::move(mesh)));
     }
 
+    Body Body::join(const std::vector<PlacedBody> &bodies)
+    {
+        std::vector<Part> parts;
+        for (const PlacedBody &placed : bodies)
+            for (const Part &part : placed.body.getParts())
+                parts.push_back({part.shape, placed.pose * part.pose});
+        return Body(std::move(parts));
+    }
+
     Body::Body(std::vector<Part> parts)
     {
         if (parts.empty())

@@ -28,11 +28,10 @@ namespace ompl_certificates
             auto &told = notes[attached.name];
             told.insert(told.end(), about.begin(), about.end());
             attached.pose = object.pose;
-            std::vector<Body::Part> parts;
+            std::vector<PlacedBody> bodies;
             for (const MoveItObject::Placed &placed : object.shapes)
-                for (const Body::Part &part : placed.shape.body.getParts())
-                    parts.push_back({part.shape, object.pose.inverse() * placed.shape.pose * part.pose});
-            attached.body = Body(parts);
+                bodies.push_back({placed.shape.body, object.pose.inverse() * placed.shape.pose});
+            attached.body = Body::join(bodies);
             for (const YamlNode &link : moveItItems(node, "touch_links"))
             {
                 // Others make no difference to MoveIt either.

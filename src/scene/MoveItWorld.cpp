@@ -41,15 +41,6 @@ namespace ompl_certificates
             const Arm &arm_;
             std::vector<Pose> poses_;
         };
-
-        Body bodyOf(const MoveItWorld::Object &object)
-        {
-            std::vector<Body::Part> parts;
-            for (const PlacedBody &placed : object.shapes)
-                for (const Body::Part &part : placed.body.getParts())
-                    parts.push_back({part.shape, placed.pose * part.pose});
-            return Body(parts);
-        }
     }
 
     MoveItWorld::MoveItWorld(const YamlNode &node, const std::map<std::string, Pose> &frames, const std::string &folder,
@@ -132,7 +123,7 @@ namespace ompl_certificates
                     touchable.touchLinks.push_back(link);
             if (touchable.touchLinks.size() == unchecked || object.shapes.empty())
                 return false;
-            touchable.body = bodyOf(object);
+            touchable.body = Body::join(object.shapes);
             settings.touchable.push_back(std::move(touchable));
             return true;
         };

@@ -28,10 +28,7 @@ namespace ompl_certificates
                 return readBody(node, 2, meshes);
             const Body body = given.front() == "width" ? Body::box(length, node.at("width").positive())
                                                        : Body::planarCapsule(node.at("radius").positive(), length);
-            std::vector<Body::Part> parts = body.getParts();
-            for (Body::Part &part : parts)
-                part.pose = planarPose(0.5 * length, 0.0) * part.pose;
-            return Body(parts);
+            return Body::join({{body, planarPose(0.5 * length, 0.0)}});
         }
 
         Joint readJoint(const YamlNode &node, const std::string &name, double lengthBefore)

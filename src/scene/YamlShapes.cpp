@@ -57,16 +57,12 @@ namespace ompl_certificates
         PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
                               bool inCompound);
 
-        std::vector<Body::Part> readParts(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes)
+        Body readShapes(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes)
         {
-            std::vector<Body::Part> parts;
+            std::vector<PlacedBody> bodies;
             for (const YamlNode &item : list.items(1, MAX_SHAPES))
-            {
-                const PlacedBody placed = readPlaced(item, dimension, meshes, false, true);
-                for (const Body::Part &part : placed.body.getParts())
-                    parts.push_back({part.shape, placed.pose * part.pose});
-            }
-            return parts;
+                bodies.push_back(readPlaced(item, dimension, meshes, false, true));
+            return Body::join(bodies);
         }
 
         PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
@@ -104,7 +100,7 @@ namespace ompl_certificates
             if (type == "compound" && !inCompound)
             {
                 allowKeys(node, dimension, {"shapes"});
-                return {Body(readParts(node.at("shapes"), dimension, meshes)), readPose(node, dimension, false)};
+                return {readShapes(node.at("shapes"), dimension, meshes), readPose(node, dimension, false)};
             }
             if (type == "mesh")
             {
@@ -182,10 +178,7 @@ namespace ompl_certificates
         const PlacedBody placed = readPlaced(node, dimension, meshes, false, false);
         if (placed.pose.matrix() == Pose::Identity().matrix())
             return placed.body;
-        std::vector<Body::Part> parts = placed.body.getParts();
-        for (Body::Part &part : parts)
-            part.pose = placed.pose * part.pose;
-        return Body(parts);
+        return Body::join({placed});
     }
 
     Body readBody(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
@@ -193,7 +186,7 @@ namespace ompl_certificates
         if (node.has("shape") && node.has("shapes"))
             node.at("shapes").fail("give either shape or shapes");
         if (node.has("shapes"))
-            return Body(readParts(node.at("shapes"), dimension, meshes));
+            return readShapes(node.at("shapes"), dimension, meshes);
         return readShape(node.at("shape"), dimension, meshes);
     }
 }

@@ -26,6 +26,16 @@ TEST(Body, RefusesSizesThatAreNotPositiveAndFinite)
     EXPECT_THROW(Body::convexPolytope({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), ompl::Exception);
 }
 
+TEST(Body, IsJoinedOfBodiesAtTheirPoses)
+{
+    const Shape box = Shape::box(Eigen::Vector2d(1.0, 2.0)), disc = Shape::ball(2, 0.5);
+    const Pose one = planarPose(1.0, 0.0), other = planarPose(0.0, 3.0), pose = planarPose(2.0, -1.0, 0.5);
+    EXPECT_EQ(Body::join({{Body({{box, one}, {disc, other}}), pose}, {Body::disc(0.5)}}),
+              Body({{box, pose * one}, {disc, pose * other}, {disc, Pose::Identity()}}));
+    EXPECT_THROW(Body::join({}), ompl::Exception);
+    EXPECT_THROW(Body::join({{Body::disc(1.0)}, {Body::sphere(1.0)}}), ompl::Exception);
+}
+
 TEST(Body, RefusesAConcaveOutlineAndNamesThePoint)
 {
     const auto complaintOf = [](const auto &points, const auto &make) -> std::string

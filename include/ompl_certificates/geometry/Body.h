@@ -14,6 +14,7 @@
 namespace ompl_certificates
 {
     class ConvexCover;
+    struct PlacedBody;
 
     /** \brief A rigid body: one or more shapes, fixed to each other, in the body's frame.
 
@@ -84,6 +85,10 @@ namespace ompl_certificates
             \throws ompl::Exception if it is null
             Cost: n log n for n triangles, once for a mesh. */
         static Body planarMesh(TriangleMeshPtr mesh);
+
+        /** \brief One body of all the shapes of \e bodies, whose poses are in its frame
+            \throws ompl::Exception as the constructor */
+        static Body join(const std::vector<PlacedBody> &bodies);
 
         /** \brief One body of several shapes, at poses in the body's frame. A rotation may be rounded to three
             decimals: the nearest true one is taken.
@@ -204,7 +209,7 @@ namespace ompl_certificates
         /** \brief The body */
         Body body;
 
-        /** \brief Its pose in the workspace */
+        /** \brief Its pose in the workspace, or in the frame of a body that it is a part of */
         Pose pose{Pose::Identity()};
     };
 }
