@@ -170,12 +170,15 @@ namespace ompl_certificates
                                   ", not " + std::to_string(options.depth));
         if (options.slice && !(options.slice->low < options.slice->high))
             throw ompl::Exception("The slice of an octomap must have its low end below its high one");
+        if (!options.origin.allFinite())
+            throw ompl::Exception("The origin of an octomap must be finite");
     }
 
     bool isInSlice(const OctomapOptions &options, double resolution, const CellBox &box)
     {
-        return !options.slice || (box.high[2] > options.slice->low / resolution + ROUNDING &&
-                                  box.low[2] < options.slice->high / resolution - ROUNDING);
+        const double z = options.origin.z();
+        return !options.slice || (box.high[2] > (options.slice->low - z) / resolution + ROUNDING &&
+                                  box.low[2] < (options.slice->high - z) / resolution - ROUNDING);
     }
 
     namespace

@@ -20,7 +20,7 @@ namespace ompl_certificates
                                     {OCTOMAP_CELLS / 2, OCTOMAP_CELLS / 2, OCTOMAP_CELLS / 2}};
 
     /** \brief Refuses options that make no sense
-        \throws ompl::Exception if the depth or the slice is not valid */
+        \throws ompl::Exception if the depth, the slice or the origin is not valid */
     void requireValid(const OctomapOptions &options);
 
     /** \brief Whether the slice of \e options, if there is one, reaches into a box of cells with the edge length
@@ -29,7 +29,7 @@ namespace ompl_certificates
 
     /** \brief The cells of \e map that \e options make obstacles, in cells of the map's resolution; they do not overlap
         \param region only the cells within it
-        \throws ompl::Exception if the depth or the slice is not valid */
+        \throws ompl::Exception as requireValid() */
     std::vector<CellBox> cellsOf(const octomap::OcTree &map, const OctomapOptions &options,
                                  const CellBox &region = WHOLE_OCTOMAP);
 

@@ -25,8 +25,9 @@ namespace ompl_certificates
             bool isBinary{false};
             std::string type;
             double resolution{0.0};
-            std::uint64_t nodes{0};
+            /** How many nodes there are, which messages do not tell, and how many there are at most */
             bool hasNodes{false};
+            std::uint64_t nodes{std::numeric_limits<std::uint32_t>::max()};
             std::size_t data{0};
 
             /** How many bytes of a node come after its number, which is all that counts here. Colors of ColorOcTree are
@@ -78,7 +79,9 @@ namespace ompl_certificates
                         if (lines.eof())
                             break;
                         header.data = static_cast<std::size_t>(lines.tellg());
-                        requireHeader(header);
+                        requireMap(header, "res");
+                        if (!header.hasNodes || header.nodes > std::numeric_limits<std::uint32_t>::max())
+                            fail("size: must be the number of nodes, at most 4294967295");
                         return header;
                     }
                     if (key == "id")
@@ -99,19 +102,31 @@ namespace ompl_certificates
                 // The number of nodes may be wrong.
                 MapNodes nodes(header.resolution, std::min<std::size_t>(header.nodes, text_.size()));
                 std::size_t at = header.data;
-                if (header.nodes > 0)
+                if (header.hasNodes ? header.nodes > 0 : at < text_.size())
                 {
                     const std::size_t root = nodes.addRoot();
                     // Of a binary file's root without children octomap says so.
                     nodes.setOccupied(root, header.isBinary);
                     header.isBinary ? readBinary(at, nodes, root, 0, header) : readFull(at, nodes, root, 0, header);
                 }
-                if (nodes.size() != header.nodes)
+                if (header.hasNodes && nodes.size() != header.nodes)
                     fail("size: there are " + std::to_string(nodes.size()) + " nodes, not " +
                          std::to_string(header.nodes));
                 if (text_.find_first_not_of('\n', at) != std::string::npos)
                     fail("goes on after its last node");
                 return nodes;
+            }
+
+            /** Refuses other kinds of maps
+                \param resolution the name of its key */
+            void requireMap(const Header &header, const std::string &resolution) const
+            {
+                if (header.type != "OcTree" && header.type != "ColorOcTree" && header.type != "OcTreeStamped" &&
+                    !(header.isBinary && header.type == "1"))
+                    fail("id: must be OcTree, ColorOcTree or OcTreeStamped, not '" + header.type + "'");
+                // Centers of all cells are then coordinates that shapes may have, too.
+                if (!(header.resolution >= 1e-9 && header.resolution <= 1e4))
+                    fail(resolution + ": must be a number from 1e-9 to 1e4");
             }
 
         private:
@@ -127,18 +142,6 @@ namespace ompl_certificates
                 std::istringstream number = streamOf(text);
                 if (!(number >> header.resolution) || number.peek() != std::istringstream::traits_type::eof())
                     header.resolution = std::numeric_limits<double>::quiet_NaN();
-            }
-
-            void requireHeader(const Header &header) const
-            {
-                if (header.type != "OcTree" && header.type != "ColorOcTree" && header.type != "OcTreeStamped" &&
-                    !(header.isBinary && header.type == "1"))
-                    fail("id: must be OcTree, ColorOcTree or OcTreeStamped, not '" + header.type + "'");
-                // Centers of all cells are then coordinates that shapes may have, too.
-                if (!(header.resolution >= 1e-9 && header.resolution <= 1e4))
-                    fail("res: must be a number from 1e-9 to 1e4");
-                if (!header.hasNodes || header.nodes > std::numeric_limits<std::uint32_t>::max())
-                    fail("size: must be the number of nodes, at most 4294967295");
             }
 
             const char *take(std::size_t &at, std::size_t bytes, unsigned int depth) const
@@ -211,5 +214,17 @@ namespace ompl_certificates
         const std::string content = readRegularFile(file, MOST_BYTES);
         const OctomapText text(content, file);
         return text.readNodes(text.readHeader());
+    }
+
+    MapNodes readOctomap(const OctomapMessage &message)
+    {
+        const std::string name = "octomap";
+        const OctomapText text(message.data, name);
+        Header header;
+        header.isBinary = message.binary;
+        header.type = message.id;
+        header.resolution = message.resolution;
+        text.requireMap(header, "resolution");
+        return text.readNodes(header);
     }
 }

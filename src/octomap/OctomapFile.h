@@ -3,6 +3,8 @@
 
 #include "MapNodes.h"
 
+#include "ompl_certificates/octomap/OctomapMessage.h"
+
 #include <string>
 
 namespace ompl_certificates
@@ -10,6 +12,10 @@ namespace ompl_certificates
     /** \brief The map in a .bt or .ot file, as octomap reads it
         \throws ompl::Exception that names the file if it cannot be read, is damaged or holds another kind of map */
     MapNodes readOctomap(const std::string &file);
+
+    /** \brief The map in a message
+        \throws ompl::Exception that names the field if it is damaged or holds another kind of map */
+    MapNodes readOctomap(const OctomapMessage &message);
 }
 
 #endif

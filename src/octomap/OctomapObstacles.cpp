@@ -6,7 +6,7 @@
 namespace ompl_certificates
 {
     OctomapObstacles::OctomapObstacles(const octomap::OcTree &map, const OctomapOptions &options)
-      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3)
+      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3, options.origin)
     {
     }
 
@@ -15,8 +15,13 @@ namespace ompl_certificates
     {
     }
 
+    OctomapObstacles::OctomapObstacles(const OctomapMessage &message, const OctomapOptions &options)
+      : OctomapObstacles(readOctomap(message), options)
+    {
+    }
+
     OctomapObstacles::OctomapObstacles(const MapNodes &map, const OctomapOptions &options)
-      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3)
+      : CellObstacles(map.getResolution(), cellsOf(map, options), options.slice ? 2 : 3, options.origin)
     {
     }
 }

@@ -42,7 +42,10 @@ namespace ompl_certificates
     }
 
     OctomapSet::OctomapSet(octomap::OcTree &map, const OctomapOptions &options)
-      : map_(map), options_(options), edge_(edgeOf(options)), cells_(edge_ * map.getResolution(), options.slice ? 2 : 3)
+      : map_(map)
+      , options_(options)
+      , edge_(edgeOf(options))
+      , cells_(edge_ * map.getResolution(), options.slice ? 2 : 3, options.origin)
     {
         if (options.unknownIsOccupied)
             throw ompl::Exception("Unknown cells of an octomap that changes cannot be occupied");

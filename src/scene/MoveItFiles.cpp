@@ -2,6 +2,7 @@
 
 #include "MoveItGoal.h"
 #include "MoveItMessages.h"
+#include "MoveItPlanes.h"
 #include "MoveItRobotState.h"
 #include "MoveItWorld.h"
 #include "YamlText.h"
@@ -144,15 +145,36 @@ namespace ompl_certificates
             }
         }
 
+        /** Enlarge bounds by those cells that \e arm may reach: a map may be of a whole building. */
+        void enlarge(ob::RealVectorBounds &bounds, const CellObstacles &cells, const Arm &arm,
+                     const ArmFile::ArmSettings &settings)
+        {
+            const Eigen::Vector3d reach = Eigen::Vector3d::Constant(reachOf(arm, settings.jointValues));
+            const Eigen::AlignedBox3d reached(settings.base.translation() - reach, settings.base.translation() + reach);
+            Eigen::AlignedBox3d all;
+            for (std::size_t i = 0; i < cells.size(); ++i)
+                if (const auto box = cells.getBounds(static_cast<ObstaclePart>(i)); box.intersects(reached))
+                    all.extend(box.intersection(reached));
+            if (all.isEmpty())
+                return;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+            {
+                bounds.low[axis] = std::min(bounds.low[axis], all.min()[static_cast<Eigen::Index>(axis)]);
+                bounds.high[axis] = std::max(bounds.high[axis], all.max()[static_cast<Eigen::Index>(axis)]);
+            }
+        }
+
         /** The bounds of all that is seen in a picture */
-        ob::RealVectorBounds boundsAround(const MoveItWorld &world, const Scene::Member &member,
-                                          const std::optional<ob::RealVectorBounds> &workspace)
+        ob::RealVectorBounds boundsAround(const MoveItWorld &world, const Scene::Member &member, const Arm &arm,
+                                          const ArmFile::ArmSettings &settings)
         {
             ob::RealVectorBounds bounds(3);
             bounds.setLow(YamlNode::MAX_NUMBER);
             bounds.setHigh(-YamlNode::MAX_NUMBER);
-            if (workspace)
-                bounds = *workspace;
+            if (settings.bounds)
+                bounds = *settings.bounds;
+            if (world.getOctomap())
+                enlarge(bounds, *world.getOctomap(), arm, settings);
             for (const MoveItWorld::Object &object : world.getObjects())
                 for (std::size_t i = 0; i < object.solids; ++i)
                     enlarge(bounds, object.shapes[i].body, object.shapes[i].pose);
@@ -262,6 +284,8 @@ namespace ompl_certificates
             for (const MoveItWorld::Object &object : world.getObjects())
                 for (std::size_t i = 0; i < object.shapes.size(); ++i)
                     scene.addObstacle(object.shapes[i], object.titles[i]);
+            if (world.getOctomap())
+                scene.addSensedObstacles(world.getOctomap(), "octomap");
             scene.addMember(member);
             scene.setResolution(RESOLUTION);
             scene.chooseGoals();
@@ -309,7 +333,7 @@ namespace ompl_certificates
 
             const std::string name = moveItText(root, "name"), model = moveItText(root, "robot_model_name");
             SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,
-                                 boundsAround(world, member, settings.bounds)),
+                                 boundsAround(world, member, *arm, settings)),
                            {},
                            {},
                            {},

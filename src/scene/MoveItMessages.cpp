@@ -220,6 +220,11 @@ namespace ompl_certificates
         return Eigen::Map<const Eigen::Vector3d>(readNumbers(node, {"x", "y", "z"}).data());
     }
 
+    Pose readMoveItPose(const YamlNode &node)
+    {
+        return readPose(node, "position", "orientation");
+    }
+
     Pose readMoveItTransform(const YamlNode &node)
     {
         return readPose(node, "translation", "rotation");

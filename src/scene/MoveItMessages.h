@@ -51,6 +51,9 @@ namespace ompl_certificates
     /** \brief Three numbers, or a map of x, y and z */
     Eigen::Vector3d readMoveItVector(const YamlNode &node);
 
+    /** \brief A Pose: position and orientation, each of which may be left out */
+    Pose readMoveItPose(const YamlNode &node);
+
     /** \brief A Transform: translation and rotation */
     Pose readMoveItTransform(const YamlNode &node);
 

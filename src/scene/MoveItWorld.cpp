@@ -2,6 +2,7 @@
 
 #include "MoveItGoal.h"
 #include "MoveItMessages.h"
+#include "MoveItOctomap.h"
 #include "MoveItPlanes.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
@@ -27,12 +28,14 @@ namespace ompl_certificates
                     names.push_back(arm.getLinkOfBody(i));
             }
 
-            /** Whether a body stands still and touches none of \e obstacles */
-            bool staysClearOf(std::size_t body, const std::vector<PlacedBody> &obstacles) const
+            /** Whether a body stands still and touches none of \e obstacles and of \e octomap, if there is one */
+            bool staysClearOf(std::size_t body, const std::vector<PlacedBody> &obstacles,
+                              const Obstacles *octomap) const
             {
-                return !arm_.moves(names[body]) &&
-                       (obstacles.empty() ||
-                        !FclObstacles(obstacles, 3).collides(arm_.getBodies()[body], poses_[body]));
+                const auto isClearOf = [&](const Obstacles &all)
+                { return !all.collides(arm_.getBodies()[body], poses_[body]); };
+                return !arm_.moves(names[body]) && (obstacles.empty() || isClearOf(FclObstacles(obstacles, 3))) &&
+                       (!octomap || isClearOf(*octomap));
             }
 
             std::vector<std::string> names;
@@ -49,10 +52,8 @@ namespace ompl_certificates
         node.allow({"collision_objects", "octomap"});
         if (node.has("octomap"))
         {
-            const YamlNode octomap = node.at("octomap");
-            octomap.allow({"header", "origin", "octomap"});
-            if (octomap.has("octomap"))
-                refuse(octomap.at("octomap"), {"data"});
+            octomapNode_ = node.at("octomap");
+            octomap_ = readMoveItOctomap(*octomapNode_, frames);
         }
         std::set<std::string> names;
         for (const YamlNode &item : moveItItems(node, "collision_objects"))
@@ -98,15 +99,20 @@ namespace ompl_certificates
         {
             const std::string &link = links.names[i];
             std::vector<PlacedBody> forbidden;
-            bool mayTouchSome = matrix.mayTouchByDefault(link);
+            const bool mayTouchMap = octomap_ && matrix.mayTouch(link, MOVE_IT_OCTOMAP);
+            const Obstacles *const forbiddenMap = mayTouchMap ? nullptr : octomap_.get();
+            bool mayTouchSome = mayTouchMap || matrix.mayTouchByDefault(link);
             for (const Object &object : objects_)
                 if (matrix.mayTouch(link, object.name))
                     mayTouchSome = true;
                 else
                     forbidden.insert(forbidden.end(), object.shapes.begin(), object.shapes.end());
-            const bool isUnchecked = forbidden.empty() && matrix.mayTouchByDefault(link);
-            if (!isUnchecked && !(mayTouchSome && links.staysClearOf(i, forbidden)))
+            const bool isUnchecked = forbidden.empty() && !forbiddenMap && matrix.mayTouchByDefault(link);
+            if (!isUnchecked && !(mayTouchSome && links.staysClearOf(i, forbidden, forbiddenMap)))
             {
+                if (mayTouchMap)
+                    octomapNode_->fail("link '" + link +
+                                       "' may touch it, as the allowed collision matrix says, which is not supported");
                 checked.push_back(link);
                 continue;
             }

@@ -3,9 +3,12 @@
 
 #include "MoveItMatrix.h"
 #include "YamlNode.h"
+#include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/scene/ArmFile.h"
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +46,12 @@ namespace ompl_certificates
             return objects_;
         }
 
+        /** \brief The occupied cells of the octomap; null if there is none */
+        const std::shared_ptr<const CellObstacles> &getOctomap() const
+        {
+            return octomap_;
+        }
+
         /** \brief Add to the shapes of objects the parts of their planes that \e arm can touch; see planeWithin() */
         void cutPlanes(const Arm &arm, const ArmFile::ArmSettings &settings);
 
@@ -50,12 +59,16 @@ namespace ompl_certificates
             links that may touch all others. A link of \e arm that stands still is one of these if it may touch some and
             is clear of the others. Planes must be cut.
             \param arm the robot, without these settings
-            \param notes what a user should know is added here */
+            \param notes what a user should know is added here
+            \throws ompl::Exception if other links may touch the octomap */
         void moveTouchable(const MoveItMatrix &matrix, const Arm &arm, ArmFile::ArmSettings &settings,
                            std::vector<std::string> &notes);
 
     private:
         std::vector<Object> objects_;
+        std::shared_ptr<const CellObstacles> octomap_;
+        /** \brief Where messages say that the octomap is */
+        std::optional<YamlNode> octomapNode_;
     };
 }
 

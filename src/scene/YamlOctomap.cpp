@@ -24,6 +24,8 @@ namespace ompl_certificates
             if (node.has("depth"))
                 options.depth = readDepth(node.at("depth"));
             options.unknownIsOccupied = readUnknownIsOccupied(node);
+            if (node.has("origin"))
+                options.origin = Eigen::Map<const Eigen::Vector3d>(node.at("origin").numbers(3).data());
             if (dimension == 2)
             {
                 const auto ends = node.at("heights").numbers(2);
@@ -38,7 +40,7 @@ namespace ompl_certificates
 
     ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source)
     {
-        std::vector<std::string> keys{"type", "file", "depth", "unknown"};
+        std::vector<std::string> keys{"type", "file", "depth", "unknown", "origin"};
         if (dimension == 2)
             keys.emplace_back("heights");
         node.allow(keys);

@@ -10,7 +10,7 @@ namespace ompl_certificates
         \param source the scene's file, whose folder the cloud's path is relative to */
     ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source);
 
-    /** \brief The octomap that \e node describes: file, depth, unknown and, in the plane, heights. Fails if the program
+    /** \brief The octomap that \e node describes: file, depth, unknown, origin and, in the plane, heights. Fails if the program
         was built without octomap.
         \param source as above */
     ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);

@@ -1,9 +1,11 @@
 #include "RandomMaps.h"
+#include "ompl_certificates/octomap/OctomapMessage.h"
 #include "ompl_certificates/octomap/OctomapObstacles.h"
 #include "support/DecimalCommas.h"
 #include "support/Folder.h"
 #include "support/Message.h"
 
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <octomap/ColorOcTree.h>
@@ -144,6 +146,33 @@ TEST_P(OctomapFile, MustBeThere)
 {
     const std::string file = folder_ / "none.bt";
     EXPECT_NE(messageOf([&] { OctomapObstacles{file}; }).find(file), std::string::npos);
+}
+
+TEST_P(OctomapFile, IsReadFromMessages)
+{
+    Random random(5);
+    const auto map = randomMap(random, 0.1);
+    const std::string content = contentOf(*map, GetParam());
+    // What octomap_msgs puts into a message is what a file has after its header.
+    const OctomapMessage message{GetParam(), "OcTree", 0.1, content.substr(content.find("data\n") + 5)};
+    EXPECT_EQ(OctomapObstacles(message).getBoxes(), OctomapObstacles(*map).getBoxes());
+    EXPECT_EQ(OctomapObstacles(message).getFingerprint(), OctomapObstacles(*map).getFingerprint());
+    EXPECT_TRUE(OctomapObstacles(OctomapMessage{GetParam(), "OcTree", 0.1, ""}).getBoxes().empty());
+
+    const auto expectMessage = [&](const std::string &words, const std::function<void(OctomapMessage &)> &damage)
+    {
+        OctomapMessage damaged = message;
+        damage(damaged);
+        EXPECT_EQ(messageOf([&] { OctomapObstacles{damaged}; }).rfind("octomap: " + words, 0), 0U)
+            << messageOf([&] { OctomapObstacles{damaged}; });
+    };
+    expectMessage("id: must be", [](OctomapMessage &of) { of.id = "CountingOcTree"; });
+    expectMessage("resolution: must be", [](OctomapMessage &of) { of.resolution = std::nan(""); });
+    expectMessage("resolution: must be", [](OctomapMessage &of) { of.resolution = 0.0; });
+    expectMessage("goes on", [](OctomapMessage &of) { of.data += "more"; });
+    expectMessage("is damaged", [](OctomapMessage &of) { of.data.assign(100000, '\xFF'); });
+    for (std::size_t length = 1; length < message.data.size(); length += 1 + message.data.size() / 50)
+        expectMessage("ends before", [length](OctomapMessage &of) { of.data.resize(length); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Kind, OctomapFile, testing::Bool(),

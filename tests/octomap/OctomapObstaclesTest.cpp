@@ -185,6 +185,7 @@ TEST(OctomapObstacles, RefuseOptionsThatMakeNoSense)
                   std::string::npos);
     EXPECT_NE(messageOf([&] { OctomapObstacles(map, {16, false, ZInterval{1.0, 1.0}}); }), "");
     EXPECT_NE(messageOf([&] { OctomapObstacles(map, {16, false, ZInterval{std::nan(""), 1.0}}); }), "");
+    EXPECT_NE(messageOf([&] { OctomapObstacles(map, {16, false, {}, {0.0, std::nan(""), 0.0}}); }), "");
 }
 
 // A corridor and a building of the University of Freiburg, where they are at hand

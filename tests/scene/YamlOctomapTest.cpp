@@ -55,6 +55,9 @@ namespace ompl_certificates
         EXPECT_NEAR(clearanceOf(3, ", depth: 14", {9.0, 5.0, 3.0}), 1.0, 1e-9);
         EXPECT_NEAR(clearanceOf(2, ", heights: [3, 4]", {9.0, 5.0, 0.0}), 1.75, 1e-9);
         EXPECT_GT(clearanceOf(2, ", heights: [10, 11]", {9.0, 5.0, 0.0}), 1.75);
+        EXPECT_NEAR(clearanceOf(3, ", origin: [0.5, 0, 100]", {9.0, 5.0, 103.0}), 1.25, 1e-9);
+        EXPECT_NEAR(clearanceOf(2, ", heights: [103, 104], origin: [0.5, 0, 100]", {9.0, 5.0, 0.0}), 1.25, 1e-9);
+        EXPECT_GT(clearanceOf(2, ", heights: [3, 4], origin: [0.5, 0, 100]", {9.0, 5.0, 0.0}), 1.75);
         // All cells of the scene are known.
         EXPECT_NEAR(clearanceOf(3, ", unknown: occupied", {9.0, 5.0, 3.0}), 1.75, 1e-9);
         EXPECT_NEAR(clearanceOf(3, ", unknown: free", {9.0, 5.0, 3.0}), 1.75, 1e-9);
@@ -86,6 +89,7 @@ namespace ompl_certificates
             {3, "type: octomap, file: map.bt, depth: 15.5", ".depth: must be a whole number from 1 to 16, not 15.5"},
             {3, "type: octomap, file: map.bt, unknown: maybe", ".unknown: must be free or occupied, not 'maybe'"},
             {3, "type: octomap, file: map.bt, heights: [0, 1]", ".heights: unknown key"},
+            {3, "type: octomap, file: map.bt, origin: [0, 0]", ".origin: must"},
             {3, "type: octomap, file: map.bt, center: [0, 0, 0]", ".center: unknown key"},
             {2, "type: octomap, file: map.bt", ".heights: missing"},
             {2, "type: octomap, file: map.bt, heights: [1, 1]", ".heights: its low end must be below its high one"},

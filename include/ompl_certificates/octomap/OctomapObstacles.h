@@ -4,6 +4,7 @@
 #include "ompl_certificates/geometry/ZInterval.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,7 @@ namespace octomap
 namespace ompl_certificates
 {
     class MapNodes;
+    struct OctomapMessage;
 
     /** \brief Which cells of an octomap are obstacles */
     struct OctomapOptions
@@ -30,6 +32,9 @@ namespace ompl_certificates
         /** \brief For a planar workspace: the cells that reach into this z-interval, seen from above. One that only
             touches an end of it does not count. */
         std::optional<ZInterval> slice;
+
+        /** \brief Where the map's own origin is in the workspace. The slice is in the workspace, too. */
+        Eigen::Vector3d origin{Eigen::Vector3d::Zero()};
     };
 
     /** \brief The occupied cells of an octomap: in space or, given a slice, in the plane.
@@ -40,13 +45,17 @@ namespace ompl_certificates
     {
     public:
         /** \brief The obstacles of \e map
-            \throws ompl::Exception if the depth or the slice is not valid
+            \throws ompl::Exception if the depth, the slice or the origin is not valid
             Cost: linear in the nodes of the map, some 0.13 s for two million. */
         explicit OctomapObstacles(const octomap::OcTree &map, const OctomapOptions &options = {});
 
         /** \brief The obstacles of a map in a file, .bt or .ot
             \throws ompl::Exception that names the file if it cannot be read, is damaged or holds another kind of map */
         explicit OctomapObstacles(const std::string &file, const OctomapOptions &options = {});
+
+        /** \brief The obstacles of a map that ROS sent
+            \throws ompl::Exception that names the field if it is damaged or another kind of map */
+        explicit OctomapObstacles(const OctomapMessage &message, const OctomapOptions &options = {});
 
     private:
         OctomapObstacles(const MapNodes &map, const OctomapOptions &options);

@@ -24,7 +24,7 @@ namespace ompl_certificates
     {
     public:
         /** \brief The obstacles of \e map, which must outlive this object. Switches on the map's change detection.
-            \throws ompl::Exception if the depth or the slice is not valid; if the map's change detection is on, so
+            \throws ompl::Exception if the depth, the slice or the origin is not valid; if the map's change detection is on, so
             that another set or somebody else uses it; or if unknown cells are to be occupied: one more known cell may
             then make others occupied that are far away */
         explicit OctomapSet(octomap::OcTree &map, const OctomapOptions &options = {});
