@@ -5,6 +5,7 @@
 #include <ompl_certificates/robots/Arm.h>
 #include <ompl_certificates/scene/ArmFile.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <ompl/util/Exception.h>
@@ -50,6 +51,27 @@ namespace ompl_certificates_python
             return settings;
         }
 
+        bool hasMovingBase(const Arm &arm)
+        {
+            using JointType = KinematicTree::JointType;
+            const KinematicTree &tree = arm.getTree();
+            return std::any_of(arm.getGroup().begin(), arm.getGroup().end(),
+                               [&tree](const std::string &name)
+                               {
+                                   const JointType type = tree.getLinks()[tree.getChildOf(name)].joint.type;
+                                   return type == JointType::PLANAR || type == JointType::FLOATING;
+                               });
+        }
+
+        /** Refuse bounds that would make no difference. */
+        void requireUse(const Bounds &bounds, const std::vector<std::shared_ptr<const Arm>> &arms)
+        {
+            if (bounds && std::none_of(arms.begin(), arms.end(), [](const auto &arm) { return hasMovingBase(*arm); }))
+                throw ompl::Exception("bounds",
+                                      "the group has no planar or floating joint, whose position they would "
+                                      "bound; limits of other joints are those of the URDF file");
+        }
+
         void warnOf(const std::vector<std::string> &notes)
         {
             for (const std::string &note : notes)
@@ -67,6 +89,7 @@ namespace ompl_certificates_python
             std::vector<std::string> notes;
             const auto arm = file.makeArm(name.value_or(file.getName()), group,
                                           settingsOf(base, jointValues, bounds, attached, mayTouchObstacles), &notes);
+            requireUse(bounds, {arm});
             warnOf(notes);
             return std::const_pointer_cast<Arm>(arm);
         }
@@ -88,6 +111,7 @@ namespace ompl_certificates_python
             const auto arms =
                 readArmFile(urdf, srdf, packages, visuals)
                     .makeArms(parts, settingsOf(base, jointValues, bounds, attached, mayTouchObstacles), &notes);
+            requireUse(bounds, arms);
             warnOf(notes);
             std::vector<RobotHolder> robots;
             for (const auto &arm : arms)

@@ -1,8 +1,7 @@
 #include "Arrays.h"
 
-#include "Rotations.h"
-
 #include <ompl_certificates/team/Coordinates.h>
+#include <ompl_certificates/team/Rotations.h>
 
 #include <cmath>
 #include <cstring>

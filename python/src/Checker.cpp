@@ -1,5 +1,8 @@
 #include "Checker.h"
+
 #include "Signals.h"
+
+#include <ompl_certificates/team/Coordinates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,13 +179,20 @@ namespace ompl_certificates_python
             throw ompl::Exception(what, "must have a state at least");
         ompl::geometric::PathGeometric path(setup_->getSpaceInformation());
         Row row(*this);
+        TurnCounter turns(rotations_);
         for (std::size_t i = 0; i < rows; ++i)
         {
+            turns.add(states.data() + i * rotations_.count);
             const ob::State *state = row.read(states.data() + i * rotations_.count);
             if (!state || !row.isFinite())
                 throw ompl::Exception(what, "row " + std::to_string(i) + ": all numbers must be finite");
             path.append(state);
         }
+        if (const auto turn = turns.findLongTurn())
+            throw ompl::Exception(what, "row " + std::to_string(turn->state) + ": '" +
+                                            coordinateNames(*setup_->getStateSpace())[turn->coordinate] +
+                                            "' turns by " + std::to_string(turn->angle) +
+                                            " since the row before, more than half a turn; add a row in between");
         return path;
     }
 

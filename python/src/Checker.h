@@ -2,8 +2,9 @@
 #define OMPL_CERTIFICATES_PYTHON_CHECKER_
 
 #include "Arrays.h"
-#include "Rotations.h"
 #include "World.h"
+
+#include <ompl_certificates/team/Rotations.h>
 
 #include <atomic>
 #include <memory>
@@ -81,7 +82,8 @@ namespace ompl_certificates_python
         ompl::base::ScopedState<> toState(const Doubles &values, const char *what) const;
 
         /** \brief A path of the team, from a row of numbers for each of its states
-            \throws ompl::Exception as toState() does, and if there is no row */
+            \throws ompl::Exception as toState() does, if there is no row, or if an angle that counts turns moves by more
+            than half of one between two rows */
         ompl::geometric::PathGeometric toPath(const Doubles &states, const char *what) const;
 
         /** \brief The scene with the obstacles there are now, and a goal

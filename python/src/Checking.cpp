@@ -57,9 +57,8 @@ namespace ompl_certificates_python
                      "KeyboardInterrupt.")
                 .def("clearance", &clearanceOf, py::arg("states"),
                      "Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or "
-                     "between links of one arm. In the scene's length unit. Not positive if a state is not valid. A "
-                     "lower bound may be negative for a valid state, too, so its sign is no verdict: ask is_valid. "
-                     "Shapes as of is_valid.")
+                     "between links of one arm. In the scene's length unit. Positive if and only if a state is valid, "
+                     "and 1e-12 where nothing more is proved. Shapes as of is_valid.")
                 .def(
                     "check_motions",
                     [](const Checker &self, const py::object &starts, const py::object &ends)

@@ -5,13 +5,13 @@
 #include "PlanOptions.h"
 #include "Progress.h"
 #include "Quiet.h"
-#include "Rotations.h"
 
 #include <ompl_certificates/control/ControlPlanners.h>
 #include <ompl_certificates/control/Integrator.h>
 #include <ompl_certificates/neighbors/PlannerNeighbors.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/PathTimes.h>
+#include <ompl_certificates/team/Rotations.h>
 
 #include <algorithm>
 #include <cmath>

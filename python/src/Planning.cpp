@@ -208,11 +208,12 @@ namespace ompl_certificates_python
                 [&]
                 {
                     setup.setup();
+                    const double begin = progress.getSeconds();
                     setup.getProblemDefinition()->setIntermediateSolutionCallback(
                         [&](const ob::Planner *, const std::vector<const ob::State *> &, ob::Cost)
                         {
                             if (report.firstSolutionSeconds < 0.0)
-                                report.firstSolutionSeconds = progress.getSeconds();
+                                report.firstSolutionSeconds = progress.getSeconds() - begin;
                         });
                     const ob::PlannerStatus status = setup.solve(progress.condition());
                     setup.getProblemDefinition()->setIntermediateSolutionCallback(nullptr);

@@ -2,28 +2,19 @@
 #include "Bindings.h"
 #include "Goals.h"
 #include "Outcome.h"
-#include "Rotations.h"
-#include "World.h"
+#include "SensedObstacles.h"
 
 #include <ompl_certificates/control/DynamicRobot.h>
-#include <ompl_certificates/obstacles/CellObstacles.h>
-#include <ompl_certificates/obstacles/PointCloudObstacles.h>
 #include <ompl_certificates/pictures/PathReader.h>
 #include <ompl_certificates/pictures/ScenePicture.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/MoveItFiles.h>
-#include <ompl_certificates/scene/OccupancyMapFile.h>
 #include <ompl_certificates/scene/SceneFile.h>
 #include <ompl_certificates/team/Coordinates.h>
+#include <ompl_certificates/team/Rotations.h>
 
-#include <cmath>
 #include <ompl/util/Exception.h>
-#include <optional>
 #include <pybind11/stl.h>
-
-#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-#include <ompl_certificates/octomap/OctomapObstacles.h>
-#endif
 
 namespace ompl_certificates_python
 {
@@ -40,74 +31,6 @@ namespace ompl_certificates_python
         {
             scene.addObstacle({body, toPose(pose, scene.getDimension())});
             return scene.getObstacles().size() - 1;
-        }
-
-        /** Add obstacles that are no bodies, and return their number. They are made while other Python threads run. */
-        template <typename Make>
-        std::size_t addSensed(Scene &scene, const Make &make, const std::string &kind)
-        {
-            ObstaclesPtr obstacles;
-            {
-                const py::gil_scoped_release release;
-                obstacles = make();
-            }
-            const std::size_t number = scene.getSensedObstacles().size();
-            scene.addSensedObstacles(obstacles, kind + "[" + std::to_string(number) + "]");
-            return number;
-        }
-
-        std::size_t addCloud(Scene &scene, PointCloud cloud, double cell, bool haveHeights = true)
-        {
-            if (!(cell >= 0.0))
-                throw ompl::Exception("cell", "must not be negative, not " + std::to_string(cell));
-            const ZInterval heights = scene.getZInterval();
-            const unsigned int dimension = scene.getDimension();
-            return addSensed(
-                scene,
-                [&]() -> ObstaclesPtr
-                {
-                    if (cell > 0.0)
-                        cloud = thinned(std::move(cloud), cell);
-                    if (dimension == 2)
-                        cloud.points = inPlane({std::move(cloud.points), haveHeights}, cloud.radius, heights, "points");
-                    return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
-                },
-                "clouds");
-        }
-
-        std::size_t addGrid(Scene &scene, const py::object &occupied, double size,
-                            const std::vector<std::int64_t> &first, const std::vector<double> &origin)
-        {
-            const unsigned int dimension = scene.getDimension();
-            const auto cells = toCells(occupied, first, dimension);
-            const Eigen::Vector3d corner = toOrigin(origin, dimension);
-            return addSensed(
-                scene, [&] { return std::make_shared<CellObstacles>(size, cells, dimension, corner); }, "grids");
-        }
-
-        std::size_t addOccupancyMapFile(Scene &scene, const std::filesystem::path &file, bool unknownOccupied)
-        {
-            return addSensed(
-                scene, [&] { return loadOccupancyMap(file.string(), unknownOccupied); }, "maps");
-        }
-
-        std::size_t addOctomapFile(Scene &scene, const std::filesystem::path &file, unsigned int depth,
-                                   bool unknownOccupied, const std::optional<std::pair<double, double>> &heights)
-        {
-#ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-            OctomapOptions options;
-            options.depth = depth;
-            options.unknownIsOccupied = unknownOccupied;
-            if ((scene.getDimension() == 2) != heights.has_value())
-                throw ompl::Exception("heights", heights ? "are for planar scenes alone"
-                                                         : "a planar scene needs those of the slice, (low, high)");
-            if (heights)
-                options.slice = ZInterval{heights->first, heights->second};
-            return addSensed(
-                scene, [&] { return std::make_shared<OctomapObstacles>(file.string(), options); }, "octomaps");
-#else
-            throw ompl::Exception(file, "this module was built without octomap");
-#endif
         }
 
         void addRobot(Scene &scene, const std::shared_ptr<Robot> &robot, const py::object &from, const py::object &to,
@@ -171,55 +94,6 @@ namespace ompl_certificates_python
             { return std::to_string(number) + " " + what + (number == 1 ? "" : "s"); };
             return "<Scene '" + scene.getName() + "' of " + count(scene.getMembers().size(), "robot") + ", " +
                    count(scene.getObstacles().size() + scene.getSensedObstacles().size(), "obstacle") + ">";
-        }
-
-        void bindSensed(py::class_<Scene> &scene)
-        {
-            scene
-                .def(
-                    "add_cloud",
-                    [](Scene &self, const py::object &object, double radius, double cell)
-                    {
-                        const Doubles array = toDoubles(object, "points");
-                        auto points = toPoints3(array, "points", self.getDimension() == 2);
-                        return addCloud(self, {std::move(points), radius}, cell, haveHeights(array));
-                    },
-                    py::arg("points"), py::arg("radius"), py::arg("cell") = 0.0,
-                    "Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the "
-                    "cloud, from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer "
-                    "points stand for them, one in each cell of a grid; the radius grows, so that all that was "
-                    "occupied still is, and what Checker.change_cloud inserts has that larger radius, too. In a "
-                    "planar scene points of shape (n, 2) are in the robots' way at any height. Of those of shape (n, "
-                    "3) only the ones count that a robot reaches with its meshes; so add the robots first. Robots of "
-                    "other shapes reach all heights, so leave out the floor before.")
-                .def(
-                    "add_cloud_file",
-                    [](Scene &self, const std::filesystem::path &file, double radius, double cell)
-                    {
-                        PointCloud cloud = loadCloud(file);
-                        cloud.radius = radius;
-                        return addCloud(self, std::move(cloud), cell);
-                    },
-                    py::arg("file"), py::arg("radius"), py::arg("cell") = 0.0,
-                    "The same, from a PCD or PLY file, or a text: .xyz, .txt, .asc, .pts or .csv")
-                .def("add_grid", &addGrid, py::arg("occupied"), py::arg("size"),
-                     py::arg("first") = std::vector<std::int64_t>(), py::arg("origin") = std::vector<double>(),
-                     "Add obstacles that are cells of a grid with edges of length size, and return its number; clouds, "
-                     "grids and maps are numbered together, from 0 on. occupied has bools, of shape (nx, ny) in "
-                     "the plane or (nx, ny, nz). Cell (i, j) reaches from (i, j) to (i + 1, j + 1), times size, from "
-                     "origin on, by default 0; first is the index of occupied[0, 0], by default 0.")
-                .def(
-                    "add_occupancy_map_file", &addOccupancyMapFile, py::arg("file"),
-                    py::arg("unknown_occupied") = false,
-                    "Add the occupied cells of a map of ROS's map_server, from its .yaml file and the .pgm image that "
-                    "this names, and return its number. For planar scenes. Unknown cells are free, or occupied; beyond "
-                    "the map all is free.")
-                .def("add_octomap_file", &addOctomapFile, py::arg("file"), py::arg("depth") = 16,
-                     py::arg("unknown_occupied") = false, py::arg("heights") = py::none(),
-                     "Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level "
-                     "of depth less doubles the edges of its smallest cells. Unknown cells are free; or occupied, "
-                     "within the box of all known ones. In a planar scene those cells count that reach into the "
-                     "heights (low, high).");
         }
 
         void bindBuilding(py::class_<Scene> &scene)

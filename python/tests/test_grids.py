@@ -1,5 +1,6 @@
 """Cells of a grid, and octomaps"""
 
+import array
 import pathlib
 from typing import Tuple
 
@@ -135,6 +136,19 @@ def test_an_octomap_is_read_and_changed(scenes: pathlib.Path, tmp_path: pathlib.
     states = np.random.default_rng(seed).uniform(-5, 10, (2000, 3))
     valid = checker.is_valid(states)
     assert 0 < valid.sum() < len(states)
+    # A message has what a file has after its header.
+    data = maps[0].read_bytes().split(b"data\n", 1)[1]
+    for form in (data, np.frombuffer(data, dtype=np.int8), list(data), array.array("b", data)):
+        same = hall(3)
+        same.add_octomap(form, 0.25)
+        assert (oc.Checker(same).is_valid(states) == valid).all()
+    shifted = hall(3)
+    shifted.add_octomap(data, 0.25, origin=(1.5, -2.0, 0.25))
+    assert (oc.Checker(shifted).is_valid(states + (1.5, -2.0, 0.25)) == valid).mean() > 0.99
+    with pytest.raises(oc.Error, match="^octomap: ends before its last node$"):
+        shifted.add_octomap(data[:-1], 0.25)
+    with pytest.raises(oc.Error, match="^data: must be bytes, from -128 to 255, not 300"):
+        shifted.add_octomap([1, 300], 0.25)
     coarse = hall(3)
     coarse.add_octomap_file(maps[0], depth=14)
     assert not (oc.Checker(coarse).is_valid(states) & ~valid).any()

@@ -68,6 +68,8 @@ def test_why_there_is_no_solution(closed: oc.Scene, room: oc.Scene) -> None:
     assert plan.reason == plan.report["reason"]
     assert plan.reason and plan.reason.startswith("an approximate solution ends ")
     assert oc.plan(room, "PRMstar", time=0.5).report["seconds"]["first_solution"] is None
+    seconds = oc.plan(room, "RRTConnect", time=5.0, first=True).report["seconds"]
+    assert 0 < seconds["first_solution"] <= seconds["total"]
     plan = oc.plan(closed, "PRMstar", time=0.2)
     assert repr(plan) == f"<Plan: not solved: {plan.reason}>"
     closed.add_robot(oc.Robot.rigid("lost", oc.Body.disc(0.3), [0, 0], [10, 4], turns=False), [1, 3], [9, 3])
@@ -168,6 +170,19 @@ def test_a_path_of_ones_own_is_proved(closed: oc.Scene) -> None:
 
 
 @pytest.mark.parametrize("kind", [oc.Body, oc.Robot, oc.Plan, oc.ControlPlan, oc.Proof])
+
+
+def test_angles_that_count_turns_are_not_turned_the_shorter_way() -> None:
+    scene = oc.Scene([0, 0], [10, 4], "turns")
+    scene.add_robot(oc.Robot.rigid("bar", oc.Body.box(2, 0.2), [0, 0], [10, 4]), [2, 2, 0], [2, 2, 1])
+    # In the way of the turn by more than half of one, and not in that of the shorter one
+    scene.add_obstacle(oc.Body.disc(0.1), (2, 2.8))
+    checker = oc.Checker(scene, motion="continuous")
+    assert checker.prove([[2, 2, 1.7], [2, 2, 3.0], [2, 2, -2.9], [2, 2, -1.6]])
+    assert not checker.prove([[2, 2, 1.2], [2, 2, 2.0]])
+    assert not checker.prove([[2, 2, 1.2], [2, 2, 3.0], [2, 2, 4.5]])
+    with pytest.raises(oc.Error, match="^path: row 1: 'bar.yaw' turns by 3.3.* more than half a turn; add a row"):
+        checker.prove([[2, 2, 1.2], [2, 2, 4.5]])
 def test_nothing_is_made_of_nothing(kind: Any) -> None:
     for make in (kind, lambda: kind.__new__(kind), lambda: object.__new__(kind)):
         with pytest.raises(TypeError):

@@ -198,6 +198,8 @@ def test_arms_carry_bodies(scenes: pathlib.Path) -> None:
     urdf, srdf = (scenes / "arms" / f"arm6.{ending}" for ending in ("urdf", "srdf"))
     bar = oc.AttachedBody("bar", "palm", oc.Body.sphere(0.05), (0, 0, 0.3), touch_links=["left_finger"])
     assert repr(bar) == "<AttachedBody 'bar' on 'palm'>"
+    with pytest.raises(oc.Error, match="^bounds: the group has no planar or floating joint"):
+        oc.Robot.arm(urdf, srdf, "arm", bounds=([0, 0, 0], [1, 1, 1]))
     bare = oc.Robot.arm(urdf, srdf, "arm")
     arm = oc.Robot.arm(urdf, srdf, "arm", attached=[bar])
     assert arm.links == bare.links + ["bar"]

@@ -5,15 +5,15 @@
 #include "scene/LineReader.h"
 
 #include "ompl_certificates/pictures/PathFile.h"
+#include "ompl_certificates/team/Rotations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ompl/base/ScopedState.h>
-#include <ompl/base/StateSpaceTypes.h>
-#include <ompl/base/spaces/SO3StateSpace.h>
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Exception.h>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates
@@ -27,9 +27,6 @@ namespace ompl_certificates
 
         /** For how many steps a control may be held */
         constexpr double MOST_STEPS = 1e5;
-
-        /** How much the length of a quaternion may differ from 1 */
-        constexpr double QUATERNION_ROUNDING = 1e-3;
 
         /** The fields of a line; those in quotes may have commas, and quotes twice.
             \param isQuoted whether the last one has no closing quote */
@@ -152,68 +149,14 @@ namespace ompl_certificates
             std::vector<std::string> fields_, names_;
         };
 
-        /** Bring angles and quaternions to where OMPL wants them. */
-        void settleRotations(const ob::StateSpace &space, ob::State *state, const PathTable &table)
+        /** Set a state to numbers of a table, with angles and quaternions where OMPL wants them. */
+        void setState(ob::ScopedState<> &state, std::vector<double> numbers, const Rotations &rotations,
+                      const PathTable &table)
         {
-            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
-            {
-                for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
-                    settleRotations(*compound->getSubspace(i), state->as<ob::CompoundState>()->components[i], table);
-                return;
-            }
-            if (space.getType() == ob::STATE_SPACE_SO3)
-            {
-                const auto &turn = *state->as<ob::SO3StateSpace::StateType>();
-                const double norm = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
-                if (!(std::abs(norm - 1.0) <= QUATERNION_ROUNDING))
-                    table.fail("a quaternion has length " + std::to_string(norm) + ", not 1");
-            }
-            // What is within OMPL's bounds stays as it is, to the bit.
-            if ((space.getType() == ob::STATE_SPACE_SO3 || space.getType() == ob::STATE_SPACE_SO2) &&
-                !space.satisfiesBounds(state))
-                space.enforceBounds(state);
-        }
-
-        /** Add where the angles are among the numbers of a state; \e count of these were before. */
-        void findAngles(const ob::StateSpace &space, std::size_t &count, std::vector<std::size_t> &angles)
-        {
-            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
-                for (const ob::StateSpacePtr &part : compound->getSubspaces())
-                    findAngles(*part, count, angles);
-            else if (space.getType() == ob::STATE_SPACE_SO2)
-                angles.push_back(count++);
-            else
-                count += space.getType() == ob::STATE_SPACE_SO3 ? 4 : space.getDimension();
-        }
-
-        /** Watches over a column of angles. If some are beyond half a turn, they count all turns, and states an angle of
-            more than half a turn apart would be moved between the other way round. */
-        struct AngleColumn
-        {
-            std::size_t column;
-            bool countsTurns{false};
-            double last{0.0};
-            /** The first place at which it turns so far, and how far */
-            std::string place{};
-            double turn{0.0};
-
-            void read(const PathTable &table, bool isFirst)
-            {
-                const double angle = table.number(column);
-                countsTurns = countsTurns || std::abs(angle) > 1.001 * M_PI;
-                if (!isFirst && place.empty() && std::abs(angle - last) > M_PI)
-                {
-                    place = table.place();
-                    turn = angle - last;
-                }
-                last = angle;
-            }
-        };
-
-        void readState(const PathTable &table, const std::vector<std::size_t> &columns, ob::ScopedState<> &state)
-        {
-            state.getSpace()->copyFromReals(state.get(), table.numbers(columns));
-            settleRotations(*state.getSpace(), state.get(), table);
+            rotations.wrapAngles(numbers);
+            if (const double length = rotations.normalizeQuaternions(numbers); length != 1.0)
+                table.fail("a quaternion has length " + std::to_string(length) + ", not 1");
+            state = numbers;
         }
     }
 
@@ -221,28 +164,24 @@ namespace ompl_certificates
     {
         PathTable table(file);
         const std::vector<std::size_t> columns = table.columnsOf(coordinateNames(*si->getStateSpace()));
-        std::vector<std::size_t> angles;
-        std::size_t count = 0;
-        findAngles(*si->getStateSpace(), count, angles);
-        std::vector<AngleColumn> turning;
-        turning.reserve(angles.size());
-        for (const std::size_t i : angles)
-            turning.push_back({columns.at(i)});
+        const Rotations rotations(*si->getStateSpace());
+        TurnCounter turns(rotations);
+        std::vector<std::string> places;
         ompl::geometric::PathGeometric path(si);
         ob::ScopedState<> state(si->getStateSpace());
         while (table.next())
         {
-            for (AngleColumn &angle : turning)
-                angle.read(table, path.getStateCount() == 0);
-            readState(table, columns, state);
+            places.push_back(table.place());
+            std::vector<double> numbers = table.numbers(columns);
+            turns.add(numbers.data());
+            setState(state, std::move(numbers), rotations, table);
             path.append(state.get());
         }
-        for (const AngleColumn &angle : turning)
-            if (angle.countsTurns && !angle.place.empty())
-                throw ompl::Exception(angle.place, "'" + table.name(angle.column) + "' turns by " +
-                                                       shortestText(angle.turn) +
-                                                       " since the state before, more than half a turn; add a state "
-                                                       "in between");
+        if (const auto turn = turns.findLongTurn())
+            throw ompl::Exception(places[turn->state], "'" + table.name(columns[turn->coordinate]) + "' turns by " +
+                                                           shortestText(turn->angle) +
+                                                           " since the state before, more than half a turn; add a "
+                                                           "state in between");
         if (path.getStateCount() == 0)
             throw ompl::Exception(file, "has no state");
         return path;
@@ -255,6 +194,7 @@ namespace ompl_certificates
         const std::vector<std::size_t> columns = table.columnsOf(coordinateNames(*space)),
                                        controls = table.columnsOf(controlNames(*space));
         const std::size_t time = table.columnsOf({"time"})[0];
+        const Rotations rotations(*space);
         oc::PathControl path(si);
         ob::ScopedState<> state(space), last(space);
         std::vector<double> held;
@@ -276,7 +216,7 @@ namespace ompl_certificates
                     table.fail("the controls before are held for more than 100000 steps");
                 if (!isFirst && held.empty() && !controls.empty())
                     table.fail("comes after a line without controls");
-                readState(table, columns, state);
+                setState(state, table.numbers(columns), rotations, table);
                 if (!isFirst)
                     append(now - begin);
                 last = state.get();

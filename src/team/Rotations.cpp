@@ -1,11 +1,12 @@
-#include "Rotations.h"
+#include "ompl_certificates/team/Rotations.h"
+
+#include "geometry/Angle.h"
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <ompl/base/StateSpaceTypes.h>
 
-namespace ompl_certificates_python
+namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
@@ -39,13 +40,8 @@ namespace ompl_certificates_python
 
     void Rotations::wrapAngles(std::vector<double> &numbers) const
     {
-        constexpr double pi = boost::math::constants::pi<double>();
         for (const std::size_t i : angles)
-            if (!(numbers[i] >= -pi && numbers[i] < pi))
-            {
-                const double angle = std::remainder(numbers[i], 2.0 * pi);
-                numbers[i] = angle == pi ? -pi : angle;
-            }
+            numbers[i] = wrappedAngle(numbers[i]);
     }
 
     double Rotations::normalizeQuaternions(std::vector<double> &numbers) const
@@ -60,5 +56,35 @@ namespace ompl_certificates_python
                 quaternion /= length;
         }
         return 1.0;
+    }
+
+    TurnCounter::TurnCounter(const Rotations &rotations)
+    {
+        angles_.reserve(rotations.angles.size());
+        for (const std::size_t coordinate : rotations.angles)
+            angles_.push_back({coordinate, false, 0.0, std::nullopt});
+    }
+
+    void TurnCounter::add(const double *numbers)
+    {
+        for (Angle &angle : angles_)
+        {
+            const double value = numbers[angle.coordinate];
+            // Half a turn may be rounded.
+            angle.countsTurns = angle.countsTurns || std::abs(value) > 1.001 * M_PI;
+            if (states_ > 0 && !angle.turn && std::abs(value - angle.last) > M_PI)
+                angle.turn = LongTurn{states_, angle.coordinate, value - angle.last};
+            angle.last = value;
+        }
+        ++states_;
+    }
+
+    std::optional<TurnCounter::LongTurn> TurnCounter::findLongTurn() const
+    {
+        std::optional<LongTurn> first;
+        for (const Angle &angle : angles_)
+            if (angle.countsTurns && angle.turn && (!first || angle.turn->state < first->state))
+                first = angle.turn;
+        return first;
     }
 }
