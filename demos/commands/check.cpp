@@ -194,8 +194,8 @@ namespace
 demos::Work demos::declareCheck(CLI::App &app)
 {
     const auto options = std::make_shared<CheckOptions>();
-    app.add_option("scene", options->scene, "The scene, as for certificates plan")->required();
-    app.add_option("path", options->path,
+    app.add_option("SCENE", options->scene, "The scene, as for certificates plan")->required();
+    app.add_option("PATH", options->path,
                    "The path: comma-separated values, whose first line names the columns, as certificates plan --path "
                    "writes it. Columns that are no coordinates are passed over.")
         ->required();

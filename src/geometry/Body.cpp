@@ -94,7 +94,7 @@ namespace ompl_certificates
                     throw ompl::Exception("Point " + std::to_string(i) + " of " + std::to_string(points.size()) +
                                           " (counted from 0), " + coordinatesOf(points[i], shape.getDimension()) +
                                           ", lies inside the convex hull of the others: make a body that is not convex "
-                                          "of several shapes, or take the hull by Body::convexHull()");
+                                          "of several shapes, or take their convex hull");
         }
     }
 

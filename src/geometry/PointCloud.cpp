@@ -80,6 +80,8 @@ namespace ompl_certificates
 
     PointCloud sliced(PointCloud cloud, const ZInterval &heights)
     {
+        if (!std::all_of(cloud.points.begin(), cloud.points.end(), [](const auto &point) { return point.allFinite(); }))
+            throw ompl::Exception("A point that is not finite cannot be moved to the plane; see finite()");
         const auto isOutside = [&](const Eigen::Vector3d &point)
         { return !(point.z() + cloud.radius >= heights.low && point.z() - cloud.radius <= heights.high); };
         cloud.points.erase(std::remove_if(cloud.points.begin(), cloud.points.end(), isOutside), cloud.points.end());

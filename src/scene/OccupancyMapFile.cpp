@@ -140,6 +140,7 @@ namespace ompl_certificates
     std::shared_ptr<const CellObstacles> loadOccupancyMap(const std::string &file, bool unknownIsOccupied)
     {
         const YamlNode root = parseYaml(readRegularFile(file, MOST_BYTES), file);
+        root.keys();  // Complains about one that is given twice; others than map_server's do no harm.
         const YamlNode name = root.at("image");
         const double resolution = root.at("resolution").positive();
         const Eigen::Vector3d origin = readOrigin(root.at("origin"));

@@ -225,12 +225,17 @@ namespace ompl_certificates
         const std::string key = keyOf(node, options);
         if (const auto known = files_.find(key); known != files_.end())
             return known->second;
-        return node.at("file").orFail(
-            [&]() -> const ArmFile &
-            {
-                const std::string srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
-                return files_.emplace(key, ArmFile(pathOf(node.at("file")), srdf, options)).first->second;
-            });
+        const std::string urdf = pathOf(node.at("file")), srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
+        try
+        {
+            return files_.emplace(key, ArmFile(urdf, srdf, options)).first->second;
+        }
+        catch (const ompl::Exception &exception)
+        {
+            // It begins with the name of the file that is wrong.
+            const std::string message = exception.what();
+            node.at(!srdf.empty() && message.rfind(srdf + ":", 0) == 0 ? "srdf" : "file").fail(message);
+        }
     }
 
     bool YamlArms::standsStill(const YamlNode &node)

@@ -36,6 +36,7 @@ namespace ompl_certificates
         PointCloud cloud = loadCloud(node.at("file"), source);
         cloud.radius = node.at("radius").positive();
         const double scale = node.has("scale") ? node.at("scale").positive() : 1.0;
+        const double cell = node.has("resolution") ? node.at("resolution").positive() : 0.0;
         const Pose pose = readPose(node, dimension, false);
         for (Eigen::Vector3d &point : cloud.points)
             point = pose * (scale * point);
@@ -44,8 +45,8 @@ namespace ompl_certificates
         return node.orFail(
             [&]
             {
-                if (node.has("resolution"))
-                    cloud = thinned(std::move(cloud), node.at("resolution").positive());
+                if (cell > 0.0)
+                    cloud = thinned(std::move(cloud), cell);
                 return std::make_shared<PointCloudObstacles>(std::move(cloud), dimension);
             });
     }

@@ -37,6 +37,22 @@ namespace ompl_certificates
         {
             return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
         }
+
+        /** A short list of scalars as it stands, another as what it is */
+        std::string describeList(const YAML::Node &list)
+        {
+            constexpr std::size_t longest = 60;
+            if (list.size() == 0)
+                return "an empty list";
+            std::string text;
+            for (const auto &item : list)
+            {
+                if (!item.IsScalar() || text.size() > longest)
+                    return "a list";
+                text += (text.empty() ? "[" : ", ") + oneLine(item.Scalar());
+            }
+            return text + "]";
+        }
     }
 
     YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file)
@@ -57,7 +73,7 @@ namespace ompl_certificates
         if (node_.IsMap())
             return "a map";
         if (node_.IsSequence())
-            return node_.size() == 0 ? "an empty list" : "a list";
+            return describeList(node_);
         if (node_.IsNull())
             return "nothing";
         const std::string value = oneLine(node_.Scalar());

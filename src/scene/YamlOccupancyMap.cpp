@@ -23,7 +23,8 @@ namespace ompl_certificates
             node.at("type").fail("an occupancy_map is for the plane, but min and max have " +
                                  std::to_string(dimension) + " coordinates");
         const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
+        const bool unknownIsOccupied = readUnknownIsOccupied(node);
         return node.at("file").orFail(
-            [&] { return loadOccupancyMap(file.lexically_normal().string(), readUnknownIsOccupied(node)); });
+            [&] { return loadOccupancyMap(file.lexically_normal().string(), unknownIsOccupied); });
     }
 }

@@ -60,5 +60,6 @@ TEST(SlicedCloud, KeepsWhatReachesIn)
     EXPECT_EQ(slice.points[1], Eigen::Vector3d(5, 6, 0));
     EXPECT_EQ(slice.points[2], Eigen::Vector3d(7, 8, 0));
     EXPECT_EQ(sliced(cloud, {}).points.size(), 5U);
-    EXPECT_TRUE(sliced({{{0, 0, NAN}}, 0.1}, {-1.0, 2.0}).points.empty());
+    for (const Eigen::Vector3d &point : {Eigen::Vector3d(0, 0, NAN), Eigen::Vector3d(INFINITY, 0, 0)})
+        EXPECT_THROW(sliced({{point}, 0.1}, {-1.0, 2.0}), ompl::Exception);
 }

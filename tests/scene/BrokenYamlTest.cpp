@@ -29,7 +29,7 @@ namespace ompl_certificates
             {"Documents", "name: x\n---\nname: y\n", "f.yaml: must hold one YAML document"},
             {"DocumentBehindNone", "name: x\n---\n---\nname: y\n", "f.yaml: must hold one YAML document"},
             {"DocumentsForEver", " ,x: 1", "f.yaml: must hold one YAML document"},
-            {"NoMap", "[1, 2]", "f.yaml:1: must be a map, not a list"},
+            {"NoMap", "[1, 2]", "f.yaml:1: must be a map, not [1, 2]"},
             {"Scalar", "hello", "f.yaml:1: must be a map, not hello"},
             {"NoEnvironment", "robots: []", "f.yaml:1: environment: missing"},
             {"NoRobots", "environment: {min: [0, 0], max: [1, 1]}", "f.yaml:1: robots: missing"},
@@ -77,8 +77,7 @@ namespace ompl_certificates
              "f.yaml:1: resolution: must be positive, not 0"},
             {"ResolutionAboveOne", "resolution: 2\nenvironment: {min: [0, 0], max: [9, 9]}",
              "f.yaml:1: resolution: must be at least 1e-6 and below 1, not 2"},
-            {"Name", "name: [x]\nenvironment: {min: [0, 0], max: [9, 9]}",
-             "f.yaml:1: name: must be a text, not a list"},
+            {"Name", "name: [x]\nenvironment: {min: [0, 0], max: [9, 9]}", "f.yaml:1: name: must be a text, not [x]"},
             {"EmptyName", "name: ''\nenvironment: {min: [0, 0], max: [9, 9]}",
              "f.yaml:1: name: must be a text of one line"},
         };
@@ -124,7 +123,7 @@ namespace ompl_certificates
         const BrokenScene PLANAR_ROBOTS[] = {
             {"NoType", "{start: [1, 1], goal: [2, 2]}", ".type: missing"},
             {"UnknownType", "{type: quadruped, start: [1, 1], goal: [2, 2]}", ".type: unknown type 'quadruped'"},
-            {"TypeNoText", "{type: [a], start: [1, 1], goal: [2, 2]}", ".type: must be a text, not a list"},
+            {"TypeNoText", "{type: [a], start: [1, 1], goal: [2, 2]}", ".type: must be a text, not [a]"},
             {"NoStart", "{type: single_integrator, goal: [2, 2]}", ".start: missing"},
             {"Zone", "{type: single_integrator, start: [2, 2], goal: {min: [1, 1], max: [2]}}",
              ".goal.max: must be a list of 2 numbers, not of 1"},

@@ -119,6 +119,7 @@ namespace ompl_certificates
                   std::string::npos);
         EXPECT_NE(errorOf(replaced(MAP, "negate: 0", "negate: 2"), IMAGE).find(":4: negate: must be true or false"),
                   std::string::npos);
+        EXPECT_NE(errorOf(MAP + "negate: 0\nnegate: 1\n", IMAGE).find("given twice"), std::string::npos);
         EXPECT_NE(errorOf(MAP + "mode: raw\n", IMAGE).find(":7: mode: must be trinary or scale, not 'raw'"),
                   std::string::npos);
         EXPECT_NE(errorOf(replaced(MAP, "map.pgm", "other.pgm"), IMAGE).find(":1: image: "), std::string::npos);

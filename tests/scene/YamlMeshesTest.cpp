@@ -60,7 +60,7 @@ namespace ompl_certificates
             {"{type: mesh, file: none.obj}", ".file: "},
             {"{type: mesh, file: broken.obj}", "broken.obj: "},
             {"{type: mesh, file: a.obj, scale: 0}", ".scale: must be positive, not 0"},
-            {"{type: mesh, file: a.obj, scale: [1, 2]}", ".scale: must be a number, not a list"},
+            {"{type: mesh, file: a.obj, scale: [1, 2]}", ".scale: must be a number, not [1, 2]"},
             {"{type: mesh, file: a.obj, reference: tip}", ".reference: must be origin or mean, not 'tip'"},
             {"{type: mesh, file: a.obj, size: 3}", ".size: unknown key"},
             {"{type: mesh, file: a.obj, rotation: {axis: [0, 0, 0], angle: 1}}", ".rotation.axis: must not be zero"}};

@@ -11,8 +11,7 @@ namespace ompl_certificates
     /** \brief A car, perhaps with a trailer. Its controls are the speed of its rear axle and the steering angle; the
         origin of its frame is on the rear axle.
 
-        Steps of the car are exact, up to rounding. The trailer's heading is within 1e-6 rad of the exact
-        one after 0.1 s at speeds of order 1. In reverse errors grow: some 5e-6 after two seconds. */
+        Steps are exact, up to rounding, also those of the trailer. */
     class Car : public DynamicRobot
     {
     public:

@@ -34,6 +34,7 @@ namespace ompl_certificates
 
     /** \brief The planar cloud of what a cloud in space occupies within a z-interval. Points that reach into it are
         moved to z = 0 and keep their radius.
+        \throws ompl::Exception if a point is not finite
         Cost: linear in the number of points. */
     PointCloud sliced(PointCloud cloud, const ZInterval &heights);
 }

@@ -43,7 +43,7 @@ namespace ompl_certificates
         }
 
         /** \brief Takes some 0.1 µs where nothing is near. Each point within the bounds of a part costs some 10 ns
-            more; for a mesh in space about 0.1 µs, in the plane a time linear in its triangles. */
+            more, for a mesh about 0.1 µs. */
         bool collides(const Body &body, const Pose &pose) const override;
 
         /** \brief The distance to the nearest point, less its radius: exact, but for rounding. Takes 0.3 to 1.7 µs. */

@@ -11,7 +11,7 @@ namespace ompl_certificates
     /** \brief The cloud without the team that was seen with it. Drops points that are nearer to a body than \e padding
         and the cloud's radius, or inside it, so that the state collides with no point. A mesh has an inside where
         pieces of it are closed, whichever way their triangles are wound; loose triangles beside them do no harm. Of
-        other pieces only points near their triangles are dropped.
+        other pieces only points near their triangles are dropped. Points that are not finite stay.
         \param team the robots
         \param state where they were, in the team's space
         \param padding the error of the sensor and of the state, in the scene's length unit

@@ -77,7 +77,7 @@ namespace ompl_certificates
                          std::pair<ompl::base::State *, double> &lastValid) const override;
 
         /** \brief Whether a robot's motion is valid as far as the obstacles and the robot itself matter, in the mode of
-            this validator. Samples or cells are those of the robot's own space. Ignores other robots. */
+            this validator. Samples or cells are as dense as those of the team. Ignores other robots. */
         bool isRobotMotionFree(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
 
         /** \brief Whether the motions of two robots at the same time are valid as far as these two matter, in the mode
