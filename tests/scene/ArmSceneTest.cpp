@@ -232,7 +232,9 @@ namespace ompl_certificates
             }
             return std::string();
         };
-        EXPECT_NE(failure("file: none.urdf, start: [], goal: []").find("none.urdf"), std::string::npos);
+        EXPECT_NE(failure("file: none.urdf, start: [], goal: []").find("robots[0].file: "), std::string::npos);
+        EXPECT_NE(failure("file: arm6.urdf, srdf: none.srdf, start: [], goal: []").find("robots[0].srdf: "),
+                  std::string::npos);
         EXPECT_NE(failure("file: arm6.urdf, srdf: arm6.srdf, group: leg, start: [], goal: []").find("'leg'"),
                   std::string::npos);
         EXPECT_NE(failure("file: arm6.urdf, start: [], goal: []", "min: [0, 0], max: [1, 1]").find("2 dimensions"),

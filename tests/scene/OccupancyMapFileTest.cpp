@@ -144,9 +144,10 @@ namespace ompl_certificates
         EXPECT_EQ(drawing(SCENE), "#.....");
         EXPECT_EQ(drawing(replaced(SCENE, "map.yaml}", "map.yaml, unknown: occupied}")), "#..#..");
         const auto errorOfScene = [&](const std::string &scene) { return messageOf([&] { obstaclesOf(scene); }); };
-        EXPECT_NE(errorOfScene(replaced(SCENE, "map.yaml}", "map.yaml, unknown: maybe}"))
-                      .find("environment.obstacles[0].unknown: must be free or occupied, not 'maybe'"),
-                  std::string::npos);
+        const std::string error = errorOfScene(replaced(SCENE, "map.yaml}", "map.yaml, unknown: maybe}")),
+                          expected = "environment.obstacles[0].unknown: must be free or occupied, not 'maybe'";
+        EXPECT_NE(error.find(expected), std::string::npos) << error;
+        EXPECT_EQ(error.find(".file: "), std::string::npos) << error;
         EXPECT_NE(errorOfScene(replaced(SCENE, "map.yaml}", "none.yaml}")).find("environment.obstacles[0].file: "),
                   std::string::npos);
         EXPECT_NE(errorOfScene("environment: {min: [0, 0, 0], max: [1, 1, 1], obstacles: [{type: occupancy_map, file: "
