@@ -49,6 +49,9 @@ namespace ompl_certificates
     std::string toCsv(const ompl::geometric::PathGeometric &path)
     {
         const ob::SpaceInformation &si = *path.getSpaceInformation();
+        if (si.getStateSpace()->getValueLocations().empty())
+            throw ompl::Exception(si.getStateSpace()->getName(),
+                                  "was not set up, so states have no numbers; call setup() of its SpaceInformation");
         std::string text = "length";
         for (const std::string &name : coordinateNames(*si.getStateSpace()))
             text += ',' + quoted(name);

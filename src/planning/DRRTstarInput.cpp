@@ -4,6 +4,7 @@
 #include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
+#include "ompl_certificates/planning/TeamGoalRegion.h"
 #include "ompl_certificates/team/Coordinates.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
@@ -97,8 +98,12 @@ namespace ompl_certificates
                 goals_->add(goal);
         if (goals_->size() == 0)
         {
-            const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
-            const std::string why = goal ? describeInvalid(goal->getState()) : "";
+            const ob::Goal *goal = pdef_->getGoal().get();
+            std::string why;
+            if (const auto *one = dynamic_cast<const ob::GoalState *>(goal))
+                why = describeInvalid(one->getState());
+            else if (const auto *region = dynamic_cast<const TeamGoalRegion *>(goal))
+                why = "the one that is known: " + describeInvalid(region->getState().get());
             OMPL_ERROR("%s: there are no valid goal states%s", getName().c_str(),
                        why.empty() ? "" : (": " + why).c_str());
             return ob::PlannerStatus::INVALID_GOAL;

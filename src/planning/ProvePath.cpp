@@ -5,6 +5,7 @@
 #include "ompl_certificates/validity/CertificateMotionValidator.h"
 
 #include <algorithm>
+#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -57,6 +58,8 @@ namespace ompl_certificates
                         const std::shared_ptr<const TeamValidityChecker> &checker,
                         const ob::PlannerTerminationCondition &condition)
     {
+        if (path.getStateCount() == 0)
+            throw ompl::Exception("provePath", "the path has no state");
         const ob::StateSpacePtr &space = path.getSpaceInformation()->getStateSpace();
         const auto prover = proverOf(space, checker);
         const CertificateMotionValidator validator(prover, CertificateMotionValidator::CONTINUOUS);

@@ -3,6 +3,8 @@
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -48,10 +50,13 @@ namespace ompl_certificates
         const auto &team = *si_->getStateSpace()->as<TeamStateSpace>();
         double distance = 0.0;
         for (unsigned int i = 0; i < goals_.size(); ++i)
-            distance =
-                std::max(distance, goals_[i] ? goals_[i]->distance(components[i])
-                                             : team.getRobot(i).getStateSpace()->distance(
-                                                   components[i], state_->as<ob::CompoundState>()->components[i]));
+        {
+            const double own = goals_[i] ? goals_[i]->distance(components[i])
+                                         : team.getRobot(i).getStateSpace()->distance(
+                                               components[i], state_->as<ob::CompoundState>()->components[i]);
+            // What is no number is no goal.
+            distance = std::isnan(own) ? std::numeric_limits<double>::infinity() : std::max(distance, own);
+        }
         return distance;
     }
 

@@ -114,12 +114,17 @@ namespace ompl_certificates
     void TeamSetup::choosePlanner()
     {
         // Other goals are left to OMPL's choice.
-        if (planner_ || pa_ || !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
+        if ((planner_ && planner_ != chosenPlanner_) || pa_ ||
+            !dynamic_cast<ob::GoalSampleableRegion *>(pdef_->getGoal().get()))
             return;
-        if (getTeam().getRobotCount() > 1 && isAskedByRobots(si_))
-            planner_ = std::make_shared<DRRTstar>(si_);
+        const bool byRobots = getTeam().getRobotCount() > 1 && isAskedByRobots(si_);
+        if (planner_ && byRobots == (dynamic_cast<const DRRTstar *>(planner_.get()) != nullptr))
+            return;
+        if (byRobots)
+            chosenPlanner_ = std::make_shared<DRRTstar>(si_);
         else
-            planner_ = std::make_shared<og::RRTConnect>(si_);
+            chosenPlanner_ = std::make_shared<og::RRTConnect>(si_);
+        planner_ = chosenPlanner_;
     }
 
     void TeamSetup::chooseObjective()

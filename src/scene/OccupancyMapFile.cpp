@@ -110,7 +110,7 @@ namespace ompl_certificates
             }
             catch (const std::ios_base::failure &failure)
             {
-                throw ompl::Exception("it is no image of PGM, PBM or PPM, or is damaged");
+                throw ompl::Exception("it is no image of PGM, PBM or PPM with 8 bits for a color, or is damaged");
             }
         }
 

@@ -4,6 +4,7 @@
 #include "geometry/ShortestText.h"
 #include "robots/JointTypes.h"
 #include "LineReader.h"
+#include "YamlGoal.h"
 #include "YamlLinkPose.h"
 #include "YamlRobots.h"
 #include "YamlShapes.h"
@@ -351,11 +352,10 @@ namespace ompl_certificates
             makeArms(partsWith(robot), bounds, scene, meshes);
         const YamlNode &node = robots_[robot];
         const std::shared_ptr<const Arm> &arm = arms_.at(robot);
-        member.start = readState(node.at("start"), fileOf(node), groupOf(node), *arm);
-        if (isLinkPose(node.at("goal"), arm->getTree()))
-            member.region = readLinkPoseGoal(node.at("goal"), arm);
-        else
-            member.goal = readState(node.at("goal"), fileOf(node), groupOf(node), *arm);
+        const auto readOne = [&](const YamlNode &state) { return readState(state, fileOf(node), groupOf(node), *arm); };
         member.robot = arm;
+        member.start = readOne(node.at("start"));
+        readGoal(
+            node.at("goal"), readOne, [&](const YamlNode &goal) { return readLinkPoseGoal(goal, arm); }, member);
     }
 }

@@ -77,18 +77,18 @@ namespace ompl_certificates
                 refuseAlone(node, "rotation_tolerance", planar ? "an angle" : "a rotation or a quaternion");
             return pose;
         }
-    }
 
-    bool isLinkPose(const YamlNode &node, const KinematicTree &tree)
-    {
-        if (!node.isMap())
-            return false;
-        return std::any_of(KEYS.begin(), KEYS.end(),
-                           [&](const char *key) { return node.has(key) && !tree.hasJoint(key); });
+        bool isLinkPose(const YamlNode &node, const KinematicTree &tree)
+        {
+            return node.isMap() && std::any_of(KEYS.begin(), KEYS.end(),
+                                               [&](const char *key) { return node.has(key) && !tree.hasJoint(key); });
+        }
     }
 
     RobotGoalPtr readLinkPoseGoal(const YamlNode &node, const std::shared_ptr<const Arm> &arm)
     {
+        if (!isLinkPose(node, arm->getTree()))
+            return nullptr;
         const LinkPose pose = readLinkPose(node, arm->getWorkspaceDimension());
         return node.orFail([&] { return std::make_shared<LinkPoseGoal>(arm, pose); });
     }

@@ -1,6 +1,7 @@
 #include "YamlPlanarArm.h"
 
 #include "YamlArms.h"
+#include "YamlGoal.h"
 #include "YamlLinkPose.h"
 #include "YamlShapes.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -94,9 +95,8 @@ namespace ompl_certificates
             node.at("links").orFail([&] { return std::make_shared<const Arm>(name, tree, joints, options); });
         member.robot = arm;
         member.start = readAngles(node.at("start"), tree);
-        if (isLinkPose(node.at("goal"), tree))
-            member.region = readLinkPoseGoal(node.at("goal"), arm);
-        else
-            member.goal = readAngles(node.at("goal"), tree);
+        readGoal(
+            node.at("goal"), [&](const YamlNode &state) { return readAngles(state, tree); },
+            [&](const YamlNode &goal) { return readLinkPoseGoal(goal, arm); }, member);
     }
 }

@@ -1,13 +1,13 @@
 #include "YamlRobots.h"
 
 #include "YamlDynamics.h"
+#include "YamlGoal.h"
 #include "YamlPlanarArm.h"
 #include "YamlShapes.h"
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
-#include "ompl_certificates/robots/ZoneGoal.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -162,24 +162,6 @@ namespace ompl_certificates
             return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, bounds, selfCollision);
         }
 
-        /** A goal that is a box for the robot's position */
-        RobotGoalPtr readZone(const YamlNode &node, bool dynamics, unsigned int dimension, const RobotPtr &robot)
-        {
-            if (dynamics)
-                node.fail("must be a list: with dynamics the goal is one state");
-            node.allow({"min", "max"});
-            ob::RealVectorBounds box(dimension);
-            box.low = node.at("min").numbers(dimension);
-            box.high = node.at("max").numbers(dimension);
-            const auto low = node.at("min").items(dimension, dimension),
-                       high = node.at("max").items(dimension, dimension);
-            for (unsigned int i = 0; i < dimension; ++i)
-                if (box.high[i] < box.low[i])
-                    high[i].fail("must not be below min, which is " + low[i].describe() + ", but is " +
-                                 high[i].describe());
-            return node.orFail([&] { return std::make_shared<ZoneGoal>(robot, box); });
-        }
-
         void chooseGoal(const YamlNode &robot, Scene::Member &member)
         {
             robot.at("goal").orFail([&] { member.chooseGoal(); });
@@ -223,10 +205,13 @@ namespace ompl_certificates
         {
             member.start = readState(input.node.at("start"), layout, velocities, input.dynamics, input.scene);
             const YamlNode goal = input.node.at("goal");
-            if (goal.isMap())
-                member.region = readZone(goal, input.dynamics, input.scene.getDimension(), member.robot);
-            else
-                member.goal = readState(goal, layout, velocities, input.dynamics, input.scene);
+            if (goal.isMap() && input.dynamics)
+                goal.fail("must be a list: with dynamics the goal is one state");
+            const auto readOne = [&](const YamlNode &node)
+            { return readState(node, layout, velocities, input.dynamics, input.scene); };
+            const auto readRegion = [&](const YamlNode &node)
+            { return node.isMap() ? readZone(node, member.robot) : nullptr; };
+            readGoal(goal, readOne, readRegion, member);
         }
 
         void readRigidRobot(const RobotInput &input, Scene::Member &member)

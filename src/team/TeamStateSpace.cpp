@@ -10,7 +10,9 @@
 #include <mutex>
 #include <new>
 #include <ompl/base/StateSampler.h>
+#include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
 #include <utility>
@@ -21,6 +23,19 @@ namespace ompl_certificates
 
     namespace
     {
+        /** Whether the states of a space, or of a part of it, are connected by curves of a car */
+        bool hasCurves(const ob::StateSpace &space)
+        {
+            if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            {
+                const auto &parts = compound->getSubspaces();
+                if (std::any_of(parts.begin(), parts.end(), [](const auto &part) { return hasCurves(*part); }))
+                    return true;
+            }
+            return dynamic_cast<const ob::ReedsSheppStateSpace *>(&space) ||
+                   dynamic_cast<const ob::DubinsStateSpace *>(&space);
+        }
+
         /** Samples the components, and clears the references. */
         class TeamStateSampler : public ob::CompoundStateSampler
         {
@@ -259,6 +274,15 @@ namespace ompl_certificates
     {
         CompoundStateSpace::interpolate(from, to, t, state);
         copyReferences(state->as<StateType>(), from->as<StateType>());
+    }
+
+    void TeamStateSpace::sanityChecks() const
+    {
+        if (std::none_of(components_.begin(), components_.end(), [](const auto &part) { return hasCurves(*part); }))
+            return CompoundStateSpace::sanityChecks();
+        StateSpace::sanityChecks(std::numeric_limits<double>::epsilon(), 0.1,
+                                 ~(STATESPACE_INTERPOLATION | STATESPACE_TRIANGLE_INEQUALITY |
+                                   STATESPACE_DISTANCE_BOUND | STATESPACE_DISTANCE_SYMMETRIC));
     }
 
     void TeamStateSpace::deserialize(ob::State *state, const void *serialization) const

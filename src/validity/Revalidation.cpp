@@ -19,11 +19,20 @@ namespace ompl_certificates
 
     namespace
     {
+        /** The space information of a checker
+            \throws ompl::Exception if it is gone */
+        ob::SpaceInformationPtr informationOf(const TeamValidityChecker &checker, const std::string &instead)
+        {
+            if (auto si = checker.watchSpaceInformation().lock())
+                return si;
+            throw ompl::Exception("Revalidation", "the checker's space information is gone; " + instead);
+        }
+
         /** The mode in which motions of the checker's states are checked */
         CertificateMotionValidator::Mode modeOf(const TeamValidityChecker &checker)
         {
-            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(
-                checker.getSpaceInformation()->getMotionValidator().get());
+            const ob::SpaceInformationPtr si = informationOf(checker, "give the mode to the constructor");
+            const auto *validator = dynamic_cast<const CertificateMotionValidator *>(si->getMotionValidator().get());
             return validator ? validator->getMode() : CertificateMotionValidator::DISCRETE;
         }
     }
@@ -65,7 +74,10 @@ namespace ompl_certificates
 
     bool Revalidation::staysValid(const ob::State *from, const oc::Control *control, double duration) const
     {
-        const auto *si = dynamic_cast<const oc::SpaceInformation *>(checker_->getSpaceInformation());
+        if (!checker_)
+            return true;
+        const auto si = std::dynamic_pointer_cast<const oc::SpaceInformation>(
+            informationOf(*checker_, "it propagates controls, so it must exist"));
         if (!si)
             throw ompl::Exception("Revalidation", "controls need a checker whose space information has them");
         const bool isProved = validator_->getMode() == CertificateMotionValidator::CONTINUOUS;
@@ -92,7 +104,8 @@ namespace ompl_certificates
         Invalid invalid;
         if (!checker_)
             return invalid;
-        const bool hasControls = dynamic_cast<const oc::SpaceInformation *>(checker_->getSpaceInformation()) != nullptr;
+        const bool hasControls =
+            std::dynamic_pointer_cast<oc::SpaceInformation>(checker_->watchSpaceInformation().lock()) != nullptr;
         if (hasControls && !data.hasControls())
             throw ompl::Exception("Revalidation",
                                   "planners with controls need an ompl::control::PlannerData, which has these");

@@ -58,16 +58,18 @@ namespace ompl_certificates
             return simplifyTime_;
         }
 
-        /** \brief The validity checker of the team, which ignores limits */
-        const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
+        /** \brief The validity checker of the team, which ignores limits: that of the space information, if somebody has
+            set a TeamValidityChecker there; else the one that this setup made */
+        std::shared_ptr<TeamValidityChecker> getTeamChecker() const
         {
-            return checker_;
+            const auto checker = std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker());
+            return checker ? checker : checker_;
         }
 
         /** \brief How many checks there were, and how they were settled */
         Statistics &getStatistics() const
         {
-            return checker_->getStatistics();
+            return getTeamChecker()->getStatistics();
         }
 
     private:

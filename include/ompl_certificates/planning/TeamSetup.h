@@ -64,16 +64,18 @@ namespace ompl_certificates
             return *getStateSpace()->as<TeamStateSpace>();
         }
 
-        /** \brief The validity checker of the team */
-        const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
+        /** \brief The validity checker of the team: that of the space information, if it is a TeamValidityChecker, such
+            as one of a class derived from it that was set later; else the one that this setup made */
+        std::shared_ptr<TeamValidityChecker> getTeamChecker() const
         {
-            return checker_;
+            const auto checker = std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker());
+            return checker ? checker : checker_;
         }
 
-        /** \brief How many checks there were, and how they were settled */
+        /** \brief How many checks there were, and how they were settled; those of getTeamChecker() */
         Statistics &getStatistics() const
         {
-            return checker_->getStatistics();
+            return getTeamChecker()->getStatistics();
         }
 
     private:
@@ -88,13 +90,16 @@ namespace ompl_certificates
                              const std::function<bool(const ompl::geometric::PathGeometric &)> &isNoWorse,
                              const ompl::base::PlannerTerminationCondition &condition);
 
-        /** \brief Choose a planner for the number of robots, unless the user gave one. */
+        /** \brief Choose a planner for the number of robots and the checkers, unless the user gave one. Chooses anew if
+            these are others now. */
         void choosePlanner();
 
         /** \brief Give the problem the planner's default objective, unless the user gave it one. */
         void chooseObjective();
 
         std::shared_ptr<TeamValidityChecker> checker_;
+        /** \brief What choosePlanner() chose last */
+        ompl::base::PlannerPtr chosenPlanner_;
         /** \brief What chooseObjective() gave last */
         ompl::base::OptimizationObjectivePtr objective_;
         NearestStructure nearestStructure_{NearestStructure::KD_TREE};

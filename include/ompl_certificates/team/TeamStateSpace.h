@@ -200,6 +200,12 @@ namespace ompl_certificates
             that was not added by addRobot() */
         void setup() override;
 
+        using CompoundStateSpace::sanityChecks;
+
+        /** \brief As OMPL does. Of a team with a robot in a ReedsSheppStateSpace or a DubinsStateSpace it checks what OMPL
+            does of both: their curves are not always the shortest ones from a point in between. */
+        void sanityChecks() const override;
+
         /** \brief Finds where the values of a state are. Other than in a CompoundStateSpace it leaves the robots' spaces
             alone: each robot has done that for its own, which others may be reading. */
         void computeLocations() override;
