@@ -18,7 +18,7 @@ namespace ompl_certificates
     /** \brief A page for browsers in which a scene can be looked at from all sides while its robots move along a path.
 
         The page is one HTML file with all that it needs, and opens without a network. Scenes of the plane are seen from
-        above. The file has some 0.6 MB, and what the scene's meshes, cells and points take. See docs/plan-team.md. */
+        above. The file has some 0.67 MB, and what the scene's meshes, cells and points take. See docs/plan-team.md. */
     class PlanViewer
     {
     public:
