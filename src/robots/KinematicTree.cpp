@@ -93,13 +93,11 @@ namespace ompl_certificates
                 part.pose.pretranslate(-middle);
             return PlacedBody{Body(parts), poseAt(middle)};
         }
-    }
 
-    namespace
-    {
         std::string noLink(const std::string &name, const std::vector<KinematicTree::Link> &links)
         {
             std::vector<std::string> names;
+            names.reserve(links.size());
             for (const KinematicTree::Link &link : links)
                 names.push_back(link.name);
             return "there is no link '" + name + "'" + didYouMean(name, names);
