@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._core import (
+    AnyOf,
     AttachedBody,
     Body,
     Checker,
@@ -43,6 +44,7 @@ from ._core import (
 from ._view import View
 
 __all__ = [
+    "AnyOf",
     "AttachedBody",
     "Body",
     "Checker",
@@ -112,7 +114,7 @@ def plan(
     simplify: bool = False,
     parameters: Optional[Mapping[str, Parameter]] = None,
     start: Optional[ArrayLike] = None,
-    goal: Union[ArrayLike, LinkPose, Zone, Mapping[str, Union[ArrayLike, LinkPose, Zone]], None] = None,
+    goal: Union[ArrayLike, AnyOf, LinkPose, Zone, Mapping[str, Union[ArrayLike, AnyOf, LinkPose, Zone]], None] = None,
 ) -> Plan:
     """Plan for the team of a scene, or of a Checker, which then keeps what is learned for its next plan.
 
@@ -131,7 +133,7 @@ def plan(
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker. The goal
-        may also be a LinkPose or a Zone, if there is one robot. Or it is a dict from the names of robots to such goals
+        may also be a LinkPose, a Zone or an AnyOf, if there is one robot. Or it is a dict from the names of robots to such goals
         or to their coordinates; robots that it does not name keep their goals.
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination

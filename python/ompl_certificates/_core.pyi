@@ -1,5 +1,5 @@
 import os
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -73,6 +73,15 @@ class Zone:
     @property
     def high(self) -> List[float]:
         """The largest numbers of the position"""
+
+class AnyOf:
+    """Several goals of a robot, any of which will do: such as docks, grasps, or the states that an inverse kinematics of
+    your own found"""
+    def __init__(self, goals: Iterable[Union[ArrayLike, AnyOf, LinkPose, Zone]]) -> None:
+        """goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose."""
+    @property
+    def goals(self) -> List[Union[ArrayLike, AnyOf, LinkPose, Zone]]:
+        """The goals: a list"""
 
 class LinkPose:
     """Where a link of an arm shall be, such as its tool: a goal of all states in which it is there"""
@@ -234,10 +243,10 @@ class Robot:
         """Of an arm, the name of the link of each body"""
     def link_pose(self, state: ArrayLike, link: str) -> NDArray[np.float64]:
         """Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape (4, 4)"""
-    def sample_goal(self, goal: Union[LinkPose, Zone], count: int = 1, seed: int = 1) -> NDArray[np.float64]:
+    def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: int = 1, seed: int = 1) -> NDArray[np.float64]:
         """Random states of a LinkPose or a Zone, of shape (count, coordinates); fewer rows if no more are found. This
         is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
-    def goal_distance(self, goal: Union[LinkPose, Zone], state: ArrayLike) -> float:
+    def goal_distance(self, goal: Union[AnyOf, LinkPose, Zone], state: ArrayLike) -> float:
         """How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the position's
         tolerances and radians beyond the rotation's are added."""
     def poses(self, state: ArrayLike) -> NDArray[np.float64]:
@@ -275,15 +284,30 @@ class Scene:
         depth: int = 16,
         unknown_occupied: bool = False,
         heights: Optional[Tuple[float, float]] = None,
+        origin: Sequence[float] = (),
     ) -> int:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
         In a planar scene those cells count that reach into the heights (low, high)."""
+    def add_octomap(
+        self,
+        data: Union[bytes, ArrayLike],
+        resolution: float,
+        binary: bool = True,
+        id: str = "OcTree",
+        *,
+        depth: int = 16,
+        unknown_occupied: bool = False,
+        heights: Optional[Tuple[float, float]] = None,
+        origin: Sequence[float] = (),
+    ) -> int:
+        """The same, from the fields of ROS's message octomap_msgs/Octomap: data as bytes, an array or a list of
+        numbers."""
     def add_robot(
         self,
         robot: Robot,
         start: ArrayLike,
-        goal: Union[ArrayLike, LinkPose, Zone],
+        goal: Union[ArrayLike, AnyOf, LinkPose, Zone],
         weight: float = 1.0,
         speed: float = 1.0,
     ) -> None:
@@ -577,7 +601,7 @@ def _plan(
     simplify: bool,
     parameters: Mapping[str, Any],
     start: Optional[ArrayLike],
-    goal: Union[ArrayLike, LinkPose, Zone, Mapping[str, Union[ArrayLike, LinkPose, Zone]], None],
+    goal: Union[ArrayLike, AnyOf, LinkPose, Zone, Mapping[str, Union[ArrayLike, AnyOf, LinkPose, Zone]], None],
 ) -> Plan: ...
 def control_planner_names() -> List[str]:
     """The names of the planners of plan_controls()"""

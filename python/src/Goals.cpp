@@ -3,8 +3,10 @@
 #include "Arrays.h"
 #include "Bindings.h"
 
+#include <ompl_certificates/robots/AnyOfGoals.h>
 #include <ompl_certificates/robots/LinkPoseGoal.h>
 #include <ompl_certificates/robots/ZoneGoal.h>
+#include <ompl_certificates/team/Rotations.h>
 
 #include <cmath>
 #include <ompl/util/Exception.h>
@@ -39,6 +41,12 @@ namespace ompl_certificates_python
                                                          : "must be of the plane, as what comes before is");
                 planar = isPlanar;
             }
+        };
+
+        /** Goals of which any will do: Zones and LinkPoses, and states */
+        struct AnyOf
+        {
+            std::vector<py::object> goals;
         };
 
         std::string listOf(const std::vector<double> &numbers)
@@ -146,9 +154,47 @@ namespace ompl_certificates_python
         }
     }
 
+    namespace
+    {
+        AnyOf makeAnyOf(const py::object &goals)
+        {
+            AnyOf result;
+            for (const py::handle goal : py::iter(goals))
+                result.goals.push_back(py::reinterpret_borrow<py::object>(goal));
+            if (result.goals.empty())
+                throw ompl::Exception("AnyOf", "must have one goal at least");
+            return result;
+        }
+
+        RobotGoalPtr toAnyOfGoals(const RobotPtr &robot, const AnyOf &any)
+        {
+            const Rotations rotations(*robot->getStateSpace());
+            std::vector<std::vector<double>> states;
+            std::vector<RobotGoalPtr> goals;
+            for (const py::object &goal : any.goals)
+            {
+                if (isGoal(goal))
+                {
+                    goals.push_back(toRobotGoal(robot, goal));
+                    continue;
+                }
+                std::vector<double> state = toNumbers(goal, "goal");
+                if (state.size() == rotations.count)
+                {
+                    rotations.wrapAngles(state);
+                    if (const double length = rotations.normalizeQuaternions(state); length != 1.0)
+                        throw ompl::Exception("robot '" + robot->getName() + "'",
+                                              "goal: a quaternion must have length 1, not " + std::to_string(length));
+                }
+                states.push_back(std::move(state));
+            }
+            return std::make_shared<AnyOfGoals>(robot, states, std::move(goals));
+        }
+    }
+
     bool isGoal(const py::object &object)
     {
-        return py::isinstance<PoseOfLink>(object) || py::isinstance<Zone>(object);
+        return py::isinstance<PoseOfLink>(object) || py::isinstance<Zone>(object) || py::isinstance<AnyOf>(object);
     }
 
     RobotGoalPtr toRobotGoal(const RobotPtr &robot, const py::object &object)
@@ -161,8 +207,10 @@ namespace ompl_certificates_python
             box.high = zone.high;
             return std::make_shared<ZoneGoal>(robot, box);
         }
+        if (py::isinstance<AnyOf>(object))
+            return toAnyOfGoals(robot, object.cast<AnyOf>());
         if (!isGoal(object))
-            throw ompl::Exception("goal", "must be a LinkPose or a Zone");
+            throw ompl::Exception("goal", "must be a LinkPose, a Zone or an AnyOf");
         const auto arm = std::dynamic_pointer_cast<const Arm>(robot);
         if (!arm)
             throw ompl::Exception("robot '" + robot->getName() + "'",
@@ -188,6 +236,16 @@ namespace ompl_certificates_python
             .def_readonly("high", &Zone::high, "The largest numbers of the position")
             .def("__repr__",
                  [](const Zone &self) { return "<Zone from " + listOf(self.low) + " to " + listOf(self.high) + ">"; });
+
+        py::class_<AnyOf>(
+            module, "AnyOf",
+            "Several goals of a robot, any of which will do: such as docks, grasps, or the states that an "
+            "inverse kinematics of your own found")
+            .def(py::init(&makeAnyOf), py::arg("goals"),
+                 "goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose.")
+            .def_readonly("goals", &AnyOf::goals, "The goals: a list")
+            .def("__repr__",
+                 [](const AnyOf &self) { return "<AnyOf " + std::to_string(self.goals.size()) + " goals>"; });
 
         py::class_<PoseOfLink>(module, "LinkPose",
                                "Where a link of an arm shall be, such as its tool: a goal of all states in which it is "

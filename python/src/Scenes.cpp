@@ -107,7 +107,7 @@ namespace ompl_certificates_python
                 .def("add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
                      py::arg("weight") = 1.0, py::arg("speed") = 1.0,
                      "Add a robot, with its start and goal; its distances count weight times. The goal may also be a "
-                     "LinkPose, for an arm, or a Zone. speed is how much of its distance it moves in a unit of time: "
+                     "LinkPose, for an arm, a Zone, or an AnyOf. speed is how much of its distance it moves in a unit of time: "
                      "times of plans, and the objectives makespan and arrival, go by it.");
         }
     }

@@ -235,3 +235,36 @@ def test_plans_by_controls_go_to_one_state() -> None:
     scene.add_robot(cart, [1, 1, 0], [8, 8, 0])
     with pytest.raises(oc.Error, match="goal: must be one state: plans by controls take no Zone"):
         oc.plan_controls(scene, goal=oc.Zone([7, 7], [9, 9]))  # type: ignore[arg-type]
+
+
+def test_any_of_several_goals_will_do() -> None:
+    scene = oc.Scene([0, 0], [10, 10], "docks")
+    scene.add_obstacle(oc.Body.box(2, 2), (8, 8))
+    docks = oc.AnyOf([[8, 8, 0], [9, 1, 2 * np.pi + 1], oc.Zone([1, 8], [2, 9])])
+    assert repr(docks) == "<AnyOf 3 goals>" and len(docks.goals) == 3
+    for name, start in (("a", [1, 1, 0]), ("b", [1, 3, 0])):
+        scene.add_robot(oc.Robot.rigid(name, oc.Body.box(0.8, 0.4), [0, 0], [10, 10]), start, docks)
+    scene.validate()
+    checker = oc.Checker(scene)
+    for _ in range(3):
+        plan = oc.plan(checker, time=10, first=True)
+        for x, y, yaw in plan.path[-1].reshape(2, 3):
+            assert np.allclose((x, y, yaw), (9, 1, 1)) or (1 <= x <= 2 and 8 <= y <= 9)
+        assert not np.allclose(plan.path[-1][:3], plan.path[-1][3:]), "they take different ones"
+    plan = oc.plan(checker, time=10, first=True, goal={"a": oc.AnyOf([[5, 1, 0], [5, 2, 0]])})
+    assert plan.path[-1][0] == 5 and plan.path[-1][1] in (1, 2)
+    robot = scene.robots[0]
+    assert robot.goal_distance(docks, [9, 1, 1]) == 0 and robot.goal_distance(docks, [9, 1.5, 1]) == 0.5
+    samples = robot.sample_goal(oc.AnyOf([[5, 1, 0], [7, 2, 0]]), 20)
+    assert {tuple(row[:2]) for row in samples} == {(5, 1), (7, 2)}
+    for goals, message in (
+        ([], "^AnyOf: must have one goal at least$"),
+        ([[5, 1]], "^a: goal: state 0 must have 3 coordinates, not 2$"),
+        ([[5, 1, 0], [5, 11, 0]], "^a: goal: state 1 is outside the bounds$"),
+        ([[5, 1, np.nan]], "^a: goal: state 0 must be finite$"),
+        ([oc.LinkPose("hand", [1, 1])], "a LinkPose is a goal of arms"),
+    ):
+        with pytest.raises(oc.Error, match=message):
+            robot.sample_goal(oc.AnyOf(goals), 1)
+    with pytest.raises(TypeError):
+        oc.AnyOf(3)  # type: ignore[arg-type]

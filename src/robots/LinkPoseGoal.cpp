@@ -21,7 +21,7 @@ namespace ompl_certificates
         using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
         /** From how many random states the goal is looked for, and for how many steps from each */
-        constexpr unsigned int MOST_GUESSES = 50, MOST_STEPS = 60;
+        constexpr unsigned int MOST_GUESSES = 50, MOST_APPROACH_STEPS = 60;
 
         /** How far coordinates are moved to see what it does: a difference then has about half the digits. */
         constexpr double DIFFERENCE = 1e-7;
@@ -229,7 +229,7 @@ namespace ompl_certificates
     {
         double damping = FIRST_DAMPING;
         Deviation deviation = deviationOf(state);
-        for (unsigned int steps = 0; steps < MOST_STEPS; ++steps)
+        for (unsigned int steps = 0; steps < MOST_APPROACH_STEPS; ++steps)
         {
             if (beyond(deviation, tolerance_).isZero(0.0))
                 return arm_->getStateSpace()->satisfiesBounds(state);

@@ -4,6 +4,7 @@
 #include "MoveItMessages.h"
 #include "SrdfReader.h"
 #include "YamlArms.h"
+#include "YamlGoal.h"
 #include "robots/JointTypes.h"
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
@@ -186,6 +187,27 @@ namespace ompl_certificates
             if (kind == "1")
                 pose.rotation->tolerance = turnsWithin(pose.rotation->tolerance);
         }
+
+        /** The pose of a link that a goal asks for; null if it names joints alone */
+        RobotGoalPtr readLinkPose(const YamlNode &goal, const std::shared_ptr<const Arm> &arm,
+                                  const MoveItFrames &frames, std::vector<std::string> &notes)
+        {
+            goal.allow({"name", "joint_constraints", "position_constraints", "orientation_constraints",
+                        "visibility_constraints"});
+            refuse(goal, {"visibility_constraints"});
+            const auto position = onlyItem(goal, "position_constraints"),
+                       turn = onlyItem(goal, "orientation_constraints");
+            if (!position && !turn)
+                return nullptr;
+            if (!moveItItems(goal, "joint_constraints").empty())
+                goal.at("joint_constraints").fail("joints beside the pose of a link are not supported");
+            LinkPose pose;
+            if (position)
+                readPosition(*position, frames, pose, notes);
+            if (turn)
+                readOrientation(*turn, frames, pose, notes);
+            return goal.orFail([&] { return std::make_shared<LinkPoseGoal>(arm, pose); });
+        }
     }
 
     const Pose &readMoveItFrame(const YamlNode &node, const MoveItFrames &frames)
@@ -217,30 +239,17 @@ namespace ompl_certificates
                         std::vector<std::string> &notes)
     {
         const auto arm = std::static_pointer_cast<const Arm>(member.robot);
-        const auto goals = node.items(1, MAX_CONSTRAINTS);
-        if (goals.size() > 1)
-            goals[1].fail("several goals are not supported");
-        const YamlNode &goal = goals.front();
-        goal.allow(
-            {"name", "joint_constraints", "position_constraints", "orientation_constraints", "visibility_constraints"});
-        refuse(goal, {"visibility_constraints"});
-        const auto position = onlyItem(goal, "position_constraints"), turn = onlyItem(goal, "orientation_constraints");
-        if (!position && !turn)
-        {
-            member.goal = moveItCoordinates(node, *arm, readJoints(goal, robot, *arm));
-            return;
-        }
-        if (!moveItItems(goal, "joint_constraints").empty())
-            goal.at("joint_constraints").fail("joints beside the pose of a link are not supported");
-        LinkPose pose;
-        if (position)
-            readPosition(*position, frames, pose, notes);
-        if (turn)
-            readOrientation(*turn, frames, pose, notes);
-        goal.orFail(
+        std::vector<std::vector<double>> states;
+        std::vector<RobotGoalPtr> goals;
+        for (const YamlNode &goal : node.items(1, MAX_CONSTRAINTS))
+            if (RobotGoalPtr pose = readLinkPose(goal, arm, frames, notes))
+                goals.push_back(std::move(pose));
+            else
+                states.push_back(moveItCoordinates(goal, *arm, readJoints(goal, robot, *arm)));
+        node.orFail(
             [&]
             {
-                member.region = std::make_shared<LinkPoseGoal>(arm, pose);
+                setGoals(states, std::move(goals), member);
                 member.chooseGoal();
             });
     }

@@ -3,6 +3,8 @@
 #include "ompl_certificates/robots/AnyOfGoals.h"
 #include "ompl_certificates/robots/ZoneGoal.h"
 
+#include <utility>
+
 namespace ompl_certificates
 {
     namespace
@@ -38,7 +40,18 @@ namespace ompl_certificates
                 // It tells where a state is that is out of the bounds.
                 item.orFail([&] { return AnyOfGoals(member.robot, {states.back()}); });
             }
-        member.region = std::make_shared<AnyOfGoals>(member.robot, states, std::move(goals));
+        setGoals(states, std::move(goals), member);
+    }
+
+    void setGoals(const std::vector<std::vector<double>> &states, std::vector<RobotGoalPtr> goals,
+                  Scene::Member &member)
+    {
+        if (states.size() + goals.size() > 1)
+            member.region = std::make_shared<AnyOfGoals>(member.robot, states, std::move(goals));
+        else if (!goals.empty())
+            member.region = goals.front();
+        else
+            member.goal = states.front();
     }
 
     RobotGoalPtr readZone(const YamlNode &node, const RobotPtr &robot)

@@ -16,6 +16,10 @@ namespace ompl_certificates
     void readGoal(const YamlNode &node, const std::function<std::vector<double>(const YamlNode &)> &readState,
                   const std::function<RobotGoalPtr(const YamlNode &)> &readRegion, Scene::Member &member);
 
+    /** \brief Make one goal, or several of which any will do, that of \e member; see AnyOfGoals */
+    void setGoals(const std::vector<std::vector<double>> &states, std::vector<RobotGoalPtr> goals,
+                  Scene::Member &member);
+
     /** \brief A goal that is a box for the position of \e robot: its corners min and max */
     RobotGoalPtr readZone(const YamlNode &node, const RobotPtr &robot);
 }

@@ -74,8 +74,6 @@ namespace ompl_certificates
 
     bool Revalidation::staysValid(const ob::State *from, const oc::Control *control, double duration) const
     {
-        if (!checker_)
-            return true;
         const auto si = std::dynamic_pointer_cast<const oc::SpaceInformation>(
             informationOf(*checker_, "it propagates controls, so it must exist"));
         if (!si)

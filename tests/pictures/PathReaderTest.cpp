@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/RandomNumbers.h>
 
 namespace ompl_certificates
@@ -45,6 +46,17 @@ namespace ompl_certificates
             mutable std::vector<TeamSetupPtr> setups_;
             const ob::SpaceInformationPtr cart_ = spaceOf(sceneFromYaml(CART, "cart"));
         };
+    }
+
+    TEST_F(PathReaderTest, NeedsASpaceThatWasSetUp)
+    {
+        const auto setup = sceneFromYaml(CART, "cart").makeSetup();
+        ompl::geometric::PathGeometric path(setup->getSpaceInformation());
+        ob::ScopedState<> state(setup->getStateSpace());
+        state->as<ob::CompoundState>()->as<ob::SE2StateSpace::StateType>(0)->setXY(1.0, 2.0);
+        path.append(state.get());
+        EXPECT_NE(test::messageOf([&] { toCsv(path); }).find("was not set up, so states have no numbers"),
+                  std::string::npos);
     }
 
     TEST_F(PathReaderTest, ReadsWhatWasWrittenToTheBit)

@@ -4,10 +4,12 @@
 #include "support/Warnings.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
+#include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/planning/ProvePath.h"
 #include "ompl_certificates/planning/TeamSetup.h"
 #include "ompl_certificates/validity/SharedProjection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -132,14 +134,16 @@ TEST(FurtherCheckers, AreThoseOfOtherObstaclesToo)
         setup.setStateValidityChecker(std::make_shared<SharedProjection>(si, open));
         EXPECT_EQ(validator.getFurtherChecker(), nullptr);
         EXPECT_TRUE(si->checkMotion(from.get(), to.get()));
+        const auto own = setup.getTeamChecker();
         const auto walled = std::make_shared<SharedProjection>(si, wall);
         setup.setStateValidityChecker(walled);
+        EXPECT_EQ(setup.getTeamChecker(), walled) << "changes of obstacles go to the checker that is asked";
         EXPECT_EQ(validator.getFurtherChecker(), walled.get());
         EXPECT_FALSE(si->checkMotion(from.get(), to.get()));
         // A proof is about the world of its checker.
-        EXPECT_EQ(CertificateMotionValidator(setup.getTeamChecker(), mode).getFurtherChecker(), nullptr);
+        EXPECT_EQ(CertificateMotionValidator(own, mode).getFurtherChecker(), nullptr);
         og::PathGeometric straight(si, from.get(), to.get());
-        EXPECT_TRUE(provePath(straight, setup.getTeamChecker()).isProved());
+        EXPECT_TRUE(provePath(straight, own).isProved());
         EXPECT_FALSE(provePath(straight, walled).isProved());
         setup.setStartAndGoalStates(from, to);
         setup.setPlanner(std::make_shared<DRRTstar>(si));
@@ -152,4 +156,44 @@ TEST(FurtherCheckers, AreThoseOfOtherObstaclesToo)
         walled->changeObstacles(ObstacleChange::replacing(wall, open));
         EXPECT_EQ(validator.getFurtherChecker(), nullptr);
     }
+}
+
+/** An aisle is closed by a rule between two plans, and opened again. */
+TEST(FurtherCheckers, LetATeamChooseItsPlannerAnew)
+{
+    const Quiet quiet;
+    auto team = std::make_shared<TeamStateSpace>();
+    for (const char *name : {"a", "b"})
+        team->addRobot(RigidRobot::disc(name, 0.2, cubeBounds(2, 4.0)));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    ob::ScopedState<> from(team), to(team);
+    from = std::vector<double>{-2.0, 0.5, 2.0, -0.5};
+    to = std::vector<double>{2.0, 0.5, -2.0, -0.5};
+    setup.setStartAndGoalStates(from, to);
+    const auto planWith = [&](const CertificateMotionValidator::Rule &rule)
+    {
+        setup.clear();
+        std::static_pointer_cast<CertificateMotionValidator>(setup.getSpaceInformation()->getMotionValidator())
+            ->setRule(rule);
+        EXPECT_EQ(setup.solve(ob::PlannerTerminationCondition(
+                      [&, tries = 0]() mutable { return ++tries > 20000 || setup.haveExactSolutionPath(); })),
+                  ob::PlannerStatus::EXACT_SOLUTION);
+        return setup.getPlanner()->getName();
+    };
+    const auto isWestOrNorth = [](const ob::State *state)
+    {
+        const double *a = state->as<ob::CompoundState>()->as<ob::RealVectorStateSpace::StateType>(0)->values;
+        return std::abs(a[0]) > 0.5 || a[1] > 1.0;
+    };
+    EXPECT_EQ(planWith(nullptr), "DRRTstar");
+    EXPECT_EQ(planWith(isWestOrNorth), "RRTConnect");
+    const auto &states = setup.getSolutionPath().getStates();
+    EXPECT_TRUE(std::any_of(
+        states.begin(), states.end(),
+        [](const ob::State *state)
+        { return state->as<ob::CompoundState>()->as<ob::RealVectorStateSpace::StateType>(0)->values[1] > 1.0; }));
+    EXPECT_EQ(planWith(nullptr), "DRRTstar");
+    // The user's own planner stays.
+    setup.setPlanner(makePlanner("RRT", setup.getSpaceInformation()));
+    EXPECT_EQ(planWith(nullptr), "RRT");
 }

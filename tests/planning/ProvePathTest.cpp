@@ -65,6 +65,7 @@ TEST_F(ProvePathTest, ProvesWhatIsFarFromEverything)
     EXPECT_TRUE(proof.isProved());
     EXPECT_EQ(proof.collision, nullptr);
     EXPECT_TRUE(provePath(through(*setup, {{1.0, 1.0}}), setup->getTeamChecker()).isProved());
+    EXPECT_THROW(provePath(through(*setup, {}), setup->getTeamChecker()), ompl::Exception);
 }
 
 TEST_F(ProvePathTest, FindsWhatHappensBetweenTheSamples)

@@ -115,6 +115,29 @@ TEST_F(TeamGoalRegionTest, IsNotSatisfiedIfOneRobotIsNotThere)
     }
 }
 
+TEST_F(TeamGoalRegionTest, IsNotSatisfiedWhereADistanceIsNoNumber)
+{
+    class Nan : public RobotGoal
+    {
+    public:
+        double distance(const ob::State * /*state*/) const override
+        {
+            return std::nan("");
+        }
+
+        bool sample(ompl::RNG & /*random*/, ob::State * /*state*/) const override
+        {
+            return false;
+        }
+    };
+    auto goals = goals_;
+    goals[0] = std::make_shared<Nan>();
+    const ob::ScopedState<> state = freeState(true);
+    EXPECT_NE(messageOf([&] { TeamGoalRegion(setup_->getSpaceInformation(), state, goals); })
+                  .find("the state must be in the goal"),
+              std::string::npos);
+}
+
 TEST_F(TeamGoalRegionTest, IsReachedByPlanners)
 {
     for (const char *name : {"DRRTstar", "RRTConnect", "RRT", "EST", "BITstar"})

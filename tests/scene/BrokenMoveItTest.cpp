@@ -155,9 +155,9 @@ namespace ompl_certificates
                  "request.yaml:7: workspace_parameters.max_corner: must be above min_corner"},
                 {group + START + "goal_constraints: []\n", "request.yaml:3: goal_constraints: must have from 1"},
                 {REQUEST + "  - joint_constraints: []\n",
-                 "request.yaml:7: goal_constraints[1]: several goals are not supported"},
+                 "request.yaml:7: goal_constraints[1].joint_constraints: must have from 1"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: turn, position: 0}]}]\n",
-                 "request.yaml:3: goal_constraints: has no position of joint 'bend'"},
+                 "request.yaml:3: goal_constraints[0]: has no position of joint 'bend'"},
                 {group + START + "goal_constraints: [{joint_constraints: [{joint_name: slide, position: 0}]}]\n",
                  "request.yaml:3: goal_constraints[0].joint_constraints[0].joint_name: 'slide' is not a joint of the"},
                 {group + START +

@@ -83,6 +83,39 @@ namespace ompl_certificates
             EXPECT_EQ(other.rotation->tolerance, Eigen::Vector3d(0.05, 0.05, 0.25));
         }
 
+        TEST_F(MoveItScene, AnyOfSeveralGoalsWillDo)
+        {
+            // The first one is in the ball.
+            const std::string ball = OBJECTS +
+                                     "    - {id: ball, primitives: [{type: sphere, dimensions: [0.2]}], "
+                                     "primitive_poses: [{position: [0.5, -0.5, 0.3]}]}\n",
+                              second =
+                                  "  - joint_constraints:\n      - {joint_name: turn, position: 2}\n"
+                                  "      - {joint_name: bend, position: 0.5}\n",
+                              pose =
+                                  "  - position_constraints: [{link_name: tip, constraint_region: {primitives: "
+                                  "[{type: sphere, dimensions: [0.1]}], primitive_poses: [{position: [-0.4, 0.5, "
+                                  "0.32]}]}}]\n";
+            const std::string blocked = "group_name: arm\n" + START +
+                                        "goal_constraints:\n  - joint_constraints:\n      - {joint_name: turn, "
+                                        "position: -0.8}\n      - {joint_name: bend, position: 0}\n";
+            EXPECT_THROW(read(ball, blocked).scene.validate(), ompl::Exception);
+            const SceneFile file = read(ball, blocked + second + pose);
+            EXPECT_NO_THROW(file.scene.validate());
+            const Scene::Member &member = file.scene.getMembers().front();
+            ASSERT_TRUE(member.region);
+            EXPECT_EQ(member.region->describe(), "any of its 3 goals");
+            ompl::base::ScopedState<> state(member.robot->getStateSpace());
+            for (const std::vector<double> &goal : {std::vector<double>{2.0, 0.5}, {-0.8, 0.0}})
+            {
+                state = goal;
+                EXPECT_EQ(member.region->distance(state.get()), 0.0);
+            }
+            const auto setup = file.scene.makeSetup();
+            ASSERT_EQ(setup->solve(10.0), ompl::base::PlannerStatus::EXACT_SOLUTION);
+            EXPECT_TRUE(setup->getGoal()->isSatisfied(setup->getSolutionPath().getStates().back()));
+        }
+
         /** Two turns one after another turn about the third axis, too. */
         TEST_F(MoveItScene, TurnsStayWithinTheTolerancesOfARotationVector)
         {

@@ -1,6 +1,5 @@
 #include "ompl_certificates/robots/CarWithTrailer.h"
 #include "ompl_certificates/robots/RigidRobot.h"
-#include "ompl_certificates/robots/ZoneGoal.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "files/WholeFile.h"
 #include "support/DecimalCommas.h"
@@ -134,52 +133,6 @@ namespace ompl_certificates
             EXPECT_TRUE(dynamic_cast<const ompl::base::ReedsSheppStateSpace *>(member.robot->getStateSpace().get()));
         }
         EXPECT_TRUE(scene.hasRegions());
-    }
-
-    TEST(YamlFile, GoalsCanBeZones)
-    {
-        const std::string text =
-            "environment: {min: [0, 0], max: [10, 10], obstacles: [{type: box, center: [8, 8], size: [1, 1]}]}\n"
-            "robots:\n"
-            "  - {type: single_integrator, start: [1, 1], goal: {min: [7, 7], max: [9, 9]}}\n"
-            "  - {type: rigid, space: SE2, shape: {type: box, size: [0.5, 0.2]}, start: [1, 2, 0], goal: [9.2, 1, 0]}\n"
-            "  - {type: car_with_trailer, car: {type: disc, radius: 0.2}, trailer: {type: disc, radius: 0.1}, "
-            "hitch_length: 0.5, start: [1, 4, 0, 0], goal: {min: [7, 7], max: [9, 9]}}\n";
-        const Scene scene = sceneFromYaml(text, "zones");
-        scene.validate();
-        EXPECT_TRUE(scene.hasRegions());
-        EXPECT_FALSE(scene.getMembers()[1].region);
-        for (const std::size_t i : {std::size_t(0), std::size_t(2)})
-        {
-            const auto &member = scene.getMembers()[i];
-            const auto &zone = dynamic_cast<const ZoneGoal &>(*member.region);
-            EXPECT_EQ(zone.getBox().low, (std::vector<double>{7, 7}));
-            EXPECT_EQ(zone.getBox().high, (std::vector<double>{9, 9}));
-            EXPECT_GE(member.goal[0], 7.0);
-            EXPECT_LE(member.goal[0], 9.0);
-        }
-        EXPECT_EQ(scene.getMembers()[0].goal, sceneFromYaml(text, "zones").getMembers()[0].goal)
-            << "a file has one goal";
-        const auto setup = scene.makeSetup();
-        ASSERT_EQ(setup->solve(5.0), ompl::base::PlannerStatus::EXACT_SOLUTION);
-        EXPECT_TRUE(setup->getGoal()->isSatisfied(setup->getSolutionPath().getStates().back()));
-        EXPECT_TRUE(setup->getSolutionPath().check());
-
-        const std::string full =
-            "environment: {min: [0, 0], max: [10, 10], obstacles: [{type: box, center: [8, 8], size: [3, 3]}]}\n"
-            "robots: [{type: single_integrator, start: [1, 1], goal: {min: [7, 7], max: [9, 9]}}]\n";
-        EXPECT_NE(messageOf([&] { sceneFromYaml(full, "full").validate(); })
-                      .find("full: robots[0].goal, where no free state was found: ["),
-                  std::string::npos);
-        EXPECT_EQ(messageOf(
-                      []
-                      {
-                          sceneFromYaml(
-                              "environment: {min: [0, 0], max: [5, 5]}\nrobots: [{type: single_integrator, "
-                              "start: [1, 1], goal: {min: [7, 7], max: [9, 9]}}]\n",
-                              "far");
-                      }),
-                  "far:2: robots[0].goal: robot_0: goal: the box is out of the bounds");
     }
 
     TEST(YamlFile, WrapsHeadings)

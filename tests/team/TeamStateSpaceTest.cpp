@@ -34,6 +34,19 @@ TEST_P(AnyTeam, PassesTheSanityChecksOfOmpl)
     EXPECT_NO_THROW(team_->sanityChecks());
 }
 
+TEST(TeamStateSpace, PassesTheSanityChecksOfOmplWithCars)
+{
+    // Not with all seeds: OMPL's samples of curves rarely tell.
+    for (unsigned int seed = 0; seed < scaled(20); ++seed)
+    {
+        auto team = std::make_shared<TeamStateSpace>();
+        team->addRobot(RigidRobot::inReedsShepp("car", Body::box(0.5, 0.25), 0.7, cubeBounds(2, 10.0)));
+        team->addRobot(RigidRobot::disc("disc", 0.2, cubeBounds(2, 10.0)));
+        team->setup();
+        EXPECT_NO_THROW(team->sanityChecks());
+    }
+}
+
 TEST_P(AnyTeam, MeasuresEuclideanDistancesOverItsWeightedRobots)
 {
     for (unsigned int seed = 0; seed < scaled(200); ++seed)

@@ -297,6 +297,26 @@ TEST_F(Revalidating, RefusesObstaclesThatDoNotFit)
     EXPECT_THROW(Revalidation(*setup.getTeamChecker(), {inSpace, inSpace, {}}), ompl::Exception);
 }
 
+/** A checker that is kept for many queries outlives their space information. */
+TEST_F(Revalidating, NeedsAModeWhereTheSpaceInformationIsGone)
+{
+    ObstacleSet set(2);
+    auto setup = std::make_unique<TeamSetup>(teamOfDiscs(), set.takeChange().after);
+    setup->getSpaceInformation()->setup();
+    const auto checker = setup->getTeamChecker();
+    ob::ScopedState<> state(checker->getTeam().getStateSpace());
+    state = std::vector<double>(state.reals().size(), 1.0);
+    setup.reset();
+    ASSERT_TRUE(checker->watchSpaceInformation().expired());
+    set.add({Body::box(1.0, 1.0), planarPose(1.0, 1.0)});
+    const ObstacleChange change = set.takeChange();
+    checker->changeObstacles(change);
+    EXPECT_EQ(messageOf([&] { Revalidation(*checker, change); }),
+              "Revalidation: the checker's space information is gone; give the mode to the constructor");
+    const Revalidation revalidation(*checker, change, CertificateMotionValidator::DISCRETE);
+    EXPECT_FALSE(revalidation.staysValid(state.get()));
+}
+
 TEST_F(Revalidating, NeedsAChangeThatNamesWhatWasAdded)
 {
     ObstacleSet set(2);

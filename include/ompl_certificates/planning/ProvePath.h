@@ -23,7 +23,7 @@ namespace ompl_certificates
         \param condition ends the work where it becomes true. Motions that were not looked at are not proved then; their
         number is told.
         \throws ompl::Exception if the space has no continuous mode; see CertificateMotionValidator. Also if the path is
-        one of another space, such as that of a robot alone. */
+        one of another space, such as that of a robot alone, or has no state. */
     PathProof
     provePath(const ompl::geometric::PathGeometric &path, const std::shared_ptr<const TeamValidityChecker> &checker,
               const ompl::base::PlannerTerminationCondition &condition = ompl::base::plannerNonTerminatingCondition());
