@@ -133,8 +133,8 @@ def plan(
     simplify: shorten the solution, for at most as long again
     parameters: of the planner, such as {"range": 2.0}; planner_parameters() names them
     start, goal: of shape (coordinates,), in place of those of the scene, or of the last plan of the Checker. The goal
-        may also be a LinkPose, a Zone or an AnyOf, if there is one robot. Or it is a dict from the names of robots to such goals
-        or to their coordinates; robots that it does not name keep their goals.
+        may also be a LinkPose, a Zone or an AnyOf, if there is one robot. Or it is a dict from the names of robots to
+        such goals or to their coordinates; robots that it does not name keep their goals.
 
     Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt, once the planner looks at its termination
     condition. Some of OMPL's do not always: AITstar plans on until it has found valid random states. What was found
