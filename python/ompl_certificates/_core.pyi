@@ -75,8 +75,8 @@ class Zone:
         """The largest numbers of the position"""
 
 class AnyOf:
-    """Several goals of a robot, any of which will do: such as docks, grasps, or the states that an inverse kinematics of
-    your own found"""
+    """Several goals of a robot, any of which will do: such as docks, grasps, or the states that an inverse kinematics
+    of your own found"""
     def __init__(self, goals: Iterable[Union[ArrayLike, AnyOf, LinkPose, Zone]]) -> None:
         """goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose."""
     @property
@@ -288,7 +288,8 @@ class Scene:
     ) -> int:
         """Add the occupied cells of an octomap, from a .bt or .ot file, and return its number. Each level of depth less
         doubles the edges of its smallest cells. Unknown cells are free; or occupied, within the box of all known ones.
-        In a planar scene those cells count that reach into the heights (low, high)."""
+        In a planar scene those cells count that reach into the heights (low, high). origin is where the map's own
+        origin is in the scene, with 3 numbers, by default 0."""
     def add_octomap(
         self,
         data: Union[bytes, ArrayLike],
@@ -312,8 +313,8 @@ class Scene:
         speed: float = 1.0,
     ) -> None:
         """Add a robot, with its start and goal; its distances count weight times. The goal may also be a LinkPose, for
-        an arm, or a Zone. speed is how much of its distance it moves in a unit of time: times of plans, and the
-        objectives makespan and arrival, go by it."""
+        an arm, a Zone, or an AnyOf. speed is how much of its distance it moves in a unit of time: times of plans, and
+        the objectives makespan and arrival, go by it."""
     @property
     def name(self) -> str:
         """What the scene is called"""
@@ -371,8 +372,8 @@ class Checker:
         Bounds are not checked. Other Python threads run meanwhile, and Ctrl-C raises KeyboardInterrupt."""
     def clearance(self, states: ArrayLike) -> Any:
         """Lower bounds of the distance to the nearest contact: with an obstacle, between robots, or between links of
-        one arm. In the scene's length unit. Not positive if a state is not valid. A lower bound may be negative for a
-        valid state, too, so its sign is no verdict: ask is_valid. Shapes as of is_valid."""
+        one arm. In the scene's length unit. Positive if and only if a state is valid, and 1e-12 where nothing more is
+        proved. Shapes as of is_valid."""
     def check_motions(self, starts: ArrayLike, ends: ArrayLike) -> NDArray[np.bool_]:
         """Which motions are valid, from each row of starts to that of ends, both of shape (n, coordinates): bools of
         shape (n,). The starts must be valid, as in OMPL."""

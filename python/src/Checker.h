@@ -143,7 +143,7 @@ namespace ompl_certificates_python
 
         Scene scene_;
         std::string motion_;
-        Rotations rotations_;
+        ompl_certificates::Rotations rotations_;
         World world_;
         std::unique_ptr<TeamSetup> setup_;
         mutable std::mutex changing_;

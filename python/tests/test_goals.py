@@ -120,7 +120,7 @@ def test_a_single_arm_needs_no_dict() -> None:
         ),
         (
             lambda: make_arm("arm", [0, 0, 0]).sample_goal([1.0]),  # type: ignore[arg-type]
-            "goal: must be a LinkPose or a Zone",
+            "goal: must be a LinkPose, a Zone or an AnyOf",
         ),
     ],
 )

@@ -13,10 +13,10 @@ namespace ompl_certificates
     {
         using namespace test;
 
-        const std::string MAP = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/drones_octomap.bt";
+        const std::string DRONES_MAP = OMPL_CERTIFICATES_SOURCE_DIR "/demos/scenes/drones_octomap.bt";
 
         /** Where a corner of a building of the map is within reach of the arm */
-        const std::string ORIGIN = "[-7.5, -6.0, -4.0]";
+        const std::string MAP_ORIGIN = "[-7.5, -6.0, -4.0]";
 
         /** The bytes of the map as ROS prints them */
         std::string dataOf(const std::string &map)
@@ -27,26 +27,26 @@ namespace ompl_certificates
             return "[" + list + "]";
         }
 
-        const std::string NO_TURN = "[0, 0, 0, 1]";
+        const std::string UNTURNED = "[0, 0, 0, 1]";
 
         class MoveItOctomap : public MoveItScene
         {
         protected:
-            std::string scene(const std::string &data, const std::string &rotation = NO_TURN,
+            std::string scene(const std::string &data, const std::string &rotation = UNTURNED,
                               const std::string &id = "OcTree") const
             {
-                return "world:\n  octomap:\n    header: {frame_id: world}\n    origin: {position: " + ORIGIN +
+                return "world:\n  octomap:\n    header: {frame_id: world}\n    origin: {position: " + MAP_ORIGIN +
                        ", orientation: " + rotation +
                        "}\n    octomap: {header: {frame_id: ''}, binary: true, id: " + id +
                        ", resolution: 0.25, data: " + data + "}\n";
             }
 
-            const std::string data_ = dataOf(readWholeFile(MAP));
+            const std::string data_ = dataOf(readWholeFile(DRONES_MAP));
         };
 
         /** A matrix in which links next to each other may touch, and two of them the map
             \param base, upper true or false */
-        std::string matrixOf(const std::string &base, const std::string &upper)
+        std::string octomapMatrix(const std::string &base, const std::string &upper)
         {
             return "allowed_collision_matrix:\n  entry_names: [base, upper, lower, tip, <octomap>]\n  entry_values:\n"
                    "    - [true, true, false, false, " +
@@ -67,12 +67,12 @@ namespace ompl_certificates
         const SceneFile file = read(scene(data_));
         ASSERT_EQ(file.scene.getSensedObstacles().size(), 1U);
         // The same map from a file, in a scene of our own
-        folder_.write("map.bt", readWholeFile(MAP));
+        folder_.write("map.bt", readWholeFile(DRONES_MAP));
         const Scene own = loadScene(folder_.write(
             "own.yaml",
             "environment:\n  min: [-9, -9, -9]\n  max: [9, 9, 9]\n  obstacles:\n    - {type: octomap, file: "
             "map.bt, origin: " +
-                ORIGIN +
+                MAP_ORIGIN +
                 "}\nrobots:\n  - {type: rigid, space: R3, shape: {type: point}, start: [0, 0, 1], "
                 "goal: [0, 0, 1]}\n"));
         auto team = std::make_shared<TeamStateSpace>();
@@ -99,12 +99,12 @@ namespace ompl_certificates
 
     TEST_F(MoveItOctomap, MayBeTouchedByLinksThatStandStill)
     {
-        EXPECT_EQ(messageOf(scene(data_) + matrixOf("false", "false")), "");
+        EXPECT_EQ(messageOf(scene(data_) + octomapMatrix("false", "false")), "");
         // The base is in none of its cells, and needs no check; the links that move may not touch it.
-        const SceneFile file = read(scene(data_) + matrixOf("true", "false"));
+        const SceneFile file = read(scene(data_) + octomapMatrix("true", "false"));
         EXPECT_TRUE(armOf(file).mayTouchObstacles(0));
         EXPECT_FALSE(armOf(file).mayTouchObstacles(1));
-        const std::string message = messageOf(scene(data_) + matrixOf("false", "true"));
+        const std::string message = messageOf(scene(data_) + octomapMatrix("false", "true"));
         EXPECT_NE(message.find("world.octomap: link 'upper' may touch it"), std::string::npos) << message;
     }
 
@@ -115,7 +115,7 @@ namespace ompl_certificates
             {scene("[1, 256]"), "must be a byte, from -128 to 255"},
             {scene("[1, 0.5]"), "must be a byte, from -128 to 255"},
             {scene("[1, x]"), "must be a number"},
-            {scene(data_, NO_TURN, "Tree"), "id: must be OcTree"},
+            {scene(data_, UNTURNED, "Tree"), "id: must be OcTree"},
             {scene(data_, "[0, 0, 0.1, 1]"), "a map that is turned is not supported"}};
         for (const auto &[text, words] : wrong)
         {
