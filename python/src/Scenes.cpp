@@ -104,11 +104,12 @@ namespace ompl_certificates_python
                 .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
                      "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
                      "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
-                .def("add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
-                     py::arg("weight") = 1.0, py::arg("speed") = 1.0,
-                     "Add a robot, with its start and goal; its distances count weight times. The goal may also be a "
-                     "LinkPose, for an arm, a Zone, or an AnyOf. speed is how much of its distance it moves in a unit of time: "
-                     "times of plans, and the objectives makespan and arrival, go by it.");
+                .def(
+                    "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
+                    py::arg("weight") = 1.0, py::arg("speed") = 1.0,
+                    "Add a robot, with its start and goal; its distances count weight times. The goal may also be a "
+                    "LinkPose, for an arm, a Zone, or an AnyOf. speed is how much of its distance it moves in a unit of time: "
+                    "times of plans, and the objectives makespan and arrival, go by it.");
         }
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -257,13 +258,14 @@ def test_any_of_several_goals_will_do() -> None:
     assert robot.goal_distance(docks, [9, 1, 1]) == 0 and robot.goal_distance(docks, [9, 1.5, 1]) == 0.5
     samples = robot.sample_goal(oc.AnyOf([[5, 1, 0], [7, 2, 0]]), 20)
     assert {tuple(row[:2]) for row in samples} == {(5, 1), (7, 2)}
-    for goals, message in (
+    wrong: list[tuple[Any, str]] = [
         ([], "^AnyOf: must have one goal at least$"),
         ([[5, 1]], "^a: goal: state 0 must have 3 coordinates, not 2$"),
         ([[5, 1, 0], [5, 11, 0]], "^a: goal: state 1 is outside the bounds$"),
         ([[5, 1, np.nan]], "^a: goal: state 0 must be finite$"),
         ([oc.LinkPose("hand", [1, 1])], "a LinkPose is a goal of arms"),
-    ):
+    ]
+    for goals, message in wrong:
         with pytest.raises(oc.Error, match=message):
             robot.sample_goal(oc.AnyOf(goals), 1)
     with pytest.raises(TypeError):

@@ -2,7 +2,7 @@
 
 import array
 import pathlib
-from typing import Tuple
+from typing import Any, List, Tuple
 
 import numpy as np
 import ompl_certificates as oc
@@ -138,7 +138,8 @@ def test_an_octomap_is_read_and_changed(scenes: pathlib.Path, tmp_path: pathlib.
     assert 0 < valid.sum() < len(states)
     # A message has what a file has after its header.
     data = maps[0].read_bytes().split(b"data\n", 1)[1]
-    for form in (data, np.frombuffer(data, dtype=np.int8), list(data), array.array("b", data)):
+    forms: List[Any] = [data, np.frombuffer(data, dtype=np.int8), list(data), array.array("b", data)]
+    for form in forms:
         same = hall(3)
         same.add_octomap(form, 0.25)
         assert (oc.Checker(same).is_valid(states) == valid).all()
