@@ -189,10 +189,12 @@ namespace ompl_certificates_python
             path.append(state);
         }
         if (const auto turn = turns.findLongTurn())
-            throw ompl::Exception(what, "row " + std::to_string(turn->state) + ": '" +
-                                            coordinateNames(*setup_->getStateSpace())[turn->coordinate] +
-                                            "' turns by " + std::to_string(turn->angle) +
-                                            " since the row before, more than half a turn; add a row in between");
+            throw ompl::Exception(
+                what,
+                "row " + std::to_string(turn->state) + ": '" +
+                    coordinateNames(*setup_->getStateSpace())[turn->coordinate] + "' turns by " +
+                    std::to_string(turn->angle) +
+                    " since the row before, more than half a turn; add a row in between, or bring the angles into [-pi, pi)");
         return path;
     }
 

@@ -82,8 +82,8 @@ namespace ompl_certificates_python
         ompl::base::ScopedState<> toState(const Doubles &values, const char *what) const;
 
         /** \brief A path of the team, from a row of numbers for each of its states
-            \throws ompl::Exception as toState() does, if there is no row, or if an angle that counts turns moves by more
-            than half of one between two rows */
+            \throws ompl::Exception as toState() does, if there is no row, or if an angle that counts turns moves by
+            more than half of one between two rows */
         ompl::geometric::PathGeometric toPath(const Doubles &states, const char *what) const;
 
         /** \brief The scene with the obstacles there are now, and a goal

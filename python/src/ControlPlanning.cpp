@@ -68,7 +68,8 @@ namespace ompl_certificates_python
                 if (object.is_none())
                     return std::vector<double>();
                 if (isGoal(object))
-                    throw ompl::Exception(what, "must be one state: plans by controls take no Zone and no LinkPose");
+                    throw ompl::Exception(
+                        what, "must be one state: plans by controls take no Zone, no LinkPose and no AnyOf");
                 if (py::isinstance<py::dict>(object))
                     throw ompl::Exception(what, "must be one state of the team: plans by controls take no dict");
                 const Doubles values = toDoubles(object, what);

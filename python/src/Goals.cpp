@@ -160,7 +160,14 @@ namespace ompl_certificates_python
         {
             AnyOf result;
             for (const py::handle goal : py::iter(goals))
-                result.goals.push_back(py::reinterpret_borrow<py::object>(goal));
+                if (py::isinstance<AnyOf>(goal))
+                {
+                    // All goals are drawn equally often.
+                    const auto more = goal.cast<AnyOf>().goals;
+                    result.goals.insert(result.goals.end(), more.begin(), more.end());
+                }
+                else
+                    result.goals.push_back(py::reinterpret_borrow<py::object>(goal));
             if (result.goals.empty())
                 throw ompl::Exception("AnyOf", "must have one goal at least");
             return result;
@@ -241,8 +248,10 @@ namespace ompl_certificates_python
             module, "AnyOf",
             "Several goals of a robot, any of which will do: such as docks, grasps, or the states that an "
             "inverse kinematics of your own found")
-            .def(py::init(&makeAnyOf), py::arg("goals"),
-                 "goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose.")
+            .def(
+                py::init(&makeAnyOf), py::arg("goals"),
+                "goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose. The goals of an AnyOf "
+                "among them are taken out of it.")
             .def_readonly("goals", &AnyOf::goals, "The goals: a list")
             .def("__repr__",
                  [](const AnyOf &self) { return "<AnyOf " + std::to_string(self.goals.size()) + " goals>"; });

@@ -159,12 +159,14 @@ namespace ompl_certificates_python
             .def("link_pose", &linkPose, py::arg("state"), py::arg("link"),
                  "Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape "
                  "(4, 4)")
-            .def("sample_goal", &sampleGoal, py::arg("goal"), py::arg("count") = 1, py::arg("seed") = 1,
-                 "Random states of a LinkPose or a Zone, of shape (count, coordinates); fewer rows if no more are "
-                 "found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter.")
-            .def("goal_distance", &goalDistance, py::arg("goal"), py::arg("state"),
-                 "How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the "
-                 "position's tolerances and radians beyond the rotation's are added.");
+            .def(
+                "sample_goal", &sampleGoal, py::arg("goal"), py::arg("count") = 1, py::arg("seed") = 1,
+                "Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are "
+                "found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter.")
+            .def(
+                "goal_distance", &goalDistance, py::arg("goal"), py::arg("state"),
+                "How far a state is from a LinkPose, a Zone or an AnyOf; 0 if it is in it. For a LinkPose lengths beyond the "
+                "position's tolerances and radians beyond the rotation's are added.");
         bindArms(module, robots);
         bindDynamicRobots(robots);
     }

@@ -154,7 +154,7 @@ namespace ompl_certificates_python
                 "The team's start, of shape (coordinates,)")
             .def_property_readonly(
                 "goal", [](const Scene &self) { return toArray(joined(self, &Scene::Member::goal)); },
-                "The team's goal, of shape (coordinates,); for a LinkPose or a Zone, one state of many")
+                "The team's goal, of shape (coordinates,); for a LinkPose, a Zone or an AnyOf, one state of many")
             .def_property("resolution", &Scene::getResolution, &Scene::setResolution,
                           "The longest step between samples of a motion, as a fraction of each robot's extent: from "
                           "1e-6 to below 1, or 0 for OMPL's own")

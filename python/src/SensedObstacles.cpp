@@ -5,6 +5,7 @@
 
 #include <ompl_certificates/obstacles/CellObstacles.h>
 #include <ompl_certificates/obstacles/PointCloudObstacles.h>
+#include <ompl_certificates/octomap/OctomapMessage.h>
 #include <ompl_certificates/scene/CloudFile.h>
 #include <ompl_certificates/scene/OccupancyMapFile.h>
 
@@ -15,7 +16,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
-#include <ompl_certificates/octomap/OctomapMessage.h>
 #include <ompl_certificates/octomap/OctomapObstacles.h>
 #endif
 
@@ -80,7 +80,8 @@ namespace ompl_certificates_python
 
         /** \param source a file or a message */
         template <typename Source>
-        std::size_t addOctomap(Scene &scene, const Source &source, const MapOptions &given)
+        std::size_t addOctomap([[maybe_unused]] Scene &scene, [[maybe_unused]] const Source &source,
+                               [[maybe_unused]] const MapOptions &given)
         {
 #ifdef OMPL_CERTIFICATES_HAVE_OCTOMAP
             const auto &[depth, unknownOccupied, heights, origin] = given;

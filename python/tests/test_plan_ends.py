@@ -171,12 +171,14 @@ def test_a_path_of_ones_own_is_proved(closed: oc.Scene) -> None:
 
 def test_angles_that_count_turns_are_not_turned_the_shorter_way() -> None:
     scene = oc.Scene([0, 0], [10, 4], "turns")
-    scene.add_robot(oc.Robot.rigid("bar", oc.Body.box(2, 0.2), [0, 0], [10, 4]), [2, 2, 0], [2, 2, 1])
+    arm = oc.Body.join([(oc.Body.box(1, 0.2), (0.5, 0))])
+    scene.add_robot(oc.Robot.rigid("bar", arm, [0, 0], [10, 4]), [2, 2, 0], [2, 2, 1])
     # In the way of the turn by more than half of one, and not in that of the shorter one
     scene.add_obstacle(oc.Body.disc(0.1), (2, 2.8))
     checker = oc.Checker(scene, motion="continuous")
-    assert checker.prove([[2, 2, 2.0], [2, 2, 3.0], [2, 2, -2.9], [2, 2, -1.9]])
+    assert checker.prove([[2, 2, 1.9], [2, 2, 3.0], [2, 2, -2.9], [2, 2, -1.6]])
     assert not checker.prove([[2, 2, 1.2], [2, 2, 2.0]])
+    assert checker.prove([[2, 2, 1.2], [2, 2, -1.78]])
     assert not checker.prove([[2, 2, 1.2], [2, 2, 3.0], [2, 2, 4.5]])
     with pytest.raises(oc.Error, match="^path: row 1: 'bar.yaw' turns by 3.3.* more than half a turn; add a row"):
         checker.prove([[2, 2, 1.2], [2, 2, 4.5]])

@@ -15,6 +15,17 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
+    namespace
+    {
+        /** The checker of this library that another one asks, or is; null if that is not known */
+        const TeamValidityChecker *teamCheckerOf(const ob::StateValidityChecker *checker)
+        {
+            if (const auto *limited = dynamic_cast<const LimitedValidityChecker *>(checker))
+                return limited->getTeamChecker().get();
+            return dynamic_cast<const TeamValidityChecker *>(checker);
+        }
+    }
+
     TeamControlSetup::TeamControlSetup(const TeamStateSpacePtr &team, const ObstaclesPtr &obstacles, Method method,
                                        CertificateMotionValidator::Mode mode)
       : SimpleSetup(TeamPropagator::makeControlSpace(team)), mode_(mode)
@@ -65,6 +76,11 @@ namespace ompl_certificates
             OMPL_WARN(
                 "TeamControlSetup: steps are proved by the propagator of this setup, which another one has "
                 "replaced. They are not proved unless that one does it, as by TeamPropagator::requireProof().");
+        const auto *asked = teamCheckerOf(getSpaceInformation()->getStateValidityChecker().get());
+        if (mode_ == CertificateMotionValidator::CONTINUOUS && asked && asked != checker_.get())
+            OMPL_WARN(
+                "TeamControlSetup: steps are proved with the validity checker of this setup, which another one has "
+                "replaced. Give that to the propagator, too: TeamPropagator::requireProof().");
         choosePlanner();
         if (!pdef_->hasOptimizationObjective())
             pdef_->setOptimizationObjective(

@@ -16,8 +16,8 @@ namespace ompl_certificates
 {
     namespace
     {
-        /** How often each point is in a list, which must stay as it is: a hash table. To sort the points of a frame takes
-            several times longer. */
+        /** How often each point is in a list, which must stay as it is: a hash table. To sort the points of a frame
+            takes several times longer. */
         class PointCounts
         {
         public:

@@ -170,8 +170,9 @@ namespace ompl_certificates
                                   ", not " + std::to_string(options.depth));
         if (options.slice && !(options.slice->low < options.slice->high))
             throw ompl::Exception("The slice of an octomap must have its low end below its high one");
-        if (!options.origin.allFinite())
-            throw ompl::Exception("The origin of an octomap must be finite");
+        constexpr double farthest = 1e9;
+        if (!(options.origin.cwiseAbs().array() <= farthest).all())
+            throw ompl::Exception("The origin of an octomap must be finite, and no number of it beyond 1e9");
     }
 
     bool isInSlice(const OctomapOptions &options, double resolution, const CellBox &box)

@@ -112,7 +112,8 @@ namespace ompl_certificates
                 if (header.hasNodes && nodes.size() != header.nodes)
                     fail("size: there are " + std::to_string(nodes.size()) + " nodes, not " +
                          std::to_string(header.nodes));
-                if (text_.find_first_not_of('\n', at) != std::string::npos)
+                // A file may end with empty lines.
+                if (header.hasNodes ? text_.find_first_not_of('\n', at) != std::string::npos : at < text_.size())
                     fail("goes on after its last node");
                 return nodes;
             }
@@ -154,7 +155,8 @@ namespace ompl_certificates
                 return text_.data() + at - bytes;
             }
 
-            /** Adds children unless there are too many: a small damaged file may tell of more than there is memory for. */
+            /** Adds children unless there are too many: a small damaged file may tell of more than there is memory for.
+                */
             std::size_t addChildren(MapNodes &nodes, std::size_t node, std::uint8_t children,
                                     const Header &header) const
             {
@@ -164,8 +166,8 @@ namespace ompl_certificates
                 return first;
             }
 
-            /** An inner node has two bits for each child: 00 if unknown, 01 if free, 10 if occupied, 11 if it is an inner
-                node, too. */
+            /** An inner node has two bits for each child: 00 if unknown, 01 if free, 10 if occupied, 11 if it is an
+                inner node, too. */
             void readBinary(std::size_t &at, MapNodes &nodes, std::size_t node, unsigned int depth,
                             const Header &header) const
             {
@@ -188,7 +190,8 @@ namespace ompl_certificates
                 }
             }
 
-            /** A node has a number, which is positive or 0 if it is occupied, maybe a color, and a bit for each child. */
+            /** A node has a number, which is positive or 0 if it is occupied, maybe a color, and a bit for each child.
+                */
             void readFull(std::size_t &at, MapNodes &nodes, std::size_t node, unsigned int depth,
                           const Header &header) const
             {

@@ -51,7 +51,7 @@ namespace ompl_certificates
         const ob::SpaceInformation &si = *path.getSpaceInformation();
         if (si.getStateSpace()->getValueLocations().empty())
             throw ompl::Exception(si.getStateSpace()->getName(),
-                                  "was not set up, so states have no numbers; call setup() of its SpaceInformation");
+                                  "has states without numbers; call setup() of its SpaceInformation, if nobody has");
         std::string text = "length";
         for (const std::string &name : coordinateNames(*si.getStateSpace()))
             text += ',' + quoted(name);

@@ -181,7 +181,7 @@ namespace ompl_certificates
             throw ompl::Exception(places[turn->state], "'" + table.name(columns[turn->coordinate]) + "' turns by " +
                                                            shortestText(turn->angle) +
                                                            " since the state before, more than half a turn; add a "
-                                                           "state in between");
+                                                           "state in between, or bring the angles into [-pi, pi)");
         if (path.getStateCount() == 0)
             throw ompl::Exception(file, "has no state");
         return path;

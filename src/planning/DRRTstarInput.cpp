@@ -103,7 +103,7 @@ namespace ompl_certificates
             if (const auto *one = dynamic_cast<const ob::GoalState *>(goal))
                 why = describeInvalid(one->getState());
             else if (const auto *region = dynamic_cast<const TeamGoalRegion *>(goal))
-                why = "the one that is known: " + describeInvalid(region->getState().get());
+                why = describeInvalid(region->getState().get());
             OMPL_ERROR("%s: there are no valid goal states%s", getName().c_str(),
                        why.empty() ? "" : (": " + why).c_str());
             return ob::PlannerStatus::INVALID_GOAL;

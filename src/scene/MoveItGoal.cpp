@@ -241,16 +241,18 @@ namespace ompl_certificates
         const auto arm = std::static_pointer_cast<const Arm>(member.robot);
         std::vector<std::vector<double>> states;
         std::vector<RobotGoalPtr> goals;
-        for (const YamlNode &goal : node.items(1, MAX_CONSTRAINTS))
+        const auto items = node.items(1, MAX_CONSTRAINTS);
+        for (const YamlNode &goal : items)
             if (RobotGoalPtr pose = readLinkPose(goal, arm, frames, notes))
                 goals.push_back(std::move(pose));
             else
                 states.push_back(moveItCoordinates(goal, *arm, readJoints(goal, robot, *arm)));
-        node.orFail(
-            [&]
-            {
-                setGoals(states, std::move(goals), member);
-                member.chooseGoal();
-            });
+        (items.size() > 1 ? node : items.front())
+            .orFail(
+                [&]
+                {
+                    setGoals(states, std::move(goals), member);
+                    member.chooseGoal();
+                });
     }
 }

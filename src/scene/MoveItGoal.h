@@ -23,8 +23,8 @@ namespace ompl_certificates
     std::vector<double> moveItCoordinates(const YamlNode &node, const Arm &arm,
                                           const std::map<std::string, double> &values);
 
-    /** \brief Read the goal of \e member, whose robot is an arm of \e robot, from the Constraints that \e node lists, any
-        of which will do: each is for all joints of the group, or the pose of a link.
+    /** \brief Read the goal of \e member, whose robot is an arm of \e robot, from the Constraints that \e node lists,
+        any of which will do: each is for all joints of the group, or the pose of a link.
         \param notes what a user should know is added here */
     void readMoveItGoal(const YamlNode &node, const ArmFile &robot, const MoveItFrames &frames, Scene::Member &member,
                         std::vector<std::string> &notes);

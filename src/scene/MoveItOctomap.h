@@ -13,8 +13,8 @@ namespace ompl_certificates
     constexpr const char *MOVE_IT_OCTOMAP = "<octomap>";
 
     /** \brief The occupied cells of an OctomapWithPose; null if it has no data
-        \throws ompl::Exception that names the node: if the map is damaged or turned, or if the library was built without
-        octomap */
+        \throws ompl::Exception that names the node: if the map is damaged or turned, or if the library was built
+        without octomap */
     std::shared_ptr<const CellObstacles> readMoveItOctomap(const YamlNode &node, const MoveItFrames &frames);
 }
 

@@ -55,9 +55,9 @@ namespace ompl_certificates
         /** \brief Add to the shapes of objects the parts of their planes that \e arm can touch; see planeWithin() */
         void cutPlanes(const Arm &arm, const ArmFile::ArmSettings &settings);
 
-        /** \brief Move objects that links may touch from here to \e settings, where they count as links, and name there the
-            links that may touch all others. A link of \e arm that stands still is one of these if it may touch some and
-            is clear of the others. Planes must be cut.
+        /** \brief Move objects that links may touch from here to \e settings, where they count as links, and name there
+            the links that may touch all others. A link of \e arm that stands still is one of these if it may touch some
+            and is clear of the others. Planes must be cut.
             \param arm the robot, without these settings
             \param notes what a user should know is added here
             \throws ompl::Exception if other links may touch the octomap */

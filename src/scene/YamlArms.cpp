@@ -50,7 +50,8 @@ namespace ompl_certificates
                           shortestText(joint.upper) + ", not " + shortestText(value));
         }
 
-        /** The values of joints that \e node lists by their names, angles as they are: a joint may follow half of one. */
+        /** The values of joints that \e node lists by their names, angles as they are: a joint may follow half of one.
+            */
         Values readValues(const YamlNode &node, const KinematicTree &tree)
         {
             Values values;

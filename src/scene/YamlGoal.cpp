@@ -1,8 +1,11 @@
 #include "YamlGoal.h"
 
 #include "ompl_certificates/robots/AnyOfGoals.h"
+#include "ompl_certificates/robots/Arm.h"
 #include "ompl_certificates/robots/ZoneGoal.h"
+#include "ompl_certificates/team/Coordinates.h"
 
+#include <ompl/base/ScopedState.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -11,17 +14,28 @@ namespace ompl_certificates
     {
         constexpr std::size_t MAX_GOALS = 10000;
 
-        /** Whether a node lists goals. What an arm's state tells of a joint of that name is no list. */
-        bool hasSeveral(const YamlNode &node)
+        /** Whether a node lists goals. An arm's state may tell of a joint of that name. */
+        bool hasSeveral(const YamlNode &node, const Robot &robot)
         {
-            return node.isMap() && node.has("any") && node.at("any").isList();
+            if (!node.isMap() || !node.has("any"))
+                return false;
+            const auto *arm = dynamic_cast<const Arm *>(&robot);
+            return !arm || !arm->getTree().hasJoint("any") || node.at("any").isList();
+        }
+
+        void requireBounds(const YamlNode &node, const Robot &robot, const std::vector<double> &coordinates)
+        {
+            ompl::base::ScopedState<> state(robot.getStateSpace());
+            state = coordinates;
+            if (const std::string why = describeOutOfBounds(robot, state.get()); !why.empty())
+                node.fail(why);
         }
     }
 
     void readGoal(const YamlNode &node, const std::function<std::vector<double>(const YamlNode &)> &readState,
                   const std::function<RobotGoalPtr(const YamlNode &)> &readRegion, Scene::Member &member)
     {
-        if (!hasSeveral(node))
+        if (!hasSeveral(node, *member.robot))
         {
             member.region = readRegion(node);
             if (!member.region)
@@ -37,8 +51,7 @@ namespace ompl_certificates
             else
             {
                 states.push_back(readState(item));
-                // It tells where a state is that is out of the bounds.
-                item.orFail([&] { return AnyOfGoals(member.robot, {states.back()}); });
+                requireBounds(item, *member.robot, states.back());
             }
         setGoals(states, std::move(goals), member);
     }

@@ -10,9 +10,9 @@ namespace ompl_certificates
         \param source the scene's file, whose folder the cloud's path is relative to */
     ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source);
 
-    /** \brief The octomap that \e node describes: file, depth, unknown, origin and, in the plane, heights. Fails if the program
-        was built without octomap.
-        \param source as above */
+    /** \brief The octomap that \e node describes: file, depth, unknown, origin and, in the plane, heights. Fails if the
+        program was built without octomap.
+        \param source the scene's file, as for readCloud() */
     ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);
 
     /** \brief The map of ROS's map_server that \e node describes: file and unknown

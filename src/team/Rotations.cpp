@@ -12,6 +12,17 @@ namespace ompl_certificates
 
     namespace
     {
+        /** How many numbers of a state there are to read, whether the space was set up or not */
+        std::size_t countNumbers(const ob::StateSpace &space)
+        {
+            ob::State *const state = space.allocState();
+            std::size_t count = 0;
+            while (space.getValueAddressAtIndex(state, static_cast<unsigned int>(count)))
+                ++count;
+            space.freeState(state);
+            return count;
+        }
+
         /** Add what \e space has, behind what is there already */
         void findRotations(const ob::StateSpace &space, Rotations &found)
         {
@@ -29,7 +40,7 @@ namespace ompl_certificates
                 found.count += 4;
             }
             else
-                found.count += space.getDimension();
+                found.count += countNumbers(space);
         }
     }
 

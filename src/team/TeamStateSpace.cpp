@@ -81,7 +81,8 @@ namespace ompl_certificates
                    !space.getValueLocations().empty();
         }
 
-        /** Draws the random numbers that setup() of a space draws, for random projections, and leaves the space alone */
+        /** Draws the random numbers that setup() of a space draws, for random projections, and leaves the space alone
+            */
         void drawAsInSetup(const ob::StateSpace &space)
         {
             if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))

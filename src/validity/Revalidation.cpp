@@ -102,8 +102,10 @@ namespace ompl_certificates
         Invalid invalid;
         if (!checker_)
             return invalid;
+        // The checker's own space information may be gone.
         const bool hasControls =
-            std::dynamic_pointer_cast<oc::SpaceInformation>(checker_->watchSpaceInformation().lock()) != nullptr;
+            std::dynamic_pointer_cast<oc::SpaceInformation>(checker_->watchSpaceInformation().lock()) ||
+            std::dynamic_pointer_cast<oc::SpaceInformation>(data.getSpaceInformation());
         if (hasControls && !data.hasControls())
             throw ompl::Exception("Revalidation",
                                   "planners with controls need an ompl::control::PlannerData, which has these");

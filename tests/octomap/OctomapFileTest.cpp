@@ -170,6 +170,7 @@ TEST_P(OctomapFile, IsReadFromMessages)
     expectMessage("resolution: must be", [](OctomapMessage &of) { of.resolution = std::nan(""); });
     expectMessage("resolution: must be", [](OctomapMessage &of) { of.resolution = 0.0; });
     expectMessage("goes on", [](OctomapMessage &of) { of.data += "more"; });
+    expectMessage("goes on", [](OctomapMessage &of) { of.data += "\n"; });
     expectMessage("is damaged", [](OctomapMessage &of) { of.data.assign(100000, '\xFF'); });
     for (std::size_t length = 1; length < message.data.size(); length += 1 + message.data.size() / 50)
         expectMessage("ends before", [length](OctomapMessage &of) { of.data.resize(length); });

@@ -3,13 +3,16 @@
 #include "ompl_certificates/control/TeamControlSetup.h"
 #include "ompl_certificates/pictures/PathFile.h"
 #include "ompl_certificates/scene/SceneFile.h"
+#include "ompl_certificates/team/Rotations.h"
 #include "support/Folder.h"
 #include "support/Message.h"
 #include "support/Random.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <ompl/base/spaces/DiscreteStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/TimeStateSpace.h>
 #include <ompl/util/RandomNumbers.h>
 
 namespace ompl_certificates
@@ -50,13 +53,36 @@ namespace ompl_certificates
 
     TEST_F(PathReaderTest, NeedsASpaceThatWasSetUp)
     {
-        const auto setup = sceneFromYaml(CART, "cart").makeSetup();
-        ompl::geometric::PathGeometric path(setup->getSpaceInformation());
-        ob::ScopedState<> state(setup->getStateSpace());
-        state->as<ob::CompoundState>()->as<ob::SE2StateSpace::StateType>(0)->setXY(1.0, 2.0);
-        path.append(state.get());
-        EXPECT_NE(test::messageOf([&] { toCsv(path); }).find("was not set up, so states have no numbers"),
-                  std::string::npos);
+        const auto space = std::make_shared<ob::SE2StateSpace>();
+        ob::RealVectorBounds bounds(2);
+        bounds.setHigh(1.0);
+        space->setBounds(bounds);
+        const auto si = std::make_shared<ob::SpaceInformation>(space);
+        ompl::geometric::PathGeometric path(si);
+        path.append(ob::ScopedState<>(space).get());
+        EXPECT_NE(test::messageOf([&] { toCsv(path); }).find("has states without numbers"), std::string::npos);
+    }
+
+    /** OMPL's DiscreteStateSpace has a dimension, and no numbers. */
+    TEST_F(PathReaderTest, TakesSpacesWhosePartsHaveNoNumbers)
+    {
+        const auto space = std::make_shared<ob::CompoundStateSpace>();
+        space->addSubspace(std::make_shared<ob::DiscreteStateSpace>(0, 3), 1.0);
+        space->addSubspace(std::make_shared<ob::SO2StateSpace>(), 1.0);
+        space->addSubspace(std::make_shared<ob::TimeStateSpace>(), 1.0);
+        const auto si = std::make_shared<ob::SpaceInformation>(space);
+        si->setStateValidityChecker([](const ob::State *) { return true; });
+        space->as<ob::TimeStateSpace>(2)->setBounds(0.0, 10.0);
+        si->setup();
+        ob::ScopedState<> state(space);
+        state.random();
+        state->as<ob::CompoundState>()->as<ob::SO2StateSpace::StateType>(1)->value = 2.5;
+        ompl::geometric::PathGeometric path(si, state.get());
+        const auto read = loadPath(folder_.write("path.csv", toCsv(path)), si);
+        EXPECT_EQ(ob::ScopedState<>(space, read.getState(0)).reals(), state.reals());
+        const Rotations rotations(*space);
+        EXPECT_EQ(rotations.count, 2U);
+        EXPECT_EQ(rotations.angles, std::vector<std::size_t>{0});
     }
 
     TEST_F(PathReaderTest, ReadsWhatWasWrittenToTheBit)

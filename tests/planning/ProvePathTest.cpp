@@ -156,7 +156,8 @@ TEST_F(ProvePathTest, NeedsNoCheckerThatMakesCertificates)
     }
 }
 
-/** Plans past a thin wall, which look where the disc is each 0.6: some go through the wall, and those are not proved. */
+/** Plans past a thin wall, which look where the disc is each 0.6: some go through the wall, and those are not proved.
+    */
 TEST_F(ProvePathTest, NeverProvesAPlanThatCollides)
 {
     unsigned int proved = 0, colliding = 0;

@@ -70,8 +70,7 @@ namespace ompl_certificates
                  place + ".meshes[0].triangles[0][2]: must be the number of a vertex, below 3, not 3"},
                 {object("meshes: [{vertices: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], triangles: [[0, 1, 2]]}]"),
                  place + ".meshes[0]: "},
-                {"world: {octomap: {octomap: {data: [1]}}}\n",
-                 "scene.yaml:1: world.octomap.octomap.data: not supported"},
+                {"world: {octomap: {octomap: {data: [1]}}}\n", "scene.yaml:1: world.octomap.octomap.binary: missing"},
                 {BALL + "allowed_collision_matrix: {entry_names: [base, tip], entry_values: [[false, false], [true, "
                         "false]]}\n",
                  "scene.yaml:4: allowed_collision_matrix.entry_values[1][0]: must be as for 'base' and 'tip': the matrix "

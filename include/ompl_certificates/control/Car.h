@@ -18,8 +18,8 @@ namespace ompl_certificates
         /** \brief A car without a trailer
             \param controlBounds of speed and steering angle, in this order
             \param wheelbase the distance between the axles
-            \throws ompl::Exception if \e shape is not in SE(2), a body is not fixed to the frame of its state, bounds do
-            not have 2 dimensions, the steering angle reaches pi/2, or \e wheelbase is not positive */
+            \throws ompl::Exception if \e shape is not in SE(2), a body is not fixed to the frame of its state, bounds
+            do not have 2 dimensions, the steering angle reaches pi/2, or \e wheelbase is not positive */
         static std::shared_ptr<Car> alone(const RobotPtr &shape, const ompl::base::RealVectorBounds &controlBounds,
                                           double wheelbase);
 

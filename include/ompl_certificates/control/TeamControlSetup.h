@@ -34,7 +34,7 @@ namespace ompl_certificates
             planner was chosen, it is that of defaultControlPlanner(), or OMPL's choice where propagator or checker were
             replaced, or no goal can be sampled. A problem without an objective gets OMPL's
             PathLengthOptimizationObjective, which SST would take with a warning.
-            \throws ompl::Exception if there is neither a goal nor a planner, or the step of propagation is not finite */
+            \throws ompl::Exception if there is neither a goal nor a planner, or the propagation step is not finite */
         void setup() override;
 
         /** \brief Plan for at most \e time seconds; see SimpleSetup. Where only an approximate solution was found, it
@@ -44,8 +44,8 @@ namespace ompl_certificates
         /** \brief The same, until \e condition becomes true */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
-        /** \brief Shorten the time that the solution takes with a ControlPathSimplifier, for at most \e duration seconds
-            (0: as long as it helps). What getSolutionPath() tells changes, the solution's cost does not.
+        /** \brief Shorten the time that the solution takes with a ControlPathSimplifier, for at most \e duration
+            seconds (0: as long as it helps). What getSolutionPath() tells changes, the solution's cost does not.
             \throws ompl::Exception as ControlPathSimplifier does, if parts of this setup were replaced */
         void simplifySolution(double duration = 0.0);
 
@@ -58,18 +58,17 @@ namespace ompl_certificates
             return simplifyTime_;
         }
 
-        /** \brief The validity checker of the team, which ignores limits: that of the space information, if somebody has
-            set a TeamValidityChecker there; else the one that this setup made */
-        std::shared_ptr<TeamValidityChecker> getTeamChecker() const
+        /** \brief The validity checker of the team, which ignores limits: the one that this setup made, and proves
+            steps with, also if the space information has another one now */
+        const std::shared_ptr<TeamValidityChecker> &getTeamChecker() const
         {
-            const auto checker = std::dynamic_pointer_cast<TeamValidityChecker>(si_->getStateValidityChecker());
-            return checker ? checker : checker_;
+            return checker_;
         }
 
         /** \brief How many checks there were, and how they were settled */
         Statistics &getStatistics() const
         {
-            return getTeamChecker()->getStatistics();
+            return checker_->getStatistics();
         }
 
     private:

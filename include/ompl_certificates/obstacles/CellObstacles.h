@@ -72,8 +72,8 @@ namespace ompl_certificates
             return true;
         }
 
-        /** \brief A checksum of the cells as boxes, their size and their origin. A CellSet joins cells in blocks, so the
-            same cells have another one there. Cost: linear in the number of boxes. */
+        /** \brief A checksum of the cells as boxes, their size and their origin. A CellSet joins cells in blocks, so
+            the same cells have another one there. Cost: linear in the number of boxes. */
         std::uint64_t getFingerprint() const override;
 
         /** \brief The edge length of a cell */

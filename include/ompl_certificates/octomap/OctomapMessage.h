@@ -5,8 +5,8 @@
 
 namespace ompl_certificates
 {
-    /** \brief An octomap as ROS sends it: the fields of octomap_msgs/Octomap that tell of its cells. A program that links
-        octomap_msgs may as well make an octomap::OcTree of the message. */
+    /** \brief An octomap as ROS sends it: the fields of octomap_msgs/Octomap that tell of its cells. A program that
+        links octomap_msgs may as well make an octomap::OcTree of the message. */
     struct OctomapMessage
     {
         /** \brief Whether nodes are just free or occupied, as octomap_msgs::binaryMapToMsg() writes them; else as

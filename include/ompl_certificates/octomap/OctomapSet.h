@@ -24,9 +24,9 @@ namespace ompl_certificates
     {
     public:
         /** \brief The obstacles of \e map, which must outlive this object. Switches on the map's change detection.
-            \throws ompl::Exception if the depth, the slice or the origin is not valid; if the map's change detection is on, so
-            that another set or somebody else uses it; or if unknown cells are to be occupied: one more known cell may
-            then make others occupied that are far away */
+            \throws ompl::Exception if the depth, the slice or the origin is not valid; if the map's change detection is
+            on, so that another set or somebody else uses it; or if unknown cells are to be occupied: one more known
+            cell may then make others occupied that are far away */
         explicit OctomapSet(octomap::OcTree &map, const OctomapOptions &options = {});
 
         /** \brief Switches the map's change detection off */
@@ -42,8 +42,8 @@ namespace ompl_certificates
             OctomapObstacles. */
         ObstacleChange takeChange();
 
-        /** \brief Lets the next takeChange() read all of the map, whatever it has noted. What is the same there as before
-            is no change. */
+        /** \brief Lets the next takeChange() read all of the map, whatever it has noted. What is the same there as
+            before is no change. */
         void reread();
 
     private:

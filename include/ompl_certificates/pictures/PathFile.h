@@ -16,10 +16,10 @@ namespace ompl_certificates
 
     /** \brief A path as a table of comma-separated values: a line with the names of the columns, and a line for each
         state. This has the length of the path up to there, in the space's distance, the state's coordinates, and its
-        time by stateTimes(), all in full precision. See docs/plan-team.md. Columns are called as coordinateNames() tells:
-        in a compound space of your own by the names of its parts, which OMPL numbers anew in each run. So give them
-        names, StateSpace::setName(), if another run is to read the table.
-        \throws ompl::Exception if the space was not set up: it has no numbers then */
+        time by stateTimes(), all in full precision. See docs/plan-team.md. Columns are called as coordinateNames()
+        tells: in a compound space of your own by the names of its parts, which OMPL numbers anew in each run. So give
+        them names, StateSpace::setName(), if another run is to read the table.
+        \throws ompl::Exception if states have no numbers, as before the space is set up */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
 
     /** \brief A path of a team of DynamicRobots as such a table, one line for each propagation step: the time in

@@ -13,8 +13,9 @@ namespace ompl_certificates
     /** \brief ompl::geometric::SimpleSetup for a team. Its validity checker and motion validator are in place, the
         planner's tree is in a PlannerKdTree, and the default objective is the team's path length. Without setPlanner(),
         a DRRTstar plans for two or more robots, and RRTConnect for one; or for any number where states have a validity
-        checker of your own, which DRRTstar cannot heed, whatever the motion validator is. It is chosen anew where such a
-        checker, or a rule, comes or goes. For a goal that cannot be sampled OMPL chooses.
+        checker of your own, which DRRTstar cannot heed, whatever the motion validator is. It is chosen anew where such
+        a checker, or a rule, comes or goes: so give another one by setPlanner(), not the one that was chosen. For a
+        goal that cannot be sampled OMPL chooses.
 
         All of OMPL's geometric planners for one space and one problem run in it. setup() gives the problem the
         planner's defaultObjective(), unless setOptimizationObjective() gave it another. An ompl::tools::Benchmark sets

@@ -18,16 +18,16 @@ namespace ompl_certificates
             \param robot the robot whose goals they are
             \param states the coordinates of states, in the order of ompl::base::StateSpace::copyToReals()
             \param goals other goals of that robot
-            \throws ompl::Exception that names the robot: if it is null, if there are neither states nor goals, if a state
-            has another number of coordinates, is not finite or is out of the bounds, or if a goal is null */
+            \throws ompl::Exception that names the robot: if it is null, if there are neither states nor goals, if a
+            state has another number of coordinates, is not finite or is out of the bounds, or if a goal is null */
         AnyOfGoals(const RobotPtr &robot, const std::vector<std::vector<double>> &states,
                    std::vector<RobotGoalPtr> goals = {});
 
         /** \brief The distance to the nearest of them; to a state it is that of the robot's space */
         double distance(const ompl::base::State *state) const override;
 
-        /** \brief See RobotGoal: a state of one that is drawn at random, each as often as the others. If none is found in
-            it, of another one. */
+        /** \brief See RobotGoal: a state of one that is drawn at random, each as often as the others. If none is found
+            in it, of another one. */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
 
         /** \brief Such as: any of its 3 goals */

@@ -35,8 +35,8 @@ namespace ompl_certificates
         std::size_t count{0};
     };
 
-    /** \brief Watches over the angles of a path. If an angle is beyond half a turn somewhere, it counts all turns. OMPL moves
-        it the shorter way, which is another one between two states that are more than half a turn apart. */
+    /** \brief Watches over the angles of a path. If an angle is beyond half a turn somewhere, it counts all turns. OMPL
+        moves it the shorter way, which is another one between two states that are more than half a turn apart. */
     class TurnCounter
     {
     public:
@@ -60,8 +60,8 @@ namespace ompl_certificates
             \param numbers as many as the states have */
         void add(const double *numbers);
 
-        /** \brief The first long turn of an angle that counts turns; none if there is none. Cost: linear in the angles of a
-            state. */
+        /** \brief The first long turn of an angle that counts turns; none if there is none. Cost: linear in the angles
+            of a state. */
         std::optional<LongTurn> findLongTurn() const;
 
     private:

@@ -196,18 +196,18 @@ namespace ompl_certificates
         /** \brief Sets up the robots' spaces that are not set up, and this one. Where nothing has changed since, the
             next call changes nothing that checks read: other threads may check meanwhile, and other teams may have the
             same robots. It draws the same random numbers each time.
-            \throws ompl::Exception if the team has no robot, a robot that cannot move, only weights of 0, or a component
-            that was not added by addRobot() */
+            \throws ompl::Exception if the team has no robot, a robot that cannot move, only weights of 0, or a
+            component that was not added by addRobot() */
         void setup() override;
 
         using CompoundStateSpace::sanityChecks;
 
-        /** \brief As OMPL does. Of a team with a robot in a ReedsSheppStateSpace or a DubinsStateSpace it checks what OMPL
-            does of both: their curves are not always the shortest ones from a point in between. */
+        /** \brief As OMPL does. Of a team with a robot in a ReedsSheppStateSpace or a DubinsStateSpace it checks what
+            OMPL does of both: their curves are not always the shortest ones from a point in between. */
         void sanityChecks() const override;
 
-        /** \brief Finds where the values of a state are. Other than in a CompoundStateSpace it leaves the robots' spaces
-            alone: each robot has done that for its own, which others may be reading. */
+        /** \brief Finds where the values of a state are. Other than in a CompoundStateSpace it leaves the robots'
+            spaces alone: each robot has done that for its own, which others may be reading. */
         void computeLocations() override;
 
     private:
