@@ -78,7 +78,8 @@ class AnyOf:
     """Several goals of a robot, any of which will do: such as docks, grasps, or the states that an inverse kinematics
     of your own found"""
     def __init__(self, goals: Iterable[Union[ArrayLike, AnyOf, LinkPose, Zone]]) -> None:
-        """goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose."""
+        """goals are states, and whatever else may be a goal of that robot: a Zone, a LinkPose. The goals of an AnyOf
+        among them are taken out of it."""
     @property
     def goals(self) -> List[Union[ArrayLike, AnyOf, LinkPose, Zone]]:
         """The goals: a list"""
@@ -244,11 +245,11 @@ class Robot:
     def link_pose(self, state: ArrayLike, link: str) -> NDArray[np.float64]:
         """Of an arm, where the frame of a link is in a state, such as that of its tool: a matrix, of shape (4, 4)"""
     def sample_goal(self, goal: Union[AnyOf, LinkPose, Zone], count: int = 1, seed: int = 1) -> NDArray[np.float64]:
-        """Random states of a LinkPose or a Zone, of shape (count, coordinates); fewer rows if no more are found. This
-        is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
+        """Random states of a LinkPose, a Zone or an AnyOf, of shape (count, coordinates); fewer rows if no more are
+        found. This is the inverse kinematics of an arm. Bounds are kept, collisions do not matter."""
     def goal_distance(self, goal: Union[AnyOf, LinkPose, Zone], state: ArrayLike) -> float:
-        """How far a state is from a LinkPose or a Zone; 0 if it is in it. For a LinkPose lengths beyond the position's
-        tolerances and radians beyond the rotation's are added."""
+        """How far a state is from a LinkPose, a Zone or an AnyOf; 0 if it is in it. For a LinkPose lengths beyond the
+        position's tolerances and radians beyond the rotation's are added."""
     def poses(self, state: ArrayLike) -> NDArray[np.float64]:
         """Where each body is in a state: matrices, of shape (bodies, 4, 4). Bodies of an arm have frames of their own,
         see link_pose."""
@@ -347,7 +348,7 @@ class Scene:
         """The team's start, of shape (coordinates,)"""
     @property
     def goal(self) -> NDArray[np.float64]:
-        """The team's goal, of shape (coordinates,); for a LinkPose or a Zone, one state of many"""
+        """The team's goal, of shape (coordinates,); for a LinkPose, a Zone or an AnyOf, one state of many"""
     resolution: float
     """The longest step between samples of a motion, as a fraction of each robot's extent: from 1e-6 to below 1, or 0
     for OMPL's own"""
