@@ -149,7 +149,7 @@ namespace ompl_certificates
         const std::string names = "\"\"\"a\"\", b.x\",\"\"\"a\"\", b.y\",\"\"\"a\"\", b.yaw\"\n";
         EXPECT_EQ(complaintOf(names + "1,2,0\n1,2,3.5\n1,2,6\n"),
                   ":3: '\"a\", b.yaw' turns by 3.5 since the state before, more than half a turn; add a state in "
-                  "between");
+                  "between, or bring the angles into [-pi, pi)");
         EXPECT_EQ(loadPath(folder_.write("path.csv", names + "1,2,0\n1,2,2\n1,2,4\n1,2,6.5\n"), cart_).getStateCount(),
                   4u);
         // Where no angle is beyond half a turn they may all have been wrapped, as OMPL's are.
