@@ -282,8 +282,8 @@ namespace ompl_certificates
         if (std::none_of(components_.begin(), components_.end(), [](const auto &part) { return hasCurves(*part); }))
             return CompoundStateSpace::sanityChecks();
         StateSpace::sanityChecks(std::numeric_limits<double>::epsilon(), 0.1,
-                                 ~(STATESPACE_INTERPOLATION | STATESPACE_TRIANGLE_INEQUALITY |
-                                   STATESPACE_DISTANCE_BOUND | STATESPACE_DISTANCE_SYMMETRIC));
+                                 ~static_cast<unsigned int>(STATESPACE_INTERPOLATION | STATESPACE_TRIANGLE_INEQUALITY |
+                                                            STATESPACE_DISTANCE_BOUND | STATESPACE_DISTANCE_SYMMETRIC));
     }
 
     void TeamStateSpace::deserialize(ob::State *state, const void *serialization) const
