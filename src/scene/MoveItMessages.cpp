@@ -173,7 +173,7 @@ namespace ompl_certificates
             if (!node.has("pose"))
                 return Pose::Identity();
             std::vector<std::string> about;
-            const Pose pose = readPose(node.at("pose"), "position", "orientation", &about);
+            Pose pose = readPose(node.at("pose"), "position", "orientation", &about);
             // A message that leaves the pose to the shapes has zeros in all of it.
             if (!pose.translation().isZero(0.0))
                 notes.insert(notes.end(), about.begin(), about.end());
