@@ -6,6 +6,8 @@
 #include "support/Random.h"
 #include "support/Warnings.h"
 
+#include "ompl_certificates/control/LimitedValidityChecker.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -213,6 +215,32 @@ TEST(TeamPropagatorTest, RefusesBadParts)
         messageOf(
             [&] { TeamControlSetup(controlled, obstacles, Method::STANDARD, CertificateMotionValidator::CONTINUOUS); }),
         "Steps are proved free by certificates, which the method standard does not have");
+}
+
+/** Steps are proved with the checker of the setup, which a change of the obstacles must reach. */
+TEST(TeamControlSetup, WarnsWhereProofsAskAnotherCheckerThanStates)
+{
+    const auto warningsWith = [](CertificateMotionValidator::Mode mode, const auto &replace)
+    {
+        TeamControlSetup setup(teamOf({allKinds()[2]}), boxes({}), Method::SHARED_PROJECTION, mode);
+        ob::ScopedState<> state(setup.getStateSpace());
+        state = std::vector<double>(state.reals().size(), 0.0);
+        setup.setStartAndGoalStates(state, state);
+        replace(setup);
+        const Warnings warnings("Give that to the propagator, too");
+        setup.setup();
+        return warnings.count;
+    };
+    const auto other = [](const TeamControlSetup &setup)
+    { return std::make_shared<TeamValidityChecker>(setup.getSpaceInformation(), boxes({})); };
+    const auto discrete = CertificateMotionValidator::DISCRETE, continuous = CertificateMotionValidator::CONTINUOUS;
+    const auto setOther = [&](TeamControlSetup &setup) { setup.setStateValidityChecker(other(setup)); };
+    EXPECT_EQ(warningsWith(continuous, setOther), 1U);
+    EXPECT_EQ(warningsWith(continuous, [&](TeamControlSetup &setup)
+                           { setup.setStateValidityChecker(std::make_shared<LimitedValidityChecker>(other(setup))); }),
+              1U);
+    EXPECT_EQ(warningsWith(discrete, setOther), 0U);
+    EXPECT_EQ(warningsWith(continuous, [](TeamControlSetup & /*setup*/) {}), 0U);
 }
 
 TEST(TeamControlSetup, SaysThatItNeedsAGoalOrAPlanner)

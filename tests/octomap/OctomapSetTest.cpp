@@ -149,6 +149,30 @@ TEST_P(OctomapSets, RereadWhatTheMapDoesNotNote)
     EXPECT_TRUE(cellsOf(*set.takeChange().after, 1).empty());
 }
 
+TEST(OctomapSet, HasTheOriginOfItsOptions)
+{
+    Random random(3);
+    for (const bool sliced : {false, true})
+    {
+        const auto map = randomMap(random, RESOLUTION);
+        OctomapOptions options;
+        options.origin = {10.0, -20.0, 30.0};
+        if (sliced)
+            options.slice = ZInterval{29.5, 31.0};
+        const OctomapObstacles expected(*map, options);
+        OctomapSet set(*map, options);
+        const ObstaclesPtr obstacles = set.takeChange().after;
+        for (int i = 0; i < 200; ++i)
+        {
+            Eigen::Vector3d point = options.origin + random.point(3, 5.0);
+            point.z() = sliced ? 0.0 : point.z();
+            // Within cells it is a distance to the surface of a box, and the set joins others.
+            const double distance = expected.clearance(point);
+            EXPECT_NEAR(std::max(0.0, obstacles->clearance(point)), std::max(0.0, distance), 1e-9);
+        }
+    }
+}
+
 TEST(OctomapSet, RefusesWhatMakesNoSense)
 {
     octomap::OcTree map(RESOLUTION);
