@@ -4,6 +4,8 @@
 #include "RigidFrame.h"
 #include "geometry/Angle.h"
 
+#include "ompl_certificates/robots/ConfinedRobot.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,9 +26,9 @@ namespace ompl_certificates
             return std::remainder(yaw - trailer, 2.0 * M_PI);
         }
 
-        /** The heading of a trailer behind a car that drives along an arc: d' = turnRate - pull * sin(d), where d is the
-            angle of the hinge. The tangent of d / 2 obeys a Riccati equation, whose numerator and denominator obey a
-            linear one. Its matrix's square is a multiple of the unit matrix, so its exponential is elementary. */
+        /** The heading of a trailer behind a car that drives along an arc: d' = turnRate - pull * sin(d), where d is
+            the angle of the hinge. The tangent of d / 2 obeys a Riccati equation, whose numerator and denominator obey
+            a linear one. Its matrix's square is a multiple of the unit matrix, so its exponential is elementary. */
         double trailerAfter(double trailer, double yaw, double speed, double turnRate, double hitch, double duration)
         {
             const double pull = speed / hitch;
@@ -44,6 +46,16 @@ namespace ompl_certificates
                                                   same * c + 0.5 * change * (pull * c - turnRate * s));
             return yaw + turnRate * duration - hinge;
         }
+
+        /** The car with a trailer that \e shape is, or keeps out of zones */
+        const CarWithTrailer &requireTrailer(const RobotPtr &shape)
+        {
+            const auto *confined = dynamic_cast<const ConfinedRobot *>(shape.get());
+            const auto *car = dynamic_cast<const CarWithTrailer *>(confined ? confined->getRobot().get() : shape.get());
+            if (!car)
+                throw ompl::Exception(shape ? shape->getName() : "A dynamic robot", "is no car with a trailer");
+            return *car;
+        }
     }
 
     std::shared_ptr<Car> Car::alone(const RobotPtr &shape, const ob::RealVectorBounds &controlBounds, double wheelbase)
@@ -51,16 +63,15 @@ namespace ompl_certificates
         return std::shared_ptr<Car>(new Car(requirePlanar(shape), controlBounds, wheelbase, 0.0, 0.0));
     }
 
-    std::shared_ptr<Car> Car::withTrailer(const std::shared_ptr<const CarWithTrailer> &shape,
-                                          const ob::RealVectorBounds &controlBounds, double wheelbase,
-                                          double maxHingeAngle)
+    std::shared_ptr<Car> Car::withTrailer(const RobotPtr &shape, const ob::RealVectorBounds &controlBounds,
+                                          double wheelbase, double maxHingeAngle)
     {
-        if (shape && (!(shape->getHitchLength() > 0.0) || !(maxHingeAngle > 0.0)))
+        const CarWithTrailer &car = requireTrailer(shape);
+        if (!(car.getHitchLength() > 0.0) || !(maxHingeAngle > 0.0))
             throw ompl::Exception(shape->getName(), "its hitch length and largest hinge angle must be positive, not " +
-                                                        std::to_string(shape->getHitchLength()) + " and " +
+                                                        std::to_string(car.getHitchLength()) + " and " +
                                                         std::to_string(maxHingeAngle));
-        return std::shared_ptr<Car>(
-            new Car(shape, controlBounds, wheelbase, shape ? shape->getHitchLength() : 0.0, maxHingeAngle));
+        return std::shared_ptr<Car>(new Car(shape, controlBounds, wheelbase, car.getHitchLength(), maxHingeAngle));
     }
 
     Car::Car(const RobotPtr &shape, const ob::RealVectorBounds &controlBounds, double wheelbase, double hitchLength,
@@ -104,6 +115,7 @@ namespace ompl_certificates
         bounds[0] = {way, turn};
         // The trailer's origin follows the hinge along the trailer's heading, so it is never faster.
         bounds[1] = {way, way / hitchLength_};
+        std::fill(bounds + 2, bounds + getBodies().size(), MotionBound());
     }
 
     bool Car::isWithinLimits(const ob::State *state) const

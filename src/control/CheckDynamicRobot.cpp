@@ -19,7 +19,8 @@ namespace ompl_certificates
         /** The rounding error of points, relative to their coordinates */
         constexpr double POINT_ROUNDING = 1e-13;
 
-        /** Whether all angles and quaternions of a state are as OMPL keeps them: it calls states with others invalid. */
+        /** Whether all angles and quaternions of a state are as OMPL keeps them: it calls states with others invalid.
+            */
         bool hasTurnsWithinBounds(const ob::StateSpace &space, const ob::State *state)
         {
             if (space.isCompound())
@@ -67,7 +68,7 @@ namespace ompl_certificates
                     fail("computeStepBounds() writes more than the bounds of its " + std::to_string(bodies) +
                          " bodies");
                 for (std::size_t body = 0; body < bodies; ++body)
-                    if (!(bounds[body].linear >= 0.0 && bounds[body].angular >= 0.0))
+                    if (!robot_.isZone(body) && !(bounds[body].linear >= 0.0 && bounds[body].angular >= 0.0))
                         fail("the bound of body " + std::to_string(body) +
                              " must not be negative, and must be written: it is " + textOf(bounds[body].linear) +
                              " and " + textOf(bounds[body].angular));

@@ -114,6 +114,11 @@ namespace ompl_certificates
         return shape_->mayTouchObstacles(body);
     }
 
+    bool DynamicRobot::isZone(std::size_t body) const
+    {
+        return shape_->isZone(body);
+    }
+
     std::size_t DynamicRobot::getTracedBody() const
     {
         return shape_->getTracedBody();

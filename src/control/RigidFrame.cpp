@@ -72,6 +72,12 @@ namespace ompl_certificates
             robot.placeBodies(state.get(), poses.data());
             for (std::size_t body = 0; body < poses.size(); ++body)
             {
+                if (robot.isZone(body))
+                {
+                    if (i == 0)
+                        distances.push_back(0.0);
+                    continue;
+                }
                 Pose &pose = poses[body];
                 // The difference comes first: it is exact for a body near its frame, wherever that is.
                 pose.translation() = frame.linear().transpose() * (pose.translation() - frame.translation());

@@ -75,7 +75,9 @@ namespace ompl_certificates
         constexpr double factor = 1.0 + 1e-6;
         for (std::size_t body = 0; body < robotAt(robot).getBodies().size(); ++body)
         {
-            bounds[body] = {bounds[body].linear * factor, bounds[body].angular * factor};
+            bounds[body] = robotAt(robot).isZone(body)
+                               ? MotionBound()
+                               : MotionBound{bounds[body].linear * factor, bounds[body].angular * factor};
             if (!isBound(bounds[body]))
                 return false;
         }

@@ -3,6 +3,7 @@
 #include "RobotMotion.h"
 #include "SceneDrawing.h"
 #include "files/WholeFile.h"
+#include "robots/ContactText.h"
 #include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 
@@ -142,7 +143,7 @@ namespace ompl_certificates
                 const std::string color = SceneDrawing::colorOf(robot);
                 svg.beginGroup("fill='" + color + "' fill-opacity='0.75' stroke='" + color + "' stroke-width='1.5'");
                 for (std::size_t body = 0; body < scene_.getMembers()[robot].robot->getBodies().size(); ++body)
-                    if (!SceneDrawing::isObstacle(*scene_.getMembers()[robot].robot, body))
+                    if (!isOwnObstacle(*scene_.getMembers()[robot].robot, body))
                         drawBody(svg, view, robot, body);
                 svg.endGroup();
             }

@@ -1,9 +1,9 @@
 #include "SceneDrawing.h"
 
 #include "ViewAxes.h"
+#include "robots/ContactText.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
-#include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,16 +96,10 @@ namespace ompl_certificates
                 { cross(svg, center, 5.0, "stroke='#555' stroke-width='2.2'"); }};
     }
 
-    bool SceneDrawing::isObstacle(const Robot &robot, std::size_t body)
-    {
-        const auto *arm = dynamic_cast<const Arm *>(&robot);
-        return arm && arm->isObstacle(body);
-    }
-
     void SceneDrawing::drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses)
     {
         for (std::size_t k = 0; k < poses.size(); ++k)
-            if (!isObstacle(robot, k))
+            if (!isOwnObstacle(robot, k))
                 view.draw(svg, robot.getBodies()[k], poses[k]);
     }
 
@@ -188,6 +182,26 @@ namespace ompl_certificates
                 view.draw(svg, *cells, CELL_LEVELS);
         }
         svg.endGroup();
+        drawZones(svg, view);
+    }
+
+    void SceneDrawing::drawZones(SvgWriter &svg, const SceneView &view) const
+    {
+        const std::vector<BodyPoses> starts = getStarts();
+        for (std::size_t i = 0; i < starts.size(); ++i)
+        {
+            const Robot &robot = *scene_.getMembers()[i].robot;
+            // They come after all other bodies.
+            if (!robot.isZone(robot.getBodies().size() - 1))
+                continue;
+            const std::string color = colorOf(i);
+            svg.beginGroup(clipAtFrame(view) + " fill='" + color + "' fill-opacity='0.1' stroke='" + color +
+                           "' stroke-width='1' stroke-dasharray='2,3'");
+            for (std::size_t k = 0; k < starts[i].size(); ++k)
+                if (robot.isZone(k))
+                    view.draw(svg, robot.getBodies()[k], starts[i][k]);
+            svg.endGroup();
+        }
     }
 
     void SceneDrawing::drawGoals(SvgWriter &svg, const SceneView &view) const

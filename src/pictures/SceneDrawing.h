@@ -46,9 +46,6 @@ namespace ompl_certificates
         /** \brief The attribute of a group that ends at the frame of \e view */
         static std::string clipAtFrame(const SceneView &view);
 
-        /** \brief Whether a robot's body is an obstacle, and so drawn with these; see ArmOptions::obstacles */
-        static bool isObstacle(const Robot &robot, std::size_t body);
-
         /** \brief Draw bodies that have their poses, but no obstacles */
         static void drawBodies(SvgWriter &svg, const SceneView &view, const Robot &robot, const BodyPoses &poses);
 
@@ -87,7 +84,7 @@ namespace ompl_certificates
         /** \brief The poses of each robot at its goal; empty if there are no robots */
         std::vector<BodyPoses> getGoals() const;
 
-        /** \brief Draw the obstacles */
+        /** \brief Draw the obstacles, and zones in the color of the robot that they keep out */
         void drawObstacles(SvgWriter &svg, const SceneView &view) const;
 
         /** \brief Draw outlines and crosses at the goals */
@@ -98,6 +95,8 @@ namespace ompl_certificates
         std::string toSvg(const Content &content, const std::vector<Symbol> &symbols, bool oblique) const;
 
     private:
+        void drawZones(SvgWriter &svg, const SceneView &view) const;
+
         /** \brief The views of the scene, each at its position below \e top */
         std::vector<SceneView> placeViews(double top, bool oblique) const;
 

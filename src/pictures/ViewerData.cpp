@@ -1,6 +1,7 @@
 #include "ViewerData.h"
 
 #include "PackedArray.h"
+#include "robots/ContactText.h"
 #include "ompl_certificates/obstacles/CellObstacles.h"
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
@@ -141,8 +142,8 @@ namespace ompl_certificates
         for (std::size_t body = 0; body < robot.getBodies().size(); ++body)
         {
             json parts = json::array();
-            // Those that are obstacles are there already.
-            if (!SceneDrawing::isObstacle(robot, body))
+            // Those that are obstacles are there already. Zones are not shown.
+            if (!isOwnObstacle(robot, body))
                 for (const Body::Part &part : robot.getBodies()[body].getParts())
                     parts.push_back({shapes_.add(part.shape), poseJson(part.pose)});
             bodies.push_back(parts);

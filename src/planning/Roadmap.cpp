@@ -140,10 +140,11 @@ namespace ompl_certificates
         std::vector<Ball> balls;
         balls.reserve(bodies);
         for (std::size_t i = 0; i < bodies; ++i)
-        {
-            const Ball &own = robot.getBodies()[i].getSphereTree().getRoot();
-            balls.push_back({poses[i] * own.center, own.radius + 0.5 * duration * bounds[i].at(own.center.norm())});
-        }
+            if (!robot.isZone(i))
+            {
+                const Ball &own = robot.getBodies()[i].getSphereTree().getRoot();
+                balls.push_back({poses[i] * own.center, own.radius + 0.5 * duration * bounds[i].at(own.center.norm())});
+            }
         Ball all = balls.front();
         for (const Ball &ball : balls)
             all.radius = std::max(all.radius, (ball.center - all.center).norm() + ball.radius);

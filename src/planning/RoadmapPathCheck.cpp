@@ -27,6 +27,8 @@ namespace ompl_certificates
                 team.getRobot(robot).placeBodies(team.getRobotState(state, robot), poses.data());
                 for (std::size_t i = 0; i < bodies.size(); ++i)
                 {
+                    if (team.getRobot(robot).isZone(i))
+                        continue;
                     // Some more, for what rounding and the tolerance of a check add
                     const Eigen::Vector3d center = poses[i].translation();
                     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(bodies[i].getBoundingRadius() * 1.001 +

@@ -16,6 +16,8 @@ namespace ompl_certificates
             throw ompl::Exception(name_, "a robot needs a state space");
         if (bodies_.empty())
             throw ompl::Exception(name_, "a robot needs at least one body");
+        if (name_.find_first_of("\r\n") != std::string::npos)
+            throw ompl::Exception(name_, "the name of a robot must be one line");
         for (const Body &body : bodies_)
             if (body.getDimension() != getWorkspaceDimension())
                 throw ompl::Exception(name_, "the bodies of a robot are all planar or all spatial");

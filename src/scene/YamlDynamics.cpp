@@ -45,8 +45,7 @@ namespace ompl_certificates
         if (type == "car_first_order")
             return Car::alone(shape, upTo(speed, steering), wheelbase);
         if (type == "car_first_order_with_1_trailers")
-            return Car::withTrailer(std::dynamic_pointer_cast<const CarWithTrailer>(shape),
-                                    pairOf(-0.1, speed, -steering, steering), wheelbase, hinge);
+            return Car::withTrailer(shape, pairOf(-0.1, speed, -steering, steering), wheelbase, hinge);
         throw ompl::Exception(shape->getName(), "there are no dynamics of type '" + type + "'");
     }
 }

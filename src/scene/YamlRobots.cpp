@@ -4,9 +4,11 @@
 #include "YamlGoal.h"
 #include "YamlPlanarArm.h"
 #include "YamlShapes.h"
+#include "geometry/Angle.h"
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/CarWithTrailer.h"
+#include "ompl_certificates/robots/ConfinedRobot.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -64,18 +66,8 @@ namespace ompl_certificates
             return nullptr;
         }
 
-        double wrapped(double angle)
-        {
-            constexpr double pi = boost::math::constants::pi<double>();
-            if (angle >= -pi && angle < pi)
-                return angle;  // as it is: no rounding
-            angle = std::remainder(angle, 2.0 * pi);
-            return angle < pi ? angle : -pi;
-        }
-
         /** The pose that \e node lists; the velocities that follow it are left out unless they are to be kept */
-        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, bool keepVelocities,
-                                      Scene &scene)
+        std::vector<double> readState(const YamlNode &node, Layout layout, std::size_t velocities, bool keepVelocities)
         {
             const std::size_t count = COORDINATES[static_cast<std::size_t>(layout)];
             std::vector<double> state = node.numbers(count + velocities);
@@ -85,8 +77,8 @@ namespace ompl_certificates
                 for (std::size_t i = 2; i < count; ++i)
                 {
                     if (std::abs(state[i]) > boost::math::constants::two_pi<double>())
-                        scene.addNote(node.getKey() + ": an angle is more than a whole turn; angles are in radians");
-                    state[i] = wrapped(state[i]);
+                        node.note(ANGLE_NOTE);
+                    state[i] = wrappedAngle(state[i]);
                 }
             if (layout == Layout::SE3)
             {
@@ -96,8 +88,7 @@ namespace ompl_certificates
                 for (std::size_t i = 3; i < count; ++i)
                     state[i] /= norm;
                 if (std::abs(norm - 1.0) > 1e-3)
-                    scene.addNote(node.getKey() + ": the quaternion was normalised, its norm was " +
-                                  std::to_string(norm));
+                    node.note("the quaternion was normalised, its norm was " + std::to_string(norm));
             }
             return state;
         }
@@ -200,15 +191,24 @@ namespace ompl_certificates
             YamlArms &arms;
         };
 
+        /** \e robot, kept out of the zones that its node has */
+        RobotPtr confined(const RobotPtr &robot, const RobotInput &input)
+        {
+            if (!input.node.has("keep_out"))
+                return robot;
+            return std::make_shared<ConfinedRobot>(
+                robot, readZones(input.node.at("keep_out"), input.scene.getDimension(), input.meshes));
+        }
+
         /** Read start and goal of a robot whose states are a \e layout and \e velocities, which plans may leave out. */
         void readEnds(const RobotInput &input, Layout layout, std::size_t velocities, Scene::Member &member)
         {
-            member.start = readState(input.node.at("start"), layout, velocities, input.dynamics, input.scene);
+            member.start = readState(input.node.at("start"), layout, velocities, input.dynamics);
             const YamlNode goal = input.node.at("goal");
             if (goal.isMap() && input.dynamics)
                 goal.fail("must be a list: with dynamics the goal is one state");
             const auto readOne = [&](const YamlNode &node)
-            { return readState(node, layout, velocities, input.dynamics, input.scene); };
+            { return readState(node, layout, velocities, input.dynamics); };
             const auto readRegion = [&](const YamlNode &node)
             { return node.isMap() ? readZone(node, member.robot) : nullptr; };
             readGoal(goal, readOne, readRegion, member);
@@ -219,13 +219,13 @@ namespace ompl_certificates
             const unsigned int dimension = input.scene.getDimension();
             const Layout layout = readSpace(input.node.at("space"), dimension);
             const Body body = readBody(input.node, dimension, input.meshes);
-            member.robot = makeRigid(input.name, input.node, layout, body, input.bounds);
+            member.robot = confined(makeRigid(input.name, input.node, layout, body, input.bounds), input);
             readEnds(input, layout, 0, member);
         }
 
         void readCarWithTrailer(const RobotInput &input, Scene::Member &member)
         {
-            member.robot = makeCarWithTrailer(input.name, input.node, input.meshes, input.bounds);
+            member.robot = confined(makeCarWithTrailer(input.name, input.node, input.meshes, input.bounds), input);
             readEnds(input, Layout::TRAILER, 0, member);
         }
 
@@ -242,7 +242,7 @@ namespace ompl_certificates
         void readKnownRobot(const RobotInput &input, Scene::Member &member)
         {
             const KnownType &known = *findType(input.node.at("type").text());
-            member.robot = makeKnown(input.name, known, input.bounds);
+            member.robot = confined(makeKnown(input.name, known, input.bounds), input);
             if (input.dynamics)
                 member.robot = withDynamics(known.name, member.robot);
             readEnds(input, known.layout, known.velocities, member);
@@ -265,13 +265,13 @@ namespace ompl_certificates
             static const std::vector<RobotType> types{
                 {"rigid",
                  {"type", "name", "space", "turning_radius", "shape", "shapes", "start", "goal", "weight", "speed",
-                  "bounds"},
+                  "bounds", "keep_out"},
                  true,
                  true,
                  readRigidRobot},
                 {"car_with_trailer",
                  {"type", "name", "car", "trailer", "hitch_length", "self_collision", "start", "goal", "weight",
-                  "speed", "bounds"},
+                  "speed", "bounds", "keep_out"},
                  true,
                  false,
                  readCarWithTrailer},
@@ -282,7 +282,7 @@ namespace ompl_certificates
                  readPlanarArm},
                 {"urdf",
                  {"type", "name", "file", "srdf", "group", "base", "joints", "states", "visuals", "packages",
-                  "attached", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"},
+                  "attached", "touchable", "may_touch_obstacles", "start", "goal", "weight", "speed", "bounds"},
                  false,
                  true,
                  readUrdfArm}};
@@ -292,7 +292,7 @@ namespace ompl_certificates
         const RobotType &robotTypeOf(const YamlNode &node)
         {
             static const RobotType known{"of db-CBS",
-                                         {"type", "name", "start", "goal", "weight", "speed", "bounds"},
+                                         {"type", "name", "start", "goal", "weight", "speed", "bounds", "keep_out"},
                                          true,
                                          false,
                                          readKnownRobot};

@@ -3,6 +3,7 @@
 #include "ompl_certificates/files/Suggestion.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ompl_certificates
 {
@@ -41,11 +42,22 @@ namespace ompl_certificates
             return Body({{shape, Pose::Identity()}});
         }
 
+        /** What a shape is for. The center of an obstacle and of a zone must be given. */
+        enum class Use
+        {
+            OBSTACLE,
+            ZONE,
+            ROBOT,
+            PART
+        };
+
         /** \param own the keys that are the type's own */
-        void allowKeys(const YamlNode &node, unsigned int dimension, std::vector<std::string> own)
+        void allowKeys(const YamlNode &node, unsigned int dimension, Use use, std::vector<std::string> own)
         {
             own.insert(own.begin(), "type");
             own.push_back("center");
+            if (use == Use::OBSTACLE)
+                own.emplace_back("name");
             if (dimension == 2)
                 own.push_back("angle");
             else
@@ -53,40 +65,37 @@ namespace ompl_certificates
             node.allow(own);
         }
 
-        /** A shape of any type, as a body at a pose; \e placed tells whether its center must be given. */
-        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
-                              bool inCompound);
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, Use use);
 
         Body readShapes(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes)
         {
             std::vector<PlacedBody> bodies;
             for (const YamlNode &item : list.items(1, MAX_SHAPES))
-                bodies.push_back(readPlaced(item, dimension, meshes, false, true));
+                bodies.push_back(readPlaced(item, dimension, meshes, Use::PART));
             return Body::join(bodies);
         }
 
-        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, bool placed,
-                              bool inCompound)
+        PlacedBody readPlaced(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes, Use use)
         {
-            const bool planar = dimension == 2;
+            const bool planar = dimension == 2, placed = use == Use::OBSTACLE || use == Use::ZONE;
             const YamlNode typeNode = node.at("type");
             const std::string type = typeNode.text();
             const auto place = [&](const Body &body) { return PlacedBody{body, readPose(node, dimension, placed)}; };
             if (type == "box")
             {
-                allowKeys(node, dimension, {"size"});
+                allowKeys(node, dimension, use, {"size"});
                 const auto size = node.at("size").positives(dimension);
                 return place(makeBox(node.at("size"), size));
             }
             if (type == (planar ? "disc" : "sphere"))
             {
-                allowKeys(node, dimension, {"radius"});
+                allowKeys(node, dimension, use, {"radius"});
                 const double radius = node.at("radius").positive();
                 return place(planar ? Body::disc(radius) : Body::sphere(radius));
             }
             if (type == "capsule" || (type == "cylinder" && !planar))
             {
-                allowKeys(node, dimension, {"radius", "length"});
+                allowKeys(node, dimension, use, {"radius", "length"});
                 const double radius = node.at("radius").positive(), length = node.at("length").positive();
                 if (type == "cylinder")
                     return place(Body::cylinder(radius, length));
@@ -94,12 +103,12 @@ namespace ompl_certificates
             }
             if (type == (planar ? "polygon" : "polytope"))
             {
-                allowKeys(node, dimension, {"vertices"});
+                allowKeys(node, dimension, use, {"vertices"});
                 return {readHull(node.at("vertices"), dimension), readPose(node, dimension, false)};
             }
-            if (type == "compound" && !inCompound)
+            if (type == "compound" && use != Use::PART)
             {
-                allowKeys(node, dimension, {"shapes"});
+                allowKeys(node, dimension, use, {"shapes"});
                 return {readShapes(node.at("shapes"), dimension, meshes), readPose(node, dimension, false)};
             }
             if (type == "mesh")
@@ -108,22 +117,30 @@ namespace ompl_certificates
                 std::vector<std::string> own{"file", "scale", "reference", "keep_axes"};
                 if (planar)
                     own.insert(own.end(), {"rotation", "quaternion"});
-                allowKeys(node, dimension, own);
+                allowKeys(node, dimension, use, own);
                 const Eigen::Matrix3d rotation = planar ? readRotation(node) : Eigen::Matrix3d::Identity();
                 return {meshes.read(node, dimension, rotation), readPose(node, dimension, false)};
             }
             std::vector<std::string> known =
                 planar ? std::vector<std::string>{"box", "disc", "capsule", "polygon", "mesh"}
                        : std::vector<std::string>{"box", "sphere", "capsule", "cylinder", "polytope", "mesh"};
-            if (!inCompound)
+            if (use != Use::PART)
                 known.emplace_back("compound");
-            if (placed)
+            if (use == Use::OBSTACLE)
                 known.insert(known.end(), {"cloud", "octomap"});
-            if (placed && planar)
+            if (use == Use::OBSTACLE && planar)
                 known.emplace_back("occupancy_map");
             typeNode.fail("must be one of " + joined(known) + " in " + std::to_string(dimension) +
                           " dimensions, not '" + type + "'" + didYouMean(type, known));
         }
+    }
+
+    double readAngle(const YamlNode &node)
+    {
+        const double angle = node.number();
+        if (std::abs(angle) > 2.0 * M_PI)
+            node.note(ANGLE_NOTE);
+        return angle;
     }
 
     Eigen::Matrix3d readRotation(const YamlNode &node)
@@ -137,7 +154,7 @@ namespace ompl_certificates
             const Eigen::Vector3d axis = pointOf(rotation.at("axis").numbers(3));
             if (!(axis.norm() >= YamlNode::MIN_SIZE))
                 rotation.at("axis").fail("must not be zero");
-            return Eigen::AngleAxisd(rotation.at("angle").number(), axis.normalized()).toRotationMatrix();
+            return Eigen::AngleAxisd(readAngle(rotation.at("angle")), axis.normalized()).toRotationMatrix();
         }
         if (node.has("quaternion"))
         {
@@ -158,13 +175,21 @@ namespace ompl_certificates
         if (dimension == 3)
             pose.linear() = readRotation(node);
         else if (node.has("angle"))
-            pose.linear() = planarPose(0.0, 0.0, node.at("angle").number()).linear();
+            pose.linear() = planarPose(0.0, 0.0, readAngle(node.at("angle"))).linear();
         return pose;
     }
 
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
     {
-        return readPlaced(node, dimension, meshes, true, false);
+        return readPlaced(node, dimension, meshes, Use::OBSTACLE);
+    }
+
+    std::vector<PlacedBody> readZones(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes)
+    {
+        std::vector<PlacedBody> zones;
+        for (const YamlNode &item : list.items(1, MAX_SHAPES))
+            zones.push_back(readPlaced(item, dimension, meshes, Use::ZONE));
+        return zones;
     }
 
     Body readShape(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes)
@@ -175,7 +200,7 @@ namespace ompl_certificates
             node.allow({"type"});
             return dimension == 2 ? Body::disc(0.0) : Body::sphere(0.0);
         }
-        const PlacedBody placed = readPlaced(node, dimension, meshes, false, false);
+        const PlacedBody placed = readPlaced(node, dimension, meshes, Use::ROBOT);
         if (placed.pose.matrix() == Pose::Identity().matrix())
             return placed.body;
         return Body::join({placed});

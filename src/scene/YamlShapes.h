@@ -7,6 +7,12 @@
 
 namespace ompl_certificates
 {
+    /** \brief What is noted about an angle that is more than a whole turn */
+    constexpr const char *ANGLE_NOTE = "an angle is more than a whole turn; angles are in radians";
+
+    /** \brief An angle in radians; noted if it is more than a whole turn, as one in degrees mostly is */
+    double readAngle(const YamlNode &node);
+
     /** \brief What \e node has under rotation or under quaternion; no rotation if it has neither */
     Eigen::Matrix3d readRotation(const YamlNode &node);
 
@@ -16,6 +22,9 @@ namespace ompl_certificates
 
     /** \brief The obstacle that \e node describes, in a workspace of \e dimension */
     PlacedBody readObstacle(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);
+
+    /** \brief The zones that \e list describes as shapes, which a robot keeps out of */
+    std::vector<PlacedBody> readZones(const YamlNode &list, unsigned int dimension, YamlMeshes &meshes);
 
     /** \brief The body of a robot: what \e node has under shape or under shapes */
     Body readBody(const YamlNode &node, unsigned int dimension, YamlMeshes &meshes);

@@ -38,6 +38,9 @@ namespace ompl_certificates
                 std::vector<Pose> poses(robot.getBodies().size());
                 robot.computePoses(team.getRobotState(state, i), poses.data());
                 for (std::size_t k = 0; k < poses.size(); ++k)
+                {
+                    if (robot.isZone(k))
+                        continue;
                     for (const Body::Part &part : robot.getBodies()[k].getParts())
                     {
                         const TriangleMesh *mesh = part.shape.getMesh();
@@ -48,6 +51,7 @@ namespace ompl_certificates
                             placed.bounds.min().z() = placed.bounds.max().z() = placed.toShape.translation().z();
                         parts.push_back(placed);
                     }
+                }
             }
             return parts;
         }

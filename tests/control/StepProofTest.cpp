@@ -1,5 +1,7 @@
 #include "DynamicProblems.h"
 
+#include "ompl_certificates/control/CheckDynamicRobot.h"
+#include "ompl_certificates/robots/ConfinedRobot.h"
 #include "support/Message.h"
 
 #include <cmath>
@@ -225,4 +227,37 @@ TEST(TeamPropagatorTest, ControlsThatAreNoNumbersLeadNowhere)
                 trials.set(start, controls);
                 EXPECT_FALSE(trials.isAccepted(0.1)) << robot->getName();
             }
+}
+
+TEST(StepProof, KeepsRobotsOutOfTheirZones)
+{
+    // A thin one across the way, and one far away, whose bounds are no part of the robot's.
+    const std::vector<PlacedBody> zones{{Body::box(0.002, 1.0), planarPose(1.5, 0.0)},
+                                        {Body::disc(0.1), planarPose(-2.8, -2.8)}};
+    const auto space = within({3.0, 3.0});
+    const auto confined = [&](const RobotPtr &shape) { return std::make_shared<const ConfinedRobot>(shape, zones); };
+    const Body box = Body::box(0.2, 0.2);
+    const std::vector<std::shared_ptr<const DynamicRobot>> robots{
+        Integrator::firstOrder(confined(RigidRobot::disc("disc", 0.1, space)), within({10.0, 10.0})),
+        Unicycle::firstOrder(confined(RigidRobot::inSE2("unicycle", box, space)), within({10.0, 0.5})),
+        Car::alone(confined(RigidRobot::inSE2("car", box, space)), within({10.0, 0.5}), 0.25),
+        Car::withTrailer(confined(std::make_shared<CarWithTrailer>("train", box, box, 0.3, space)), within({10.0, 0.5}),
+                         0.25, 0.8)};
+    for (const auto &robot : robots)
+    {
+        SCOPED_TRACE(robot->getName());
+        EXPECT_NO_THROW(checkDynamicRobot(*robot, 0.3, 100));
+        StepTrials trials(robot);
+        std::vector<double> state(trials.from.reals().size(), 0.0);
+        state[0] = 0.7;
+        // It moves 1.6 from there: across the zone, or past it
+        trials.set(state, {10.0, 0.0});
+        EXPECT_FALSE(trials.isFree(0.16));
+        StepTrials ends(robot, CertificateMotionValidator::DISCRETE);
+        ends.set(state, {10.0, 0.0});
+        EXPECT_TRUE(ends.isAccepted(0.16));
+        state[1] = 1.5;
+        trials.set(state, {10.0, 0.0});
+        EXPECT_TRUE(trials.isFree(0.16));
+    }
 }

@@ -147,6 +147,25 @@ namespace ompl_certificates
             }
         }
 
+        TEST(ScenePicture, ZonesAreDrawnOnceAndAreNoPartOfTheRobot)
+        {
+            const std::string text =
+                "environment: {min: [-10, 0], max: [90, 50]}\n"
+                "robots: [{type: rigid, space: R2, shape: {type: disc, radius: 1}, start: [0, 20], goal: [80, 20], "
+                "keep_out: [{type: box, center: [40, 40], size: [10, 10]}]}]\n";
+            const PlannedPath planned(text, {40, 20});
+            ScenePicture picture(planned.scene);
+            picture.setPath(*planned.path);
+            const std::string svg = picture.toSvg();
+            EXPECT_TRUE(test::isWellFormed(svg));
+            const std::size_t zone = svg.find("stroke-dasharray='2,3'");
+            ASSERT_NE(zone, std::string::npos);
+            const std::string group = svg.substr(zone, svg.find("</g>", zone) - zone);
+            EXPECT_EQ(countOf(group, "<polygon") + countOf(group, "<path"), 1U) << group;
+            const std::string shape = group.substr(group.find('<'), group.find('>', group.find('<')) - group.find('<'));
+            EXPECT_EQ(countOf(svg, shape), 1U) << shape;
+        }
+
         TEST(ScenePicture, TheLegendTellsWhatIsDrawn)
         {
             const PlannedPath planned(PLANE, {20, 20, 30, 40});
@@ -161,6 +180,19 @@ namespace ompl_certificates
             picture.setCertificates({{{1.0, 1.0, 0.0}, 2.0}});
             for (const std::string text : {">equal times<", ">planner's tree<", ">certified free<"})
                 EXPECT_NE(picture.toSvg().find(text), std::string::npos) << text;
+        }
+
+        TEST(ScenePicture, AxesFarFromZeroHaveFewTicks)
+        {
+            for (const double low : {999999999.999999, 1e17})
+            {
+                ob::RealVectorBounds bounds(2);
+                bounds.low = {low, 0.0};
+                bounds.high = {std::nextafter(std::nextafter(low, 2e17), 2e17) + 1e-6, 1e-6};
+                const std::string svg = ScenePicture(Scene("far", "far", bounds)).toSvg();
+                EXPECT_TRUE(test::isWellFormed(svg));
+                EXPECT_LT(countOf(svg, "text-anchor='middle'>"), 50u);
+            }
         }
 
         TEST(ScenePicture, AxesHaveTicksAtRoundNumbers)

@@ -108,6 +108,13 @@ TEST(RigidRobot, RefusesBoundsThatCannotBeSampled)
     }
 }
 
+TEST(RigidRobot, HasANameOfOneLine)
+{
+    EXPECT_THROW(RigidRobot::disc("a\nb", 1.0, cubeBounds(2, 3.0)), ompl::Exception);
+    EXPECT_THROW(RigidRobot::disc("a\r", 1.0, cubeBounds(2, 3.0)), ompl::Exception);
+    EXPECT_NO_THROW(RigidRobot::disc("a \"b\", c", 1.0, cubeBounds(2, 3.0)));
+}
+
 TEST(CarWithTrailer, PullsItsTrailerBehindTheHinge)
 {
     const CarWithTrailer robot("t", Body::box(1.0, 0.5), Body::box(0.8, 0.5), 2.0, cubeBounds(2, 3.0));

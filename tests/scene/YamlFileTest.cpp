@@ -148,9 +148,9 @@ namespace ompl_certificates
         EXPECT_EQ(member.goal[2], -M_PI);
         EXPECT_EQ(member.goal[3], 3.0);
         EXPECT_EQ(scene.getNotes(),
-                  (std::vector<std::string>{"robots[0].start: an angle is more than a whole turn; angles "
-                                            "are in radians",
-                                            "robot 'robot_0' may move in any direction: plans are geometric"}));
+                  (std::vector<std::string>{"robot 'robot_0' may move in any direction: plans are geometric",
+                                            "robots[0].start: an angle is more than a whole turn; angles "
+                                            "are in radians"}));
         scene.validate();
     }
 
@@ -232,7 +232,7 @@ namespace ompl_certificates
             EXPECT_TRUE(si->satisfiesBounds(setup->getProblemDefinition()->getStartState(0)));
             EXPECT_TRUE(si->isValid(setup->getProblemDefinition()->getStartState(0)));
         }
-        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 13u);
+        EXPECT_EQ(yamlFiles(SOURCE / "demos" / "scenes").size(), 14u);
     }
 
     TEST(YamlFile, ReadsTheExamplesOfItsDocumentation)

@@ -19,15 +19,16 @@ namespace ompl_certificates
             \param controlBounds of speed and steering angle, in this order
             \param wheelbase the distance between the axles
             \throws ompl::Exception if \e shape is not in SE(2), a body is not fixed to the frame of its state, bounds
-            do not have 2 dimensions, the steering angle reaches pi/2, or \e wheelbase is not positive */
+            do not have 2 dimensions, the steering angle may be more than 1.5707, or \e wheelbase is not positive */
         static std::shared_ptr<Car> alone(const RobotPtr &shape, const ompl::base::RealVectorBounds &controlBounds,
                                           double wheelbase);
 
         /** \brief A car with a trailer
+            \param shape a CarWithTrailer, or a ConfinedRobot of one
             \param maxHingeAngle the largest difference of the headings of car and trailer; see isWithinLimits()
-            \throws ompl::Exception as alone(), or if the hitch length of \e shape or \e maxHingeAngle is not
-            positive */
-        static std::shared_ptr<Car> withTrailer(const std::shared_ptr<const CarWithTrailer> &shape,
+            \throws ompl::Exception as alone(), but for the frames of bodies, and if \e shape is another robot, or its
+            hitch length or \e maxHingeAngle is not positive */
+        static std::shared_ptr<Car> withTrailer(const RobotPtr &shape,
                                                 const ompl::base::RealVectorBounds &controlBounds, double wheelbase,
                                                 double maxHingeAngle);
 

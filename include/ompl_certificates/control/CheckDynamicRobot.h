@@ -14,11 +14,11 @@ namespace ompl_certificates
 
         - propagate() writes numbers that are finite, the same whether both states are one or not, angles from -pi to pi
           and normalized quaternions;
-        - computeStepBounds() writes one bound for each body, which is not negative;
+        - computeStepBounds() writes one bound for each body that is no zone, which is not negative;
         - in no interval of a step does a point within a body's bounding radius move farther than that allows. An
           infinite bound allows all.
 
-        \param robot the robot; its space is set up
+        \param robot the robot, whose space it sets up
         \param longest the longest duration of a step, in seconds: that of your planner's steps
         \param steps how many steps to try. Cost: some µs each.
         \throws ompl::Exception at the first fault, with the state, the controls, the times, the body and the distances;

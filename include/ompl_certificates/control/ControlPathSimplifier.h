@@ -16,21 +16,23 @@ namespace ompl_certificates
         A part of a robot's way is replaced by controls that lead to the same state in fewer steps, found by Newton's
         method on DynamicRobot::propagate(): no steering function is needed. What follows comes earlier. First the
         robots are brought to the goal itself, if it is one state or several, and not only near it, as far as that is
-        found. A change is kept if the robot then arrives earlier, or at the goal, and if its steps are valid among those
-        of the others, which in continuous mode are proved free. A robot ends within 1e-5 of its space's extent of the
-        goal, or else of where it ended before. Controls are held for as long as the space information tells; those of a
-        team change whenever a robot's do. A robot that arrives before the others brakes and stays, as with PrioritizedRRT.
+        found. A change is kept if the robot then arrives earlier, or at the goal, and if its steps are valid among
+        those of the others, which in continuous mode are proved free. A robot ends within 3e-5 of its space's extent of
+        the goal, or else of where it ended before. Controls are held for as long as the space information tells; those
+        of a team change whenever a robot's do. A robot that arrives before the others brakes and stays, as with
+        PrioritizedRRT.
 
         The result is a local optimum: a robot keeps to its side of an obstacle, and of the other robots.
 
         @par External documentation
         K. Hauser, V. Ng-Thow-Hing, Fast smoothing of manipulator trajectories using optimal bounded-acceleration
-        shortcuts, 2010 (shortcuts); J. Betts, Survey of numerical methods for trajectory optimization, 1998 (shooting). */
+        shortcuts, 2010 (shortcuts); J. Betts, Survey of numerical methods for trajectory optimization, 1998 (shooting).
+        */
     class ControlPathSimplifier
     {
     public:
-        /** \brief A simplifier for paths of \e si. Needs a TeamStateSpace, a TeamPropagator, and a LimitedValidityChecker
-            or a TeamValidityChecker; all of them are in place in a TeamControlSetup.
+        /** \brief A simplifier for paths of \e si. Needs a TeamStateSpace, a TeamPropagator, and a
+            LimitedValidityChecker or a TeamValidityChecker; all of them are in place in a TeamControlSetup.
             \param goal the goal of the paths; null if they end where they should
             \throws ompl::Exception if one of these is missing, the checker is for other robots, or \e si is not set
             up */

@@ -29,6 +29,8 @@ namespace ompl_certificates
 
         bool mayTouchObstacles(std::size_t body) const override;
 
+        bool isZone(std::size_t body) const override;
+
         std::size_t getTracedBody() const override;
 
         /** \brief The bounds of the controls, in their own units */

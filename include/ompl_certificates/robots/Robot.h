@@ -25,8 +25,8 @@ namespace ompl_certificates
     public:
         /** \brief A robot called \e name; \e space gets the same name
             \param bodyPairs the pairs of its own bodies that are checked against each other
-            \throws ompl::Exception if \e name is empty, \e space is null, or \e bodies is empty or mixes planar and
-            spatial bodies. Also if a pair of \e bodyPairs does not name two of the bodies. */
+            \throws ompl::Exception if \e name is empty or has a line break, \e space is null, or \e bodies is empty or
+            mixes planar and spatial bodies. Also if a pair of \e bodyPairs does not name two of the bodies. */
         Robot(const std::string &name, ompl::base::StateSpacePtr space, std::vector<Body> bodies,
               std::vector<BodyPair> bodyPairs = {});
 
@@ -47,7 +47,7 @@ namespace ompl_certificates
             return space_;
         }
 
-        /** \brief The bodies that the robot moves */
+        /** \brief The bodies that the robot moves, and its zones, see isZone() */
         const std::vector<Body> &getBodies() const
         {
             return bodies_;
@@ -74,6 +74,14 @@ namespace ompl_certificates
             such as the foot of an arm that is bolted to a table. False by default. Called when a checker is made, and
             never later. */
         virtual bool mayTouchObstacles(std::size_t /*body*/) const
+        {
+            return false;
+        }
+
+        /** \brief Whether a body is no part of the robot, but a zone that it must keep out of: it never moves, and is
+            nothing to other robots and to sensors. Zones come after all other bodies, of which there is one at least.
+            False by default; see ConfinedRobot. */
+        virtual bool isZone(std::size_t /*body*/) const
         {
             return false;
         }
