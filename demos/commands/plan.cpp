@@ -162,6 +162,11 @@ namespace
         return picture.toSvg();
     }
 
+    std::string tableOf(const ompl::geometric::PathGeometric &path, const PlanTeamOptions &options)
+    {
+        return options.pathStep > 0.0 ? toCsv(path, options.pathStep) : toCsv(path);
+    }
+
     /** Write all files that are asked for; one that cannot be written does not keep the others from it. */
     void write(const PlanTeamOptions &options, const Scene &scene, const TeamSetup &setup, const PlanReport &report,
                const ob::PlannerData &tree)
@@ -173,8 +178,8 @@ namespace
         // An approximate path looks like any other in a file, and would be taken for a solution.
         if (report.solved)
         {
-            outputs.attempt(options.path,
-                            [&](const std::string &file) { demos::writeOutput(file, toCsv(setup.getSolutionPath())); });
+            outputs.attempt(options.path, [&](const std::string &file)
+                            { demos::writeOutput(file, tableOf(setup.getSolutionPath(), options)); });
             outputs.attempt(options.animation, [&](const std::string &file)
                             { demos::writeOutput(file, PlanAnimation(scene, setup.getSolutionPath()).toSvg()); });
         }

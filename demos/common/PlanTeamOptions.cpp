@@ -73,7 +73,12 @@ namespace demos
                        "Write a page to look at all of it in a browser, in 3-D where the scene is (HTML, needs no "
                        "network)")
             ->check(fileEndingIn(".html"));
-        app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
+        auto *path = app.add_option("--path", options.path, "Write the states of the solution, one a line (CSV)");
+        auto *step = app.add_option("--path-step", options.pathStep,
+                                    "Write a line at each multiple of this time, too, such as the period of a "
+                                    "controller")
+                         ->check(positiveNumber())
+                         ->needs(path);
         app.add_option("--report", options.report, "Write a report (JSON)");
         app.add_option("--load-certificates", options.loadedCertificates,
                        "Begin with the certificates of a file, which --save-certificates wrote");
@@ -88,6 +93,7 @@ namespace demos
             dynamics->excludes(app.get_option(option));
         for (const char *option : {"--first", "--objective", "--load-certificates", "--save-certificates"})
             dynamics->excludes(app.get_option(option));
+        dynamics->excludes(step);
         app.add_option("--goal-tolerance", options.goalTolerance,
                        "With --dynamics: how far from the goal the team may end, in its space's distance")
             ->check(positiveNumber())
@@ -105,7 +111,7 @@ namespace demos
                     {"Checking", {"--method", "--motion", "--load-certificates", "--save-certificates"}},
                     {"Output",
                      {"--picture", "--picture-tree", "--picture-certificates", "--animation", "--view", "--path",
-                      "--report", "--quiet"}},
+                      "--path-step", "--report", "--quiet"}},
                     {"Robots that move by controls", {"--dynamics", "--goal-tolerance"}}});
         app.footer(
             "Of picture, animation, view, path and report one may be -, for standard output; all else is then printed to "

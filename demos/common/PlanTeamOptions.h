@@ -27,6 +27,8 @@ namespace demos
         std::string objective{"length"};
         /** \brief 0 if it is not given */
         double seconds{0.0};
+        /** \brief 0 if it is not given */
+        double pathStep{0.0};
         /** \brief 0 if the time is the limit */
         std::uint64_t iterations{0};
         std::uint32_t seed{1};

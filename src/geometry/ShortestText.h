@@ -13,6 +13,16 @@ namespace ompl_certificates
         char text[32];
         return std::string(text, std::to_chars(text, text + sizeof(text), number).ptr);
     }
+
+    /** \brief \e sum without what rounding has added to it: three steps of 0.1 take 0.3 */
+    inline double withoutRounding(double sum)
+    {
+        char text[32];
+        const char *const end = std::to_chars(text, text + sizeof(text), sum, std::chars_format::general, 12).ptr;
+        double value = sum;
+        std::from_chars(text, end, value);
+        return value;
+    }
 }
 
 #endif

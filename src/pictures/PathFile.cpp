@@ -6,7 +6,9 @@
 #include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
+#include "ompl_certificates/team/TimedPath.h"
 
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Exception.h>
@@ -26,6 +28,38 @@ namespace ompl_certificates
             for (const char c : text)
                 result += c == '"' ? "\"\"" : std::string(1, c);
             return '"' + result + '"';
+        }
+
+        void requireNumbers(const ompl::geometric::PathGeometric &path)
+        {
+            const ob::StateSpace &space = *path.getSpaceInformation()->getStateSpace();
+            if (space.getValueLocations().empty())
+                throw ompl::Exception(space.getName(),
+                                      "has states without numbers; call setup() of its "
+                                      "SpaceInformation, if nobody has");
+        }
+
+        /** \param times one for each state */
+        std::string toTable(const ompl::geometric::PathGeometric &path, const std::vector<double> &times)
+        {
+            const ob::SpaceInformation &si = *path.getSpaceInformation();
+            std::string text = "length";
+            for (const std::string &name : coordinateNames(*si.getStateSpace()))
+                text += ',' + quoted(name);
+            text += ",time\n";
+            double length = 0.0;
+            std::vector<double> reals;
+            for (unsigned int i = 0; i < path.getStateCount(); ++i)
+            {
+                if (i > 0)
+                    length += si.distance(path.getState(i - 1), path.getState(i));
+                text += shortestText(length);
+                si.getStateSpace()->copyToReals(reals, path.getState(i));
+                for (const double real : reals)
+                    text += ',' + shortestText(real);
+                text += ',' + shortestText(times[i]) + '\n';
+            }
+            return text;
         }
 
         using ControlType = ompl::control::RealVectorControlSpace::ControlType;
@@ -48,28 +82,23 @@ namespace ompl_certificates
 
     std::string toCsv(const ompl::geometric::PathGeometric &path)
     {
-        const ob::SpaceInformation &si = *path.getSpaceInformation();
-        if (si.getStateSpace()->getValueLocations().empty())
-            throw ompl::Exception(si.getStateSpace()->getName(),
-                                  "has states without numbers; call setup() of its SpaceInformation, if nobody has");
-        std::string text = "length";
-        for (const std::string &name : coordinateNames(*si.getStateSpace()))
-            text += ',' + quoted(name);
-        text += ",time\n";
-        const std::vector<double> times = stateTimes(path);
-        double length = 0.0;
-        std::vector<double> reals;
-        for (unsigned int i = 0; i < path.getStateCount(); ++i)
+        requireNumbers(path);
+        return toTable(path, stateTimes(path));
+    }
+
+    std::string toCsv(const ompl::geometric::PathGeometric &path, double step)
+    {
+        requireNumbers(path);
+        const TimedPath timed(path);
+        const std::vector<double> times = timed.listTimes(step);
+        ompl::geometric::PathGeometric all(path.getSpaceInformation());
+        ob::ScopedState<> state(path.getSpaceInformation());
+        for (const double time : times)
         {
-            if (i > 0)
-                length += si.distance(path.getState(i - 1), path.getState(i));
-            text += shortestText(length);
-            si.getStateSpace()->copyToReals(reals, path.getState(i));
-            for (const double real : reals)
-                text += ',' + shortestText(real);
-            text += ',' + shortestText(times[i]) + '\n';
+            timed.computeState(time, state.get());
+            all.append(state.get());
         }
-        return text;
+        return toTable(all, times);
     }
 
     std::string toCsv(const ompl::control::PathControl &original)
@@ -100,6 +129,16 @@ namespace ompl_certificates
     }
 
     void writePath(const std::string &file, const ompl::geometric::PathGeometric &path)
+    {
+        writeWholeFile(file, toCsv(path));
+    }
+
+    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path, double step)
+    {
+        writeWholeFile(file, toCsv(path, step));
+    }
+
+    void writePath(const std::string &file, const ompl::control::PathControl &path)
     {
         writeWholeFile(file, toCsv(path));
     }

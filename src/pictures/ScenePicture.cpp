@@ -5,6 +5,7 @@
 #include "files/WholeFile.h"
 #include "ompl_certificates/control/PathSteps.h"
 #include "ompl_certificates/team/PathTimes.h"
+#include "ompl_certificates/team/TimedPath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,32 +31,6 @@ namespace ompl_certificates
         {
             return robots <= 8 ? 40 : robots <= 20 ? 60 : 80;
         }
-
-        /** Where a path is at a time */
-        class TimedPath
-        {
-        public:
-            TimedPath(const ompl::geometric::PathGeometric &path, const std::vector<double> &times)
-              : path_(path), times_(times), state_(path.getSpaceInformation()->getStateSpace())
-            {
-            }
-
-            const ob::State *at(double time) const
-            {
-                const auto after = std::upper_bound(times_.begin(), times_.end(), time);
-                if (after == times_.begin() || after == times_.end())
-                    return path_.getState(after == times_.begin() ? 0 : static_cast<unsigned int>(times_.size()) - 1);
-                const auto i = static_cast<unsigned int>(after - times_.begin() - 1);
-                state_.getSpace()->interpolate(path_.getState(i), path_.getState(i + 1),
-                                               (time - times_[i]) / (times_[i + 1] - times_[i]), state_.get());
-                return state_.get();
-            }
-
-        private:
-            const ompl::geometric::PathGeometric &path_;
-            const std::vector<double> &times_;
-            mutable ob::ScopedState<> state_;
-        };
 
         /** Draw the number of a time where a robot is then. */
         void drawNumber(SvgWriter &svg, const Eigen::Vector2d &center, const std::string &number,
@@ -150,6 +125,12 @@ namespace ompl_certificates
         if (times.empty())
             return;
         const TimedPath timed(path, times);
+        ob::ScopedState<> state(path.getSpaceInformation()->getStateSpace());
+        const auto posesAt = [&](double time)
+        {
+            timed.computeState(time, state.get());
+            return drawing.posesOf(state.get());
+        };
         // The line goes through the path's own states, too: there it has its corners.
         std::vector<double> all(times);
         for (std::size_t i = 0; i <= TIMES; ++i)
@@ -157,14 +138,14 @@ namespace ompl_certificates
         const auto equal = all.begin() + static_cast<std::ptrdiff_t>(times.size());
         for (auto time = equal; time != all.end(); ++time)
         {
-            const auto poses = drawing.posesOf(timed.at(*time));
+            const auto poses = posesAt(*time);
             for (std::size_t robot = 0; robot < poses.size(); ++robot)
                 poses_[robot].push_back(poses[robot]);
         }
         std::sort(all.begin(), all.end());
         for (const double time : all)
         {
-            const auto poses = drawing.posesOf(timed.at(time));
+            const auto poses = posesAt(time);
             for (std::size_t robot = 0; robot < poses.size(); ++robot)
                 lines_[robot].push_back(drawing.pointOf(robot, poses[robot]));
         }

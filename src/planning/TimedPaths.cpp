@@ -3,6 +3,7 @@
 #include "team/OwnedState.h"
 
 #include "ompl_certificates/team/PathTimes.h"
+#include "ompl_certificates/team/Rotations.h"
 
 #include <algorithm>
 
@@ -66,6 +67,7 @@ namespace ompl_certificates
                          double time, ob::State *state)
         {
             space.interpolate(from.state.get(), to.state.get(), (time - from.time) / (to.time - from.time), state);
+            wrapAngles(space, state);
         }
     }
 

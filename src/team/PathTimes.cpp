@@ -1,9 +1,9 @@
 #include "ompl_certificates/team/PathTimes.h"
 
+#include "geometry/ShortestText.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
 
 #include <algorithm>
-#include <charconv>
 #include <ompl/base/SpaceInformation.h>
 
 namespace ompl_certificates
@@ -45,15 +45,6 @@ namespace ompl_certificates
 
     std::vector<double> stateTimes(const ompl::control::PathControl &path)
     {
-        // Three steps of 0.1 s take 0.3 s: what rounding adds is left out.
-        const auto withoutRounding = [](double sum)
-        {
-            char text[32];
-            const char *const end = std::to_chars(text, text + sizeof(text), sum, std::chars_format::general, 12).ptr;
-            double value = sum;
-            std::from_chars(text, end, value);
-            return value;
-        };
         std::vector<double> times(path.getStateCount(), 0.0);
         double sum = 0.0;
         for (unsigned int i = 1; i < path.getStateCount(); ++i)

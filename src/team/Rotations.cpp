@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <ompl/base/StateSpaceTypes.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
 
 namespace ompl_certificates
 {
@@ -42,6 +43,21 @@ namespace ompl_certificates
             else
                 found.count += countNumbers(space);
         }
+    }
+
+    void wrapAngles(const ob::StateSpace &space, ob::State *state)
+    {
+        if (space.getType() == ob::STATE_SPACE_SO2)
+        {
+            double &angle = state->as<ob::SO2StateSpace::StateType>()->value;
+            angle = wrappedAngle(angle);
+        }
+        else if (space.getType() == ob::STATE_SPACE_REAL_VECTOR)
+            return;
+        // A space that wraps a compound one says that it is compound, too, but its states are others.
+        else if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+            for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
+                wrapAngles(*compound->getSubspace(i), state->as<ob::CompoundState>()->components[i]);
     }
 
     Rotations::Rotations(const ob::StateSpace &space)

@@ -1,5 +1,7 @@
 #include "ompl_certificates/team/Team.h"
 
+#include "robots/SpaceBounds.h"
+
 #include <algorithm>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -38,23 +40,6 @@ namespace ompl_certificates
                 throw ompl::Exception(
                     "A validity checker needs a TeamStateSpace, or to be told the robots of its space");
             return team->getRobots();
-        }
-
-        /** Whether two spaces are of one class, and so are their components */
-        bool areAlike(const ob::StateSpace &a, const ob::StateSpace &b)
-        {
-            if (typeid(a) != typeid(b) || a.getDimension() != b.getDimension())
-                return false;
-            const auto *first = dynamic_cast<const ob::CompoundStateSpace *>(&a);
-            const auto *second = dynamic_cast<const ob::CompoundStateSpace *>(&b);
-            if (!first)
-                return true;
-            if (first->getSubspaceCount() != second->getSubspaceCount())
-                return false;
-            for (unsigned int i = 0; i < first->getSubspaceCount(); ++i)
-                if (!areAlike(*first->getSubspace(i), *second->getSubspace(i)))
-                    return false;
-            return true;
         }
 
         /** Whether there is one way from a state to another, whatever the parameters of the space, and back it is the

@@ -8,6 +8,8 @@
 #include <limits>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/util/Exception.h>
 #include <typeinfo>
 
@@ -25,9 +27,11 @@ namespace ompl_certificates
         const ob::CompoundStateSpace &compoundSpaceOf(const ob::SpaceInformation &si)
         {
             const auto *space = dynamic_cast<const ob::CompoundStateSpace *>(si.getStateSpace().get());
-            if (!space)
+            // One robot's position and rotation are no robots.
+            if (!space || dynamic_cast<const ob::SE2StateSpace *>(space) ||
+                dynamic_cast<const ob::SE3StateSpace *>(space))
                 throw ompl::Exception(si.getStateSpace()->getName(),
-                                      "is not a CompoundStateSpace: there are no robots to look at");
+                                      "is not a CompoundStateSpace of robots: there are no robots to look at");
             return *space;
         }
     }

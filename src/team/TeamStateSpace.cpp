@@ -2,6 +2,7 @@
 
 #include "SegmentCount.h"
 #include "TeamProjection.h"
+#include "ompl_certificates/team/Rotations.h"
 
 #include <algorithm>
 #include <optional>
@@ -149,8 +150,9 @@ namespace ompl_certificates
             return {};
         ZInterval zInterval = robots.front()->getBodies().front().getZInterval();
         for (const RobotPtr &robot : robots)
-            for (const Body &body : robot->getBodies())
-                zInterval = zInterval.unitedWith(body.getZInterval());
+            for (std::size_t body = 0; body < robot->getBodies().size(); ++body)
+                if (!robot->isZone(body))
+                    zInterval = zInterval.unitedWith(robot->getBodies()[body].getZInterval());
         return zInterval;
     }
 
@@ -274,6 +276,9 @@ namespace ompl_certificates
     void TeamStateSpace::interpolate(const ob::State *from, const ob::State *to, double t, ob::State *state) const
     {
         CompoundStateSpace::interpolate(from, to, t, state);
+        for (unsigned int i = 0; i < componentCount_; ++i)
+            if (vectors_[i] == 0)
+                wrapAngles(*components_[i], state->as<StateType>()->components[i]);
         copyReferences(state->as<StateType>(), from->as<StateType>());
     }
 

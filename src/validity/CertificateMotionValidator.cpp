@@ -4,6 +4,7 @@
 #include "DiscreteMotionCheck.h"
 #include "SampledMotionCheck.h"
 
+#include "ompl_certificates/team/Rotations.h"
 #include "ompl_certificates/validity/Basic.h"
 #include "ompl_certificates/validity/Partial.h"
 #include "ompl_certificates/validity/SharedProjection.h"
@@ -79,6 +80,14 @@ namespace ompl_certificates
                                 [&] { return SampledMotionCheck(check, context, s1, s2, true).isFree(freeUntil...); });
         }
 
+        /** Write the state at \e t of a motion, from which OMPL can tell distances. */
+        void interpolate(const ob::StateSpace &space, const ob::State *s1, const ob::State *s2, double t,
+                         ob::State *state)
+        {
+            space.interpolate(s1, s2, t, state);
+            wrapAngles(space, state);
+        }
+
         /** Whether all of a motion is proved free; if not, \e freeUntil is set to the time up to which it is */
         bool isProved(const TeamCheck &check, CheckContext &context, const ob::State *s1, const ob::State *s2,
                       double &freeUntil)
@@ -89,7 +98,7 @@ namespace ompl_certificates
             // The motion to the last valid state has cells of its own, and must be proved in those.
             for (double step = whole.getCell(); freeUntil > 0.0; step *= 2.0)
             {
-                check.getTeam().getStateSpace()->interpolate(s1, s2, freeUntil, context.last);
+                interpolate(*check.getTeam().getStateSpace(), s1, s2, freeUntil, context.last);
                 const bool proved = ContinuousMotionCheck(check, context, s1, context.last).isFree();
                 --context.counts.motions;
                 if (proved)
@@ -292,7 +301,7 @@ namespace ompl_certificates
             {
                 // The motion to the last valid state has samples of its own.
                 ob::ScopedState<> last(checker_->getTeam().getStateSpace());
-                last.getSpace()->interpolate(s1, s2, freeUntil, last.get());
+                interpolate(*last.getSpace(), s1, s2, freeUntil, last.get());
                 double until = 1.0;
                 freeUntil = areSamplesValid(s1, last.get(), until) ? freeUntil : 0.0;
             }
@@ -310,7 +319,7 @@ namespace ompl_certificates
         {
             lastValid.second = freeUntil;
             if (lastValid.first)
-                checker_->getTeam().getStateSpace()->interpolate(s1, s2, freeUntil, lastValid.first);
+                interpolate(*checker_->getTeam().getStateSpace(), s1, s2, freeUntil, lastValid.first);
         }
         return valid;
     }

@@ -53,6 +53,13 @@ TEST_F(PlanTeam, writesWhatIsAskedFor)
 
     const auto path = tableOf(contentOf(folder_ / "path.csv"));
     ASSERT_GE(path.size(), 2u);
+    const double last = path.back().back();
+    ASSERT_EQ(plan({scene(), "--path", folder_ / "ticks.csv", "--path-step", std::to_string(last / 40.0)}), 0)
+        << errors_;
+    const auto ticks = tableOf(contentOf(folder_ / "ticks.csv"));
+    EXPECT_GE(ticks.size(), path.size() + 38u);
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+        EXPECT_LE(ticks[i].back() - ticks[i - 1].back(), last / 40.0 * 1.001);
     ASSERT_EQ(path.front().size(), 8u);
     EXPECT_EQ(path.front()[0], 0.0);
     EXPECT_EQ(path.front()[1], 1.0);

@@ -2,6 +2,7 @@
 #include "support/Teams.h"
 
 #include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/team/TimedPath.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -33,4 +34,31 @@ TEST(TimedPaths, KeepSmallTurns)
     { return paths.getKnots(0)[knot].state->as<ob::SE3StateSpace::StateType>()->rotation().z; };
     EXPECT_EQ(turnAt(1), 0.0);
     EXPECT_EQ(turnAt(2), std::sin(2e-5));
+}
+
+/** OMPL's interpolation ends at pi there, and its distance ends the program. */
+TEST(TimedPaths, HaveNoAngleOfPi)
+{
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(RigidRobot::inSE2("box", Body::box(1.0, 1.0), cubeBounds(2, 5.0)));
+    team->addRobot(RigidRobot::disc("disc", 0.1, cubeBounds(2, 5.0)));
+    const TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    setup.getSpaceInformation()->setup();
+    ob::ScopedState<> from(team), to(team), state(team);
+    from = std::vector<double>{0.0, 0.0, 1.5210040888234959, 3.0, 3.0};
+    to = std::vector<double>{0.0, 0.0, -M_PI, 3.0, 3.0};
+    const double nearlyAll = 0.99999999999999978;
+    team->interpolate(from.get(), to.get(), nearlyAll, state.get());
+    EXPECT_TRUE(team->satisfiesBounds(state.get())) << state;
+
+    ompl::geometric::PathGeometric path(setup.getSpaceInformation());
+    path.append(from.get());
+    path.append(to.get());
+    const TimedPaths paths(setup.getTeamChecker()->getTeam(), path);
+    const double time = nearlyAll * paths.getDuration();
+    EXPECT_TRUE(team->getSubspace(0)->satisfiesBounds(paths.at(0, time).state.get()));
+    paths.copyTo(time, state.get());
+    EXPECT_TRUE(team->satisfiesBounds(state.get())) << state;
+    TimedPath(path).computeState(time, state.get());
+    EXPECT_TRUE(team->satisfiesBounds(state.get())) << state;
 }

@@ -49,6 +49,18 @@ TEST(TeamObjective, AddsUpWhatRobotsDoAtTheirSpeeds)
     EXPECT_DOUBLE_EQ(cost("arrival"), 12.0);
 }
 
+TEST(TeamObjective, TakesNoRobotApart)
+{
+    const auto space = std::make_shared<ob::SE2StateSpace>();
+    space->setBounds(cubeBounds(2, 5.0));
+    const auto si = std::make_shared<ob::SpaceInformation>(space);
+    EXPECT_THROW(TeamObjective(si, TeamObjective::MAKESPAN), ompl::Exception);
+    const auto two = std::make_shared<ob::CompoundStateSpace>();
+    two->addSubspace(space, 1.0);
+    two->addSubspace(space, 1.0);
+    EXPECT_NO_THROW(TeamObjective(std::make_shared<ob::SpaceInformation>(two), TeamObjective::MAKESPAN));
+}
+
 TEST(TeamObjective, KnowsALowerBoundToTheNearestGoal)
 {
     const auto team = teamOfDiscs();

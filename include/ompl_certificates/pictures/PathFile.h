@@ -22,15 +22,26 @@ namespace ompl_certificates
         \throws ompl::Exception if states have no numbers, as before the space is set up */
     std::string toCsv(const ompl::geometric::PathGeometric &path);
 
+    /** \brief The same table with a line for each multiple of \e step in time, too: for programs that want a state at
+        each tick. It lists the path's own states as well; see TimedPath::listTimes().
+        \throws ompl::Exception as the other, and as TimedPath does */
+    std::string toCsv(const ompl::geometric::PathGeometric &path, double step);
+
     /** \brief A path of a team of DynamicRobots as such a table, one line for each propagation step: the time in
         seconds, the state's coordinates, and the controls that are held from there on, such as scout.steering. The last
         line has none.
         \throws ompl::Exception if its states are not those of a TeamStateSpace of DynamicRobots */
     std::string toCsv(const ompl::control::PathControl &path);
 
-    /** \brief Write toCsv() to \e file; see writeWholeFile()
+    /** \brief Write toCsv() to \e file, completely or not at all
         \throws ompl::Exception as toCsv(), and one that names the file if it cannot be written */
     void writePath(const std::string &file, const ompl::geometric::PathGeometric &path);
+
+    /** \brief The same, with a line for each multiple of \e step, too */
+    void writePath(const std::string &file, const ompl::geometric::PathGeometric &path, double step);
+
+    /** \brief The same of a path of controls */
+    void writePath(const std::string &file, const ompl::control::PathControl &path);
 }
 
 #endif

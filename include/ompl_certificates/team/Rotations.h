@@ -35,6 +35,10 @@ namespace ompl_certificates
         std::size_t count{0};
     };
 
+    /** \brief Bring each angle of \e state into [-pi, pi). OMPL's interpolation may end at pi itself, and Debian's OMPL
+        ends the program where it is asked for the distance from there. */
+    void wrapAngles(const ompl::base::StateSpace &space, ompl::base::State *state);
+
     /** \brief Watches over the angles of a path. If an angle is beyond half a turn somewhere, it counts all turns. OMPL
         moves it the shorter way, which is another one between two states that are more than half a turn apart. */
     class TurnCounter

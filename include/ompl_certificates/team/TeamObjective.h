@@ -28,8 +28,8 @@ namespace ompl_certificates
         };
 
         /** \brief An objective for the team of \e si
-            \throws ompl::Exception if the space is not a CompoundStateSpace; also for SUM_OF_ARRIVAL_TIMES, which
-            needs the goal */
+            \throws ompl::Exception if the space is not a CompoundStateSpace of robots: not for an SE2StateSpace or an
+            SE3StateSpace, which is one robot's; also for SUM_OF_ARRIVAL_TIMES, which needs the goal */
         TeamObjective(const ompl::base::SpaceInformationPtr &si, Kind kind);
 
         /** \brief The same; \e goal is where the robots arrive */
@@ -48,8 +48,8 @@ namespace ompl_certificates
         TeamObjective(const ompl::base::SpaceInformationPtr &si, Kind kind,
                       std::vector<ompl::base::ScopedState<>> goal);
 
-        /** \brief A lower bound of the cost to the nearest state of \e goal; 0 for other goals. BIT* finds next to nothing
-            without it. */
+        /** \brief A lower bound of the cost to the nearest state of \e goal; 0 for other goals. BIT* finds next to
+            nothing without it. */
         ompl::base::Cost costToGoal(const ompl::base::State *state, const ompl::base::Goal *goal) const;
 
         double distance(unsigned int robot, const ompl::base::State *from, const ompl::base::State *to) const;
