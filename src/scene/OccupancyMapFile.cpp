@@ -1,21 +1,15 @@
 #include "ompl_certificates/scene/OccupancyMapFile.h"
 
+#include "PnmReader.h"
 #include "YamlText.h"
 #include "files/WholeFile.h"
 
-#include <boost/gil.hpp>
-#include <boost/gil/extension/io/pnm.hpp>
-#include <filesystem>
-#include <ompl/util/Exception.h>
-#include <sstream>
+#include <cmath>
 
 namespace ompl_certificates
 {
     namespace
     {
-        namespace fs = std::filesystem;
-        namespace gil = boost::gil;
-
         constexpr std::uintmax_t MOST_BYTES = std::uintmax_t(2048) << 20U;
 
         /** How dark a pixel must be, from 0 to 1, for its cell to be occupied, or not to be free */
@@ -25,10 +19,8 @@ namespace ompl_certificates
             double free{0.25};
             bool brightIsOccupied{false};
 
-            bool isObstacle(const gil::rgb8c_pixel_t &pixel, bool unknownIsOccupied) const
+            bool isObstacle(double bright, bool unknownIsOccupied) const
             {
-                // The mean of the colors, as map_server takes it, not their luminance
-                const double bright = (pixel[0] + pixel[1] + pixel[2]) / (3.0 * 255.0);
                 const double occupancy = brightIsOccupied ? bright : 1.0 - bright;
                 return occupancy > occupied || (unknownIsOccupied && !(occupancy < free));
             }
@@ -73,61 +65,27 @@ namespace ompl_certificates
         Eigen::Vector3d readOrigin(const YamlNode &node)
         {
             const std::vector<double> numbers = node.numbers(3);
-            if (numbers[2] != 0.0)
+            // Whole turns are none, and rounding turns nothing.
+            constexpr double rounding = 1e-9;
+            if (!(std::abs(std::remainder(numbers[2], 2.0 * M_PI)) <= rounding))
                 node.fail("its angle must be 0, not " + node.describe() +
                           ": turn the start, the goal and other obstacles instead");
             return {numbers[0], numbers[1], 0.0};
         }
 
-        /** The colors of an image's pixels, the highest row first */
-        gil::rgb8_image_t readImage(const std::string &file)
-        {
-            const std::string content = readRegularFile(file, MOST_BYTES);
-            std::istringstream stream(content);
-            try
-            {
-                const auto info = gil::read_image_info(stream, gil::pnm_tag())._info;
-                if (std::min(info._width, info._height) < 1)
-                    throw ompl::Exception("it has no pixels");
-                if (std::max(info._width, info._height) > gil::point_t::value_type(CellBox::FARTHEST))
-                    throw ompl::Exception("it has " + std::to_string(info._width) + " x " +
-                                          std::to_string(info._height) + " pixels, more than " +
-                                          std::to_string(CellBox::FARTHEST) + " along an edge");
-                if (info._max_value != 255 && info._type != gil::pnm_image_type::mono_asc_t::value &&
-                    info._type != gil::pnm_image_type::mono_bin_t::value)
-                    throw ompl::Exception("its brightest value must be 255, not " + std::to_string(info._max_value));
-                // No pixel takes less than a bit. Told before the memory for all of them is asked for.
-                if (static_cast<std::uintmax_t>(info._width) * static_cast<std::uintmax_t>(info._height) / 8 >
-                    content.size())
-                    throw ompl::Exception("it ends before its last pixel");
-                stream.clear();
-                stream.seekg(0);
-                gil::rgb8_image_t image;
-                gil::read_and_convert_image(stream, image, gil::pnm_tag());
-                if (!stream)
-                    throw ompl::Exception("it ends before its last pixel");
-                return image;
-            }
-            catch (const std::ios_base::failure &failure)
-            {
-                throw ompl::Exception("it is no image of PGM, PBM or PPM with 8 bits for a color, or is damaged");
-            }
-        }
-
         /** The obstacles of an image: runs of pixels along its rows */
-        std::vector<CellBox> cellsOf(const gil::rgb8c_view_t &image, const Thresholds &thresholds,
-                                     bool unknownIsOccupied)
+        std::vector<CellBox> cellsOf(PnmReader &image, const Thresholds &thresholds, bool unknownIsOccupied)
         {
             std::vector<CellBox> cells;
-            const auto width = static_cast<std::int32_t>(image.width()),
-                       height = static_cast<std::int32_t>(image.height());
-            for (std::int32_t y = 0; y < height; ++y)
+            const auto width = static_cast<std::int32_t>(image.getWidth());
+            std::vector<double> row;
+            for (auto y = static_cast<std::int32_t>(image.getHeight()) - 1; y >= 0; --y)
             {
-                const auto row = image.row_begin(height - 1 - y);
+                image.readRow(row);
                 for (std::int32_t x = 0; x < width; ++x)
                 {
                     const std::int32_t first = x;
-                    while (x < width && thresholds.isObstacle(row[x], unknownIsOccupied))
+                    while (x < width && thresholds.isObstacle(row[static_cast<std::size_t>(x)], unknownIsOccupied))
                         ++x;
                     if (x > first)
                         cells.push_back({{first, y, 0}, {x, y + 1, 1}});
@@ -145,13 +103,14 @@ namespace ompl_certificates
         const double resolution = root.at("resolution").positive();
         const Eigen::Vector3d origin = readOrigin(root.at("origin"));
         const Thresholds thresholds = readThresholds(root);
-        const std::string imageFile = (fs::path(file).parent_path() / name.path()).lexically_normal().string();
+        const std::string imageFile = name.pathBesideFile();
         return name.orFail(
             [&]
             {
-                const gil::rgb8_image_t image = readImage(imageFile);
-                return std::make_shared<CellObstacles>(
-                    resolution, cellsOf(gil::const_view(image), thresholds, unknownIsOccupied), 2, origin);
+                const std::string content = readRegularFile(imageFile, MOST_BYTES);
+                PnmReader image(content, CellBox::FARTHEST);
+                return std::make_shared<CellObstacles>(resolution, cellsOf(image, thresholds, unknownIsOccupied), 2,
+                                                       origin);
             });
     }
 }

@@ -37,11 +37,12 @@ namespace ompl_certificates
             return cells;
         }
 
-        std::string drawn(const std::string &map, const std::string &image, bool unknownIsOccupied = false)
+        std::string drawn(const std::string &map, const std::string &image, bool unknownIsOccupied = false,
+                          int width = 3, int height = 2)
         {
             Folder folder;
             folder.write("map.pgm", image);
-            return drawn(*loadOccupancyMap(folder.write("map.yaml", map), unknownIsOccupied), 3, 2);
+            return drawn(*loadOccupancyMap(folder.write("map.yaml", map), unknownIsOccupied), width, height);
         }
 
         std::string replaced(std::string text, const std::string &from, const std::string &to)
@@ -75,6 +76,28 @@ namespace ompl_certificates
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 0 0 9 9 9 255 255 255\n255 255 255 0 0 0 255 255 255\n"), ".#.##.");
         // Colors count by their mean: green is two thirds dark, and red.
         EXPECT_EQ(drawn(MAP, "P3\n3 2\n255\n0 255 0 255 0 0 255 255 255\n255 255 255 0 0 255 255 255 0\n"), ".#.##.");
+    }
+
+    TEST(OccupancyMapFile, ReadsBitsTextsAndSixteenBits)
+    {
+        const std::string map = "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 6.283185307179586]\n";
+        // Rows are drawn from below, and 1 is black.
+        const auto bytes = [](const std::string &header, const std::vector<int> &values)
+        {
+            std::string image = header;
+            for (const int value : values)
+                image += static_cast<char>(value);
+            return image;
+        };
+        EXPECT_EQ(drawn(map, bytes("P4\n3 2\n", {0x80, 0x60})), ".###..");
+        EXPECT_EQ(drawn(map, bytes("P4 # wide\n8 1\n", {0x81}), false, 8, 1), "#......#");
+        EXPECT_EQ(drawn(map, bytes("P4\n9 2\n", {0x01, 0x80, 0x00, 0x80}), false, 9, 2), "........#.......##");
+        EXPECT_EQ(drawn(map, "P1\n3 2\n# more\n1 0 0 0 1 1\n"), ".###..");
+        EXPECT_EQ(drawn(map, "P1\n3 2\n100\n011"), ".###..");
+        EXPECT_EQ(drawn(map, "P2\n3 2\n255\n0 255 255\n# a row\n255 0 0"), ".###..");
+        EXPECT_EQ(drawn(map, "P2\n3 2\n100\n0 100 100 100 0 0\n"), ".###..");
+        const std::vector<int> sixteen{0, 255, 255, 0, 255, 255, 255, 255, 0, 255, 0, 255};
+        EXPECT_EQ(drawn(map, bytes("P5\n3 2\n65535\n", sixteen)), ".###..");
     }
 
     TEST(OccupancyMapFile, HasEachPixelWhereItIs)
@@ -127,7 +150,10 @@ namespace ompl_certificates
              {std::string(), std::string("P5"), std::string("P5\n3 2\n255\n\xFE"), IMAGE.substr(0, 30),
               std::string("P7\n3 2\n255\n"), std::string("\x89PNG\r\n\x1A\n"), std::string("P5\n0 2\n255\n"),
               std::string("P5\n-3 2\n255\n"), std::string("P5\n99999 1\n255\n"), std::string("P5\n30000 30000\n255\n"),
-              std::string("P2\n3 2\n100\n0 0 0 0 0 0\n")})
+              std::string("P2\n3 2\n0\n0 0 0 0 0 0\n"), std::string("P2\n3 2\n70000\n0 0 0 0 0 0\n"),
+              std::string("P2\n3 2\n255\n0 abc 255\n255 0 0\n"), std::string("P2\n3 2\n255\n0 -255 255\n255 0 0\n"),
+              std::string("P2\n3 2\n100\n0 101 0\n0 0 0\n"), std::string("P1\n3 2\n1 0 2\n0 0 0\n"),
+              std::string("P1\n3 2\n10001\n"), std::string("P4\n9 2\n\x01\x80\x01"), std::string("P5\n3 2\n255")})
             EXPECT_NE(errorOf(MAP, image).find(":1: image: "), std::string::npos) << image;
     }
 
