@@ -27,6 +27,7 @@ namespace ompl_certificates
                 throw ompl::Exception(name, exception.what());
             }
         }
+
     }
 
     Arm::Arm(const std::string &name, const KinematicTree &tree, const std::vector<std::string> &group,
@@ -115,8 +116,15 @@ namespace ompl_certificates
     bool Arm::mayCollide(std::size_t body, const Robot &other, std::size_t otherBody) const
     {
         const auto *arm = dynamic_cast<const Arm *>(&other);
-        if (!arm || !model_->isPartWith(*arm->model_))
+        if (!arm)
             return true;
+        if (!model_->isPartWith(*arm->model_))
+        {
+            // An obstacle that both arms have is each one's own affair. Of a mechanism its first part has the body.
+            const std::vector<std::string> &known = arm->model_->options.obstacles;
+            return !isObstacle(body) || !(arm->isObstacle(otherBody) ||
+                                          std::find(known.begin(), known.end(), getLinkOfBody(body)) != known.end());
+        }
         return model_->linkPairs.count(std::minmax(model_->links[body], arm->model_->links[otherBody])) > 0;
     }
 
@@ -144,7 +152,8 @@ namespace ompl_certificates
             return false;
         // Names may differ: what moves whether, and where what does not move is, must be equal.
         const ArmModel &a = *model_, &b = *arm->model_;
-        if (a.links != b.links || a.mayTouchObstacles != b.mayTouchObstacles || a.group.size() != b.group.size() ||
+        if (a.links != b.links || a.mayTouchObstacles != b.mayTouchObstacles || a.areObstacles != b.areObstacles ||
+            a.options.obstacles != b.options.obstacles || a.group.size() != b.group.size() ||
             a.options.base.matrix() != b.options.base.matrix())
             return false;
         for (std::size_t i = 0; i < a.group.size(); ++i)

@@ -162,6 +162,20 @@ namespace ompl_certificates
                             (always.empty() ? "" : "; these collided in all random states and are not: ") +
                             listOfPairs(always));
         }
+
+        /** Require that there are these links; \e owner names them. */
+        void requireLinks(const std::string &owner, const KinematicTree &tree, const std::vector<std::string> &links)
+        {
+            for (const std::string &link : links)
+                try
+                {
+                    tree.getLinkIndex(link);
+                }
+                catch (const ompl::Exception &exception)
+                {
+                    throw ompl::Exception(owner, exception.what());
+                }
+        }
     }
 
     ArmFile::ArmFile(const std::string &urdf, const std::string &srdf) : ArmFile(urdf, srdf, Options())
@@ -243,17 +257,18 @@ namespace ompl_certificates
         }
         for (const AttachedBody &body : settings.attached)
         {
-            for (const std::string &link : body.touchLinks)
-                tree.getLinkIndex(link);
+            requireLinks("attached body '" + body.name + "'", tree, {body.link});
             KinematicTree::Joint fixed;
             fixed.name = "attached " + body.name;
             fixed.origin = body.pose;
             tree.addLink(body.link, fixed, body.name, body.body);
         }
+        // They may name each other, in any order.
+        for (const AttachedBody &body : settings.attached)
+            requireLinks("touch links of attached body '" + body.name + "'", tree, body.touchLinks);
         for (const TouchableObstacle &obstacle : settings.touchable)
         {
-            for (const std::string &link : obstacle.touchLinks)
-                tree.getLinkIndex(link);
+            requireLinks("touch links of obstacle '" + obstacle.name + "'", tree, obstacle.touchLinks);
             KinematicTree::Joint fixed;
             fixed.name = "obstacle " + obstacle.name;
             fixed.origin = settings.base.inverse() * obstacle.pose;
@@ -386,7 +401,15 @@ namespace ompl_certificates
 
     void ArmFile::failWithoutJoint(const std::string &group) const
     {
-        const std::string notes = boost::algorithm::join(semantics_->notes, "; ");
+        // With the file of another robot there may be very many.
+        constexpr std::size_t most = 4;
+        std::vector<std::string> first = semantics_->notes;
+        if (first.size() > most)
+        {
+            first.resize(most);
+            first.emplace_back("…");
+        }
+        const std::string notes = boost::algorithm::join(first, "; ");
         throw ompl::Exception(group.empty() ? urdf_ : srdf_,
                               (group.empty() ? "there is no joint" : "group '" + group + "' has no joint") +
                                   std::string(" that can move: joints that are fixed, passive, mimic others or have "

@@ -52,12 +52,7 @@ namespace ompl_certificates
             const auto found = values.find(name);
             if (found == values.end())
                 node.fail("has no position of joint '" + name + "'");
-            if (joint.type != JointType::CONTINUOUS)
-                return checkedJointValue(node, joint, withinLimits(joint, found->second));
-            if (found->second >= -M_PI && found->second < M_PI)
-                return found->second;
-            const double angle = std::remainder(found->second, 2.0 * M_PI);
-            return angle < M_PI ? angle : -M_PI;
+            return checkedJointValue(node, joint, withinLimits(joint, found->second));
         }
 
         /** Complain if a constraint on a joint that follows one of the group is not where that puts it. MoveIt writes

@@ -22,7 +22,7 @@ namespace ompl_certificates
             explicit Links(const Arm &arm) : arm_(arm), poses_(arm.getBodies().size())
             {
                 ompl::base::ScopedState<> any(arm.getStateSpace());
-                any = std::vector<double>(arm.getStateSpace()->getDimension(), 0.0);
+                any = std::vector<double>(arm.getStateSpace()->getValueLocations().size(), 0.0);
                 arm.placeBodies(any.get(), poses_.data());
                 for (std::size_t i = 0; i < poses_.size(); ++i)
                     names.push_back(arm.getLinkOfBody(i));

@@ -165,7 +165,9 @@ namespace ompl_certificates
         ob::ScopedState<> known(region.getState());
         for (std::size_t i = 0; i < goals.size(); ++i)
         {
-            if (!goals[i] || goals[i]->distance(start->components[i]) != 0.0)
+            // OMPL has no distances of angles that are out of bounds.
+            if (!goals[i] || !members_[i].robot->getStateSpace()->satisfiesBounds(start->components[i]) ||
+                goals[i]->distance(start->components[i]) != 0.0)
                 continue;
             goals[i] = nullptr;
             members_[i].robot->getStateSpace()->copyState(known.get()->as<ob::CompoundState>()->components[i],
@@ -338,16 +340,10 @@ namespace ompl_certificates
         if (!collision)
             return;
         const std::string robot = describe(collision->robot);
-        switch (collision->with)
-        {
-            case SceneCollision::OBSTACLES:
-                throw ompl::Exception(source_, robot + " " + collision->touch);
-            case SceneCollision::ITSELF:
-                throw ompl::Exception(source_, robot + " collides with itself" + collision->bodies);
-            case SceneCollision::ROBOT:
-                throw ompl::Exception(source_,
-                                      robot + " and " + describe(collision->other) + " overlap" + collision->hint);
-        }
+        if (collision->robot == collision->other)
+            throw ompl::Exception(source_, robot + " " + collision->touch);
+        throw ompl::Exception(source_, robot + " and " + describe(collision->other) + " overlap" +
+                                           (collision->hint.empty() ? collision->bodies : collision->hint));
     }
 
     std::vector<PlacedBody> Scene::listObstacles() const
@@ -375,15 +371,8 @@ namespace ompl_certificates
         if (!collision)
             return "";
         const std::string robot = "'" + team->getRobot(collision->robot).getName() + "'";
-        switch (collision->with)
-        {
-            case SceneCollision::OBSTACLES:
-                return "robot " + robot + " " + collision->touch;
-            case SceneCollision::ITSELF:
-                return "robot " + robot + " touches itself" + collision->bodies;
-            case SceneCollision::ROBOT:
-                break;
-        }
+        if (collision->robot == collision->other)
+            return "robot " + robot + " " + collision->touch;
         return "robots " + robot + " and '" + team->getRobot(collision->other).getName() + "' touch each other" +
                collision->bodies;
     }

@@ -1,9 +1,12 @@
 #include "SceneCollision.h"
 
+#include "robots/ContactText.h"
+
 #include "ompl_certificates/obstacles/FclObstacles.h"
 #include "ompl_certificates/robots/Arm.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ompl_certificates
 {
@@ -25,18 +28,9 @@ namespace ompl_certificates
             return "";
         }
 
-        /** What messages call a body of a robot that has several, or of an arm; else nothing */
-        std::string nameOfBody(const Robot &robot, std::size_t body)
-        {
-            if (const auto *arm = dynamic_cast<const Arm *>(&robot))
-                return "link '" + arm->getLinkOfBody(body) + "'";
-            return robot.getBodies().size() > 1 ? "body " + std::to_string(body) : "";
-        }
-
-        /** The bodies of two robots that touch each other, or of one, as the end of a message; nothing if neither has
-            more than one body */
-        std::string describeBodies(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
-                                   const std::vector<Pose> &others)
+        /** The bodies of two robots that touch each other, or of one; none if none is found */
+        std::optional<BodyPair> findContact(const Robot &first, const std::vector<Pose> &poses, const Robot &second,
+                                            const std::vector<Pose> &others)
         {
             const bool alone = &first == &second;
             std::vector<BodyPair> pairs = alone ? first.getBodyPairs() : std::vector<BodyPair>();
@@ -44,37 +38,20 @@ namespace ompl_certificates
                 for (std::size_t k = 0; k < others.size(); ++k)
                     if (first.mayCollide(i, second, k) && second.mayCollide(k, first, i))
                         pairs.push_back({i, k});
+            // Obstacles that count for a robot alone come first.
+            std::stable_partition(pairs.begin(), pairs.end(),
+                                  [&](const BodyPair &pair) {
+                                      return alone &&
+                                             (isOwnObstacle(first, pair.first) || isOwnObstacle(first, pair.second));
+                                  });
             for (const BodyPair &pair : pairs)
             {
                 const PlacedBody other{second.getBodies()[pair.second], others[pair.second]};
-                if (!FclObstacles({other}, other.body.getDimension())
-                         .collides(first.getBodies()[pair.first], poses[pair.first]))
-                    continue;
-                const std::string name = nameOfBody(first, pair.first), otherName = nameOfBody(second, pair.second);
-                const std::string whose = alone ? "" : " of '" + first.getName() + "'",
-                                  otherWhose = alone ? "" : " of '" + second.getName() + "'";
-                if (name.empty() && otherName.empty())
-                    return "";
-                return ": " + (name.empty() ? "" : name + whose) + (name.empty() || otherName.empty() ? "" : " and ") +
-                       (otherName.empty() ? "" : otherName + otherWhose);
+                if (FclObstacles({other}, other.body.getDimension())
+                        .collides(first.getBodies()[pair.first], poses[pair.first]))
+                    return pair;
             }
-            return "";
-        }
-
-        /** What an arm touches of the obstacles that count as its links, as SceneCollision::touch; empty if nothing */
-        std::string describeTouch(const Robot &robot, const std::vector<Pose> &poses)
-        {
-            const auto *arm = dynamic_cast<const Arm *>(&robot);
-            for (const BodyPair &pair : arm ? arm->getBodyPairs() : std::vector<BodyPair>())
-            {
-                const bool isFirst = arm->isObstacle(pair.first);
-                const std::size_t obstacle = isFirst ? pair.first : pair.second,
-                                  link = isFirst ? pair.second : pair.first;
-                if (arm->isObstacle(obstacle) && FclObstacles({{arm->getBodies()[obstacle], poses[obstacle]}}, 3)
-                                                     .collides(arm->getBodies()[link], poses[link]))
-                    return "touches obstacle '" + arm->getLinkOfBody(obstacle) + "' with " + nameOfBody(robot, link);
-            }
-            return "";
+            return std::nullopt;
         }
 
         /** What messages call the obstacle that \e body touches at \e pose */
@@ -101,9 +78,7 @@ namespace ompl_certificates
                 const Touching contact = obstacles.touches(body, poses[i]);
                 if (contact == Touching::UNKNOWN ? !obstacles.collides(body, poses[i]) : contact != Touching::YES)
                     continue;
-                const std::string name = nameOfBody(robot, i);
-                return "touches " + nameOfObstacle(scene, zInterval, body, poses[i]) +
-                       (name.empty() ? "" : " with " + name);
+                return describeTouch(robot, i, nameOfObstacle(scene, zInterval, body, poses[i]));
             }
             return "";
         }
@@ -123,10 +98,10 @@ namespace ompl_certificates
             robot.placeBodies(components[i], poses.back().data());
             // FCL must not be asked about it.
             if (!std::all_of(poses.back().begin(), poses.back().end(), [](const Pose &pose) { return isFinite(pose); }))
-                return SceneCollision{SceneCollision::OBSTACLES, i, i, "has a number that is not finite", "", ""};
+                return SceneCollision{i, i, "has a number that is not finite", "", ""};
             const std::string touch = describeTouch(scene, *obstacles, team->getZInterval(), robot, poses.back());
             if (!touch.empty())
-                return SceneCollision{SceneCollision::OBSTACLES, i, i, touch, "", ""};
+                return SceneCollision{i, i, touch, "", ""};
         }
         const TeamValidityChecker checker(std::make_shared<ob::SpaceInformation>(team), obstacles, Method::STANDARD);
         // The obstacles leave each robot free.
@@ -134,21 +109,17 @@ namespace ompl_certificates
             if (!checker.isRobotFree(i, components[i]))
             {
                 const Robot &robot = team->getRobot(i);
-                if (const std::string touch = describeTouch(robot, poses[i]); !touch.empty())
-                    return SceneCollision{SceneCollision::OBSTACLES, i, i, touch, "", ""};
-                return SceneCollision{
-                    SceneCollision::ITSELF, i, i, "", describeBodies(robot, poses[i], robot, poses[i]), ""};
+                const auto contact = findContact(robot, poses[i], robot, poses[i]);
+                return SceneCollision{i, i, contact ? describeOwnContact(robot, *contact) : "touches itself", "", ""};
             }
         for (unsigned int i = 0; i < count; ++i)
             for (unsigned int k = i + 1; k < count; ++k)
                 if (!checker.isPairFree(i, components[i], k, components[k]))
                 {
                     const Robot &robot = team->getRobot(i), &other = team->getRobot(k);
-                    return SceneCollision{SceneCollision::ROBOT,
-                                          i,
-                                          k,
-                                          "",
-                                          describeBodies(robot, poses[i], other, poses[k]),
+                    const auto contact = findContact(robot, poses[i], other, poses[k]);
+                    return SceneCollision{i, k, "",
+                                          contact ? describeContact(robot, contact->first, other, contact->second) : "",
                                           hintOn(robot, poses[i], other, poses[k])};
                 }
         return std::nullopt;

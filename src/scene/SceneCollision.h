@@ -11,24 +11,14 @@ namespace ompl_certificates
     /** \brief One of the collisions of a state of a scene's team, in the words of messages */
     struct SceneCollision
     {
-        /** \brief With what a robot collides */
-        enum With
-        {
-            OBSTACLES,
-            ITSELF,
-            ROBOT
-        };
-
-        With with;
-
-        /** \brief The places of the robots in the team. Both are the same one unless it is with a ROBOT. */
+        /** \brief The places of the robots in the team; both are the same one unless two robots touch */
         unsigned int robot, other;
 
-        /** \brief "touches environment.obstacles[0] with link 'hand'", with OBSTACLES alone */
+        /** \brief What a robot does alone, such as "touches environment.obstacles[0] with link 'hand'" */
         std::string touch;
 
-        /** \brief ": link 'hand' of 'left' and body 1 of 'cart'", as the end of a message. Empty with OBSTACLES, or if
-            no robot has more than one body. */
+        /** \brief Of two robots ": link 'hand' of 'left' and body 1 of 'cart'", as the end of a message. Empty if
+            neither moves more than one body. */
         std::string bodies;
 
         /** \brief ": both have link 'base' there; …", as the end of a message, if two arms seem to be one mechanism */

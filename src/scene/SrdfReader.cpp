@@ -255,7 +255,7 @@ namespace ompl_certificates
         for (std::string &note : xml.leftOverFromXacro())
             notes.push_back(std::move(note));
         if (const std::string name = xml.getRoot().attribute("name").value(); name != robot)
-            notes.push_back(file + ": describes robot '" + name + "', not '" + robot + "'");
+            notes.insert(notes.begin(), file + ": describes robot '" + name + "', not '" + robot + "'");
         readVirtualJoint(xml, tree, *this);
         Groups all(xml, tree, *this);
         readGroups(xml, tree, all, *this);

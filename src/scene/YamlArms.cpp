@@ -13,6 +13,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 namespace ompl_certificates
 {
@@ -153,34 +154,59 @@ namespace ompl_certificates
                 node.fail("must be those of '" + first + "', which has the same file and base");
         }
 
+        std::vector<std::string> readTouchLinks(const YamlNode &node)
+        {
+            std::vector<std::string> links;
+            if (node.has("touch_links"))
+                for (const YamlNode &link : node.at("touch_links").items(0, MAX_LINK_NAMES))
+                    links.push_back(link.text());
+            return links;
+        }
+
         AttachedBody readAttached(const YamlNode &node, YamlMeshes &meshes)
         {
             node.allow({"name", "link", "shape", "shapes", "position", "rotation", "quaternion", "touch_links"});
-            AttachedBody body{node.at("name").text(), node.at("link").text(), readBody(node, 3, meshes),
-                              readPose(node)};
-            if (node.has("touch_links"))
-                for (const YamlNode &link : node.at("touch_links").items(0, MAX_LINK_NAMES))
-                    body.touchLinks.push_back(link.text());
-            return body;
+            return {node.at("name").text(), node.at("link").text(), readBody(node, 3, meshes), readPose(node),
+                    readTouchLinks(node)};
         }
 
-        /** Add the bodies of a robot to those of other parts of its mechanism, which may name the same ones. */
-        void addAttached(const YamlNode &list, YamlMeshes &meshes, std::vector<AttachedBody> &bodies)
+        TouchableObstacle readTouchable(const YamlNode &node, YamlMeshes &meshes)
+        {
+            node.allow({"name", "shape", "shapes", "position", "rotation", "quaternion", "touch_links"});
+            return {node.at("name").text(), readBody(node, 3, meshes), readPose(node), readTouchLinks(node)};
+        }
+
+        /** Whether two bodies or obstacles of one name are the same */
+        template <typename Named>
+        bool areEqual(const Named &a, const Named &b)
+        {
+            if constexpr (std::is_same_v<Named, AttachedBody>)
+                if (a.link != b.link)
+                    return false;
+            return a.body == b.body && a.pose.matrix() == b.pose.matrix() && a.touchLinks == b.touchLinks;
+        }
+
+        /** Add the bodies of a robot, or its obstacles, to those of other parts of its mechanism, which may name the
+            same ones.
+            \param what what messages call one of them */
+        template <typename Named>
+        void addNamed(const YamlNode &list, const std::string &what,
+                      Named (*read)(const YamlNode &node, YamlMeshes &meshes), YamlMeshes &meshes,
+                      std::vector<Named> &all)
         {
             std::set<std::string> own;
             for (const YamlNode &item : list.items(0, MAX_ATTACHED))
             {
-                AttachedBody body = readAttached(item, meshes);
-                if (!own.insert(body.name).second)
-                    item.at("name").fail("there is an attached body '" + body.name + "' already");
-                const auto same = std::find_if(bodies.begin(), bodies.end(),
-                                               [&](const AttachedBody &other) { return other.name == body.name; });
-                if (same == bodies.end())
-                    bodies.push_back(std::move(body));
-                else if (same->link != body.link || !(same->body == body.body) ||
-                         same->pose.matrix() != body.pose.matrix() || same->touchLinks != body.touchLinks)
-                    item.at("name").fail("another robot of the same file and base has another body '" + body.name +
-                                         "' attached");
+                Named next = read(item, meshes);
+                if (!own.insert(next.name).second)
+                    item.at("name").fail("there is another " + what + " '" + next.name + "'");
+                const auto same =
+                    std::find_if(all.begin(), all.end(), [&](const Named &other) { return other.name == next.name; });
+                if (same == all.end())
+                    all.push_back(std::move(next));
+                else if (!areEqual(*same, next))
+                    item.at("name").fail("another robot of the same file and base has another " + what + " '" +
+                                         next.name + "'");
             }
         }
     }
@@ -188,34 +214,25 @@ namespace ompl_certificates
     double checkedJointValue(const YamlNode &node, const KinematicTree::Joint &joint, double value)
     {
         if (joint.type == JointType::CONTINUOUS)
-        {
-            if (value >= -M_PI && value < M_PI)
-                return value;
             return wrappedAngle(value);
-        }
         checkLimits(node, joint, value);
         return value;
     }
 
-    YamlArms::YamlArms(const std::string &source, std::vector<YamlNode> robots)
-      : folder_(std::filesystem::path(source).parent_path()), robots_(std::move(robots))
+    YamlArms::YamlArms(std::vector<YamlNode> robots) : robots_(std::move(robots))
     {
-    }
-
-    std::string YamlArms::pathOf(const YamlNode &node) const
-    {
-        return (folder_ / node.path()).lexically_normal().string();
     }
 
     std::string YamlArms::keyOf(const YamlNode &node, ArmFile::Options &options) const
     {
         options.useVisuals = node.has("visuals") && node.at("visuals").boolean();
-        std::string key = pathOf(node.at("file")) + '\n' + (node.has("srdf") ? pathOf(node.at("srdf")) : "") +
+        std::string key = node.at("file").pathBesideFile() + '\n' +
+                          (node.has("srdf") ? node.at("srdf").pathBesideFile() : "") +
                           (options.useVisuals ? "\nvisuals" : "");
         if (node.has("packages"))
             for (const std::string &name : node.at("packages").keys())
             {
-                options.packages[name] = pathOf(node.at("packages").at(name));
+                options.packages[name] = node.at("packages").at(name).pathBesideFile();
                 key += '\n' + name + '\n' + options.packages[name];
             }
         return key;
@@ -227,7 +244,8 @@ namespace ompl_certificates
         const std::string key = keyOf(node, options);
         if (const auto known = files_.find(key); known != files_.end())
             return known->second;
-        const std::string urdf = pathOf(node.at("file")), srdf = node.has("srdf") ? pathOf(node.at("srdf")) : "";
+        const std::string urdf = node.at("file").pathBesideFile(),
+                          srdf = node.has("srdf") ? node.at("srdf").pathBesideFile() : "";
         try
         {
             return files_.emplace(key, ArmFile(urdf, srdf, options)).first->second;
@@ -286,12 +304,19 @@ namespace ompl_certificates
                 const YamlNode state = node.at("states").at(group);
                 const Values described = state.orFail([&] { return file.getState(group, state.text()); });
                 for (const auto &[joint, value] : described)
-                    if (movers.count(joint) == 0 && file.getTree().hasJoint(joint) &&
-                        hasOneValue(jointOf(state, file.getTree(), joint)))
+                {
+                    if (movers.count(joint) > 0 || !file.getTree().hasJoint(joint))
+                        continue;
+                    const Joint &fixed = jointOf(state, file.getTree(), joint);
+                    if (!hasOneValue(fixed))
                     {
-                        checkLimits(state, jointOf(state, file.getTree(), joint), value);
-                        own[joint] = value;
+                        if (fixed.type == JointType::FIXED)
+                            state.note("the value of joint '" + joint + "' has no effect: the URDF file fixes it");
+                        continue;
                     }
+                    checkLimits(state, fixed, value);
+                    own[joint] = value;
+                }
             }
         if (node.has("joints"))
             for (const auto &[joint, value] : readValues(node.at("joints"), file.getTree()))
@@ -332,7 +357,9 @@ namespace ompl_certificates
                 requireBounds(node.at("bounds"), bounds, names.front().name);
             readJointValues(node, movers, settings.jointValues);
             if (node.has("attached"))
-                addAttached(node.at("attached"), meshes, settings.attached);
+                addNamed(node.at("attached"), "attached body", readAttached, meshes, settings.attached);
+            if (node.has("touchable"))
+                addNamed(node.at("touchable"), "touchable obstacle", readTouchable, meshes, settings.touchable);
             if (node.has("may_touch_obstacles"))
                 for (const YamlNode &link : node.at("may_touch_obstacles").items(0, MAX_LINK_NAMES))
                     settings.mayTouchObstacles.push_back(link.text());

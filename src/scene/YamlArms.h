@@ -6,7 +6,6 @@
 #include "ompl_certificates/scene/ArmFile.h"
 #include "ompl_certificates/scene/Scene.h"
 
-#include <filesystem>
 #include <map>
 
 namespace ompl_certificates
@@ -20,9 +19,9 @@ namespace ompl_certificates
     class YamlArms
     {
     public:
-        /** \brief Arms for the scene in the file \e source, whose folder their paths are relative to
+        /** \brief Arms for a scene
             \param robots all robots of the scene, of any type */
-        YamlArms(const std::string &source, std::vector<YamlNode> robots);
+        explicit YamlArms(std::vector<YamlNode> robots);
 
         /** \brief Read robot, start and goal of \e member, the next one of \e scene, which gets the notes
             \param bounds of planar and floating joints */
@@ -30,7 +29,6 @@ namespace ompl_certificates
 
     private:
         const ArmFile &fileOf(const YamlNode &node);
-        std::string pathOf(const YamlNode &node) const;
 
         /** \brief Where a robot's file is, and all that it is read with, as one text */
         std::string keyOf(const YamlNode &node, ArmFile::Options &options) const;
@@ -50,7 +48,6 @@ namespace ompl_certificates
         void readJointValues(const YamlNode &node, const std::map<std::string, std::string> &movers,
                              std::map<std::string, double> &values);
 
-        std::filesystem::path folder_;
         std::vector<YamlNode> robots_;
         std::map<std::string, ArmFile> files_;
         /** \brief The robots of equal files and bases */

@@ -4,16 +4,13 @@
 #include "ompl_certificates/obstacles/PointCloudObstacles.h"
 #include "ompl_certificates/scene/CloudFile.h"
 
-#include <filesystem>
-
 namespace ompl_certificates
 {
     namespace
     {
-        PointCloud loadCloud(const YamlNode &node, const std::string &source)
+        PointCloud loadCloud(const YamlNode &node)
         {
-            const auto path = std::filesystem::path(source).parent_path() / node.path();
-            return node.orFail([&] { return ompl_certificates::loadCloud(path.lexically_normal().string()); });
+            return node.orFail([&] { return ompl_certificates::loadCloud(node.pathBesideFile()); });
         }
 
         ZInterval readHeights(const YamlNode &node)
@@ -25,15 +22,15 @@ namespace ompl_certificates
         }
     }
 
-    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source)
+    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension)
     {
-        std::vector<std::string> keys{"type", "file", "radius", "resolution", "scale", "center"};
+        std::vector<std::string> keys{"type", "name", "file", "radius", "resolution", "scale", "center"};
         if (dimension == 2)
             keys.insert(keys.end(), {"angle", "heights"});
         else
             keys.insert(keys.end(), {"rotation", "quaternion"});
         node.allow(keys);
-        PointCloud cloud = loadCloud(node.at("file"), source);
+        PointCloud cloud = loadCloud(node.at("file"));
         cloud.radius = node.at("radius").positive();
         const double scale = node.has("scale") ? node.at("scale").positive() : 1.0;
         const double cell = node.has("resolution") ? node.at("resolution").positive() : 0.0;

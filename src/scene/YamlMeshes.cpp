@@ -4,14 +4,10 @@
 
 namespace ompl_certificates
 {
-    YamlMeshes::YamlMeshes(const std::string &source) : folder_(std::filesystem::path(source).parent_path())
-    {
-    }
-
     const MeshFile &YamlMeshes::fileOf(const YamlNode &node)
     {
         const YamlNode fileNode = node.at("file");
-        const std::string file = (folder_ / fileNode.path()).lexically_normal().string();
+        const std::string file = fileNode.pathBesideFile();
         const bool keepsAxes = node.has("keep_axes") && node.at("keep_axes").boolean();
         const auto known = files_.find({file, keepsAxes});
         if (known != files_.end())

@@ -5,7 +5,6 @@
 #include "ompl_certificates/scene/MeshFile.h"
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,9 +16,6 @@ namespace ompl_certificates
     class YamlMeshes
     {
     public:
-        /** \brief Meshes for the scene in the file \e source, whose folder their paths are relative to */
-        explicit YamlMeshes(const std::string &source);
-
         /** \brief The body of the mesh shape that \e node describes: file, scale, reference and
             keep_axes, turned by \e rotation */
         Body read(const YamlNode &node, unsigned int dimension, const Eigen::Matrix3d &rotation);
@@ -31,7 +27,6 @@ namespace ompl_certificates
         /** \brief What makes a shape: its mesh file, the linear part of its transform, whether it is about its mean */
         using Key = std::tuple<const MeshFile *, std::array<double, 9>, bool>;
 
-        std::filesystem::path folder_;
         /** \brief By their paths, and whether they keep their axes */
         std::map<std::pair<std::string, bool>, MeshFile> files_;
         std::map<Key, Body> bodies_;

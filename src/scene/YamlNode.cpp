@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -56,8 +57,25 @@ namespace ompl_certificates
     }
 
     YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file)
-      : node_(node), key_(std::move(key)), file_(std::move(file))
+      : YamlNode(node, std::move(key), std::move(file), std::make_shared<std::vector<std::string>>())
     {
+    }
+
+    YamlNode::YamlNode(const YAML::Node &node, std::string key, std::string file, Notes notes)
+      : node_(node), key_(std::move(key)), file_(std::move(file)), notes_(std::move(notes))
+    {
+    }
+
+    void YamlNode::note(const std::string &remark) const
+    {
+        const std::string text = key_ + ": " + remark;
+        if (std::find(notes_->begin(), notes_->end(), text) == notes_->end())
+            notes_->push_back(text);
+    }
+
+    YamlNode YamlNode::other(const YAML::Node &node, const std::string &key) const
+    {
+        return {node, key, file_, notes_};
     }
 
     void YamlNode::fail(const std::string &complaint) const
@@ -95,7 +113,7 @@ namespace ompl_certificates
             if (!entry.first.IsScalar())
                 fail("keys must be words");
             const std::string &key = entry.first.Scalar();
-            const YamlNode place(entry.first, (key_.empty() ? "" : key_ + ".") + oneLine(key), file_);
+            const YamlNode place = other(entry.first, (key_.empty() ? "" : key_ + ".") + oneLine(key));
             if (std::find(keys.begin(), keys.end(), key) == keys.end())
                 place.fail("unknown key; known here: " + joined(keys) + didYouMean(key, keys));
             if (!seen.insert(key).second)
@@ -124,8 +142,8 @@ namespace ompl_certificates
     {
         const std::string path = (key_.empty() ? "" : key_ + ".") + key;
         if (!has(key))
-            YamlNode(node_, path, file_).fail("missing");
-        return YamlNode(node_[key], path, file_);
+            other(node_, path).fail("missing");
+        return other(node_[key], path);
     }
 
     std::vector<YamlNode> YamlNode::items(std::size_t least, std::size_t most) const
@@ -140,7 +158,7 @@ namespace ompl_certificates
         std::vector<YamlNode> items;
         items.reserve(node_.size());
         for (const auto &item : node_)
-            items.emplace_back(item, key_ + "[" + std::to_string(items.size()) + "]", file_);
+            items.push_back(other(item, key_ + "[" + std::to_string(items.size()) + "]"));
         return items;
     }
 
@@ -152,6 +170,11 @@ namespace ompl_certificates
     std::string YamlNode::path() const
     {
         return textUpTo(4095);
+    }
+
+    std::string YamlNode::pathBesideFile() const
+    {
+        return (std::filesystem::path(file_).parent_path() / path()).lexically_normal().string();
     }
 
     std::string YamlNode::scalar() const

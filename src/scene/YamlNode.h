@@ -1,6 +1,7 @@
 #ifndef OMPL_CERTIFICATES_SCENE_YAML_NODE_
 #define OMPL_CERTIFICATES_SCENE_YAML_NODE_
 
+#include <memory>
 #include <ompl/util/Exception.h>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ namespace ompl_certificates
 
         /** \brief Node \e node of \e file at the path \e key, such as robots[1].shape */
         YamlNode(const YAML::Node &node, std::string key, std::string file);
+
+        /** \brief Note what may surprise about this node, once; see getNotes() */
+        void note(const std::string &remark) const;
+
+        /** \brief What was noted about this node and all others of its file */
+        const std::vector<std::string> &getNotes() const
+        {
+            return *notes_;
+        }
 
         /** \brief Complain about this node
             \throws ompl::Exception always */
@@ -92,6 +102,9 @@ namespace ompl_certificates
         /** \brief The path of a file or of a folder: a text that may be as long as systems allow */
         std::string path() const;
 
+        /** \brief path(), relative to the folder of the file that the node is in */
+        std::string pathBesideFile() const;
+
         /** \brief true or false */
         bool boolean() const;
 
@@ -108,12 +121,20 @@ namespace ompl_certificates
         std::vector<double> positives(std::size_t count) const;
 
     private:
+        using Notes = std::shared_ptr<std::vector<std::string>>;
+
+        YamlNode(const YAML::Node &node, std::string key, std::string file, Notes notes);
+
+        /** \brief A node of this file, at the path \e key */
+        YamlNode other(const YAML::Node &node, const std::string &key) const;
+
         void requireMap() const;
         std::string textUpTo(std::size_t longest) const;
 
         YAML::Node node_;
         std::string key_;
         std::string file_;
+        Notes notes_;
     };
 }
 

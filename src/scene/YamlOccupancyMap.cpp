@@ -2,8 +2,6 @@
 
 #include "ompl_certificates/scene/OccupancyMapFile.h"
 
-#include <filesystem>
-
 namespace ompl_certificates
 {
     bool readUnknownIsOccupied(const YamlNode &node)
@@ -16,15 +14,14 @@ namespace ompl_certificates
         return unknown == "occupied";
     }
 
-    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension, const std::string &source)
+    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension)
     {
-        node.allow({"type", "file", "unknown"});
+        node.allow({"type", "name", "file", "unknown"});
         if (dimension != 2)
             node.at("type").fail("an occupancy_map is for the plane, but min and max have " +
                                  std::to_string(dimension) + " coordinates");
-        const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
+        const YamlNode file = node.at("file");
         const bool unknownIsOccupied = readUnknownIsOccupied(node);
-        return node.at("file").orFail(
-            [&] { return loadOccupancyMap(file.lexically_normal().string(), unknownIsOccupied); });
+        return file.orFail([&] { return loadOccupancyMap(file.pathBesideFile(), unknownIsOccupied); });
     }
 }

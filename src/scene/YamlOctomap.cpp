@@ -4,7 +4,6 @@
 #include "ompl_certificates/octomap/OctomapObstacles.h"
 
 #include <cmath>
-#include <filesystem>
 
 namespace ompl_certificates
 {
@@ -38,16 +37,15 @@ namespace ompl_certificates
         }
     }
 
-    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source)
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension)
     {
-        std::vector<std::string> keys{"type", "file", "depth", "unknown", "origin"};
+        std::vector<std::string> keys{"type", "name", "file", "depth", "unknown", "origin"};
         if (dimension == 2)
             keys.emplace_back("heights");
         node.allow(keys);
         const OctomapOptions options = readOptions(node, dimension);
-        const auto file = std::filesystem::path(source).parent_path() / node.at("file").path();
-        return node.at("file").orFail(
-            [&] { return std::make_shared<OctomapObstacles>(file.lexically_normal().string(), options); });
+        const YamlNode file = node.at("file");
+        return file.orFail([&] { return std::make_shared<OctomapObstacles>(file.pathBesideFile(), options); });
     }
 }
 
@@ -55,7 +53,7 @@ namespace ompl_certificates
 
 namespace ompl_certificates
 {
-    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int /*dimension*/, const std::string & /*source*/)
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int /*dimension*/)
     {
         node.fail("this program was built without octomap");
     }

@@ -42,24 +42,28 @@ namespace ompl_certificates
                     .fail("must be at least 1e-6 and below 1, not " + root.at("resolution").describe());
             scene.setResolution(resolution);
         }
-        YamlMeshes meshes(source);
+        YamlMeshes meshes;
         if (environment.has("obstacles"))
             for (const YamlNode &obstacle : environment.at("obstacles").items(0, MAX_OBSTACLES))
             {
                 const std::string type = obstacle.at("type").text();
+                const std::string title =
+                    obstacle.has("name") ? "'" + obstacle.at("name").text() + "'" : obstacle.getKey();
                 if (type == "cloud")
-                    scene.addSensedObstacles(readCloud(obstacle, dimension, source), obstacle.getKey());
+                    scene.addSensedObstacles(readCloud(obstacle, dimension), title);
                 else if (type == "octomap")
-                    scene.addSensedObstacles(readOctomap(obstacle, dimension, source), obstacle.getKey());
+                    scene.addSensedObstacles(readOctomap(obstacle, dimension), title);
                 else if (type == "occupancy_map")
-                    scene.addSensedObstacles(readOccupancyMap(obstacle, dimension, source), obstacle.getKey());
+                    scene.addSensedObstacles(readOccupancyMap(obstacle, dimension), title);
                 else
-                    scene.addObstacle(readObstacle(obstacle, dimension, meshes), obstacle.getKey());
+                    scene.addObstacle(readObstacle(obstacle, dimension, meshes), title);
             }
         const std::vector<YamlNode> robots = root.at("robots").items(1, MAX_ROBOTS);
-        YamlArms arms(source, robots);
+        YamlArms arms(robots);
         for (const YamlNode &robot : robots)
             readRobot(robot, dynamics, scene, meshes, arms);
+        for (const std::string &note : root.getNotes())
+            scene.addNote(note);
         scene.chooseGoals();
         return scene;
     }

@@ -6,18 +6,15 @@
 
 namespace ompl_certificates
 {
-    /** \brief The point cloud that \e node describes, in a workspace of \e dimension
-        \param source the scene's file, whose folder the cloud's path is relative to */
-    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension, const std::string &source);
+    /** \brief The point cloud that \e node describes, in a workspace of \e dimension */
+    ObstaclesPtr readCloud(const YamlNode &node, unsigned int dimension);
 
     /** \brief The octomap that \e node describes: file, depth, unknown, origin and, in the plane, heights. Fails if the
-        program was built without octomap.
-        \param source the scene's file, as for readCloud() */
-    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension, const std::string &source);
+        program was built without octomap. */
+    ObstaclesPtr readOctomap(const YamlNode &node, unsigned int dimension);
 
-    /** \brief The map of ROS's map_server that \e node describes: file and unknown
-        \param source as above */
-    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension, const std::string &source);
+    /** \brief The map of ROS's map_server that \e node describes: file and unknown */
+    ObstaclesPtr readOccupancyMap(const YamlNode &node, unsigned int dimension);
 
     /** \brief The key \c unknown of a map, by default free */
     bool readUnknownIsOccupied(const YamlNode &node);

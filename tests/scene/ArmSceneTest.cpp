@@ -8,6 +8,7 @@
 #include "support/Folder.h"
 #include "support/Message.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <iostream>
@@ -108,8 +109,137 @@ namespace ompl_certificates
         EXPECT_FALSE(isFree("may_touch_obstacles: [palm]"));
     }
 
+    TEST(ArmScene, SomeLinksMayTouchAnObstacle)
+    {
+        const auto tellOf = [](const std::string &obstacle)
+        {
+            const Scene scene = sceneWithArm(
+                "attached: [{name: rod, link: palm, shape: {type: box, size: [0.02, 0.02, 0.3]}, "
+                "position: [0, 0, 0.2], "
+                "touch_links: [left_finger, right_finger]}]" +
+                obstacle);
+            const auto team = scene.makeTeam();
+            return scene.describeCollision(team, scene.makeStart(team).get());
+        };
+        EXPECT_EQ(tellOf(""), "");
+        // A block about the rod's far end, and one about the wrist
+        const Scene scene = sceneWithArm("");
+        const auto poseOf = [&](const std::string &link)
+        {
+            const auto start = scene.makeStart(scene.makeTeam());
+            return armOf(scene)->getLinkPose(start->as<ompl::base::CompoundState>()->components[0], link);
+        };
+        const auto block = [](const Eigen::Vector3d &at, const std::string &links)
+        {
+            return ", touchable: [{name: block, shape: {type: sphere, radius: 0.03}, position: [" +
+                   std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " + std::to_string(at.z()) +
+                   "], touch_links: [" + links + "]}]";
+        };
+        const Eigen::Vector3d end = poseOf("palm") * Eigen::Vector3d(0.0, 0.0, 0.34);
+        EXPECT_EQ(tellOf(block(end, "")), "robot 'robot_0' touches obstacle 'block' with link 'rod'");
+        EXPECT_EQ(tellOf(block(end, "rod")), "");
+        EXPECT_EQ(
+            tellOf(block(poseOf("wrist").translation(), "rod")).rfind("robot 'robot_0' touches obstacle 'block'", 0),
+            0U);
+        EXPECT_NE(
+            messageAboutArm("touchable: [{name: block, shape: {type: sphere, radius: 0.03}, touch_links: [rood]}]")
+                .find("touch links of obstacle 'block': there is no link 'rood'"),
+            std::string::npos);
+    }
+
+    TEST(ArmScene, ArmsHeedTheirOwnTouchableObstacles)
+    {
+        const auto tellOf = [](const std::string &ofSecond)
+        {
+            const std::string block =
+                "touchable: [{name: block, shape: {type: box, size: [0.3, 0.3, 0.3]}, position: [0.5, 0, 0.15], "
+                "touch_links: [palm]}]";
+            const std::string arm =
+                "type: urdf, file: arm6.urdf, srdf: arm6.srdf, group: arm, start: upright, goal: "
+                "upright, ";
+            const Scene scene =
+                sceneFromYaml("environment: {min: [-1, -1, 0], max: [1, 1, 2]}\nrobots:\n  - {name: first, " + arm +
+                                  block + "}\n  - {name: second, " + arm + "base: {position: [0.5, 0, 0]}" +
+                                  (ofSecond.empty() ? "" : ", " + (ofSecond == "same" ? block : ofSecond)) + "}\n",
+                              ARMS + "test.yaml");
+            const auto team = scene.makeTeam();
+            return scene.describeCollision(team, scene.makeStart(team).get());
+        };
+        // The second arm stands in the block.
+        EXPECT_EQ(
+            tellOf("").rfind("robots 'first' and 'second' touch each other: obstacle 'block' of 'first' and link ", 0),
+            0U)
+            << tellOf("");
+        EXPECT_EQ(tellOf("same").rfind("robot 'second' touches obstacle 'block' with link ", 0), 0U) << tellOf("same");
+        EXPECT_EQ(tellOf("touchable: [{name: block, shape: {type: sphere, radius: 0.01}, "
+                         "position: [0, 0.9, 0.1]}]"),
+                  "")
+            << "each has its own";
+    }
+
+    TEST(ArmScene, ObstaclesMakeArmsUnlike)
+    {
+        const auto with = [](const std::string &name, const std::string &links)
+        {
+            return armOf(sceneWithArm("touchable: [{name: " + name +
+                                      ", shape: {type: sphere, radius: 0.01}, position: "
+                                      "[0, 0.9, 0.1], touch_links: [" +
+                                      links + "]}]"));
+        };
+        EXPECT_TRUE(with("bench", "palm")->isLike(*with("bench", "palm")));
+        EXPECT_FALSE(with("bench", "palm")->isLike(*with("table", "palm")));
+        EXPECT_FALSE(with("bench", "palm")->isLike(*with("bench", "")));
+        EXPECT_FALSE(with("bench", "palm")->isLike(*armOf(sceneWithArm(""))));
+    }
+
+    TEST(ArmScene, NotesTellWhatMaySurprise)
+    {
+        const auto notesOf = [](const std::string &keys)
+        {
+            const Scene scene = sceneWithArm(keys);
+            std::string text;
+            for (const std::string &note : scene.getNotes())
+                text += note + '\n';
+            return text;
+        };
+        EXPECT_NE(notesOf("base: {rotation: {axis: [0, 0, 1], angle: 90}}")
+                      .find("robots[0].base.rotation.angle: an angle is more than a whole turn; angles are in radians"),
+                  std::string::npos);
+        EXPECT_EQ(notesOf("base: {rotation: {axis: [0, 0, 1], angle: 90}}").find("angle is more"),
+                  notesOf("base: {rotation: {axis: [0, 0, 1], angle: 90}}").rfind("angle is more"))
+            << "once";
+        EXPECT_EQ(notesOf("base: {rotation: {axis: [0, 0, 1], angle: 6.2}}").find("angle"), std::string::npos);
+        const test::Folder folder;
+        folder.write("a.urdf",
+                     test::robot(test::link("base") + test::link("tip") + test::link("finger") +
+                                 test::joint("turn", "revolute", "base", "tip", "<axis xyz='0 0 1'/>" + test::LIMIT) +
+                                 test::joint("grip", "fixed", "tip", "finger", "")));
+        folder.write("a.srdf", test::robot("<group name='arm'><joint name='turn'/></group>"
+                                           "<group name='hand'><joint name='grip'/></group>"
+                                           "<group_state name='shut' group='hand'><joint name='grip' value='0.1'/>"
+                                           "</group_state>"));
+        const Scene scene = sceneFromYaml(
+            "environment: {min: [-1, -2, 0], max: [1, 2, 3]}\nrobots:\n  - {type: urdf, "
+            "file: a.urdf, srdf: a.srdf, group: arm, states: {hand: shut}, start: [0], "
+            "goal: [1]}\n",
+            folder / "scene.yaml");
+        const auto &notes = scene.getNotes();
+        EXPECT_NE(std::find(notes.begin(), notes.end(),
+                            "robots[0].states.hand: the value of joint 'grip' has no effect: the URDF file fixes it"),
+                  notes.end());
+    }
+
     TEST(ArmScene, BodiesMayTouchTheLinksThatAreNamed)
     {
+        EXPECT_NO_THROW(
+            sceneWithArm("attached: [{name: a, link: palm, shape: {type: sphere, radius: 0.01}, "
+                         "touch_links: [lid]}, {name: lid, link: palm, shape: {type: sphere, radius: 0.01}}]"))
+            << "in any order";
+        EXPECT_NE(messageAboutArm("attached: [{name: a, link: palm, shape: {type: sphere, radius: 0.01}, "
+                                  "touch_links: [ldi]}]")
+                      .find("touch links of attached body 'a': there is no link 'ldi'"),
+                  std::string::npos);
+
         const auto notesOf = [](const std::string &touching)
         {
             const Scene scene = sceneWithArm("attached: [{name: ball, link: palm, shape: {type: sphere, radius: 0.2}" +
@@ -343,9 +473,8 @@ namespace ompl_certificates
         }
         catch (const ompl::Exception &exception)
         {
-            EXPECT_NE(
-                std::string(exception.what()).find("goal [0, 1.9, 2.5, 0, 1.8, 0] of 'robot_0' collides with itself"),
-                std::string::npos)
+            EXPECT_NE(std::string(exception.what()).find("goal [0, 1.9, 2.5, 0, 1.8, 0] of 'robot_0' touches itself"),
+                      std::string::npos)
                 << exception.what();
         }
     }

@@ -67,5 +67,12 @@ TEST_F(DescribeCollision, namesRobotsBodiesAndObstacles)
     EXPECT_EQ(told({{0, 4}, {1, 5}}), "robots 'a' and 'car' touch each other: body 0 of 'car'");
     EXPECT_EQ(told({{4, 10}, {5, 9}}), "robot 'car' touches environment.obstacles[1] with body 0");
     EXPECT_EQ(told({{0, 18}, {1, 5}}), "robots 'a' and 'arm' touch each other: link 'link_3' of 'arm'");
+    const Scene named = sceneFromYaml(
+        "environment: {min: [0, 0], max: [9, 9], obstacles: [{name: the bin, type: disc, "
+        "center: [5, 5], radius: 1}]}\n"
+        "robots: [{type: single_integrator, start: [5, 5], goal: [1, 1]}]\n",
+        "bin");
+    const TeamStateSpacePtr team = named.makeTeam();
+    EXPECT_EQ(named.describeCollision(team, named.makeStart(team).get()), "robot 'robot_0' touches 'the bin'");
     EXPECT_EQ(told({{9, 3}, {10, 3}}), "robot 'arm' touches itself: link 'link_1' and link 'link_3'");
 }

@@ -239,9 +239,9 @@ namespace ompl_certificates
         expectError(robotWith("l", "joints: {up: 0.5}"), robotWith("r", "states: {u: high}"),
                     {"scene.yaml:4: robots[1]", "'up'", "1.5", "0.5"});
         expectError(robotWith("l", bar + "0.05}}]"), robotWith("r", bar + "0.06}}]"),
-                    {"scene.yaml:4: robots[1].attached[0].name", "another body 'bar'"});
+                    {"scene.yaml:4: robots[1].attached[0].name", "another attached body 'bar'"});
         expectError(robotWith("l", bar + "0.05}}, {name: bar, link: a, shape: {type: sphere, radius: 1}}]"),
-                    robotWith("r", ""), {"robots[0].attached[1].name", "'bar' already"});
+                    robotWith("r", ""), {"robots[0].attached[1].name", "there is another attached body 'bar'"});
         expectError(robotWith("l", "joints: {right: 0.5}"), robotWith("r", ""),
                     {"robots[0].joints.right", "in the group of 'robot_1'"});
         expectError(robotWith("l", ""), robotWith("l", ""), {"robots[0]", "joint 'left'", "'robot_0'", "'robot_1'"});

@@ -76,7 +76,7 @@ namespace ompl_certificates
         TEST(PlanarArm, LinksThatAreNotNeighborsCollideUnlessTheyMay)
         {
             const std::string folded = "start: [0, 2.9, 2.9], goal: [0, 0, 0]";
-            EXPECT_NE(messageAboutPlanarArm(LINKS + ", " + folded).find("of 'robot_0' collides with itself"),
+            EXPECT_NE(messageAboutPlanarArm(LINKS + ", " + folded).find("of 'robot_0' touches itself"),
                       std::string::npos);
             EXPECT_EQ(messageAboutPlanarArm(LINKS + ", self_collision: false, " + folded), "");
         }

@@ -34,8 +34,9 @@ namespace ompl_certificates
         std::vector<std::string> touchLinks{};
     };
 
-    /** \brief An obstacle that some links may touch, such as a table for an object that stands on it. It counts as a link
-        of the robot that never moves, and is no obstacle of the workspace. */
+    /** \brief An obstacle that some links may touch, such as a table for an object that stands on it. It counts as a
+        link of the robot that never moves, and is no obstacle of the workspace. Other robots must not touch it, unless
+        they are arms that have one of that name, too: then each arm heeds its own. */
     struct TouchableObstacle
     {
         /** \brief What it is called; no link may have that name */
@@ -82,8 +83,8 @@ namespace ompl_certificates
         Read from SRDF: groups of chains, joints, links and groups; group_state; disable_collisions,
         disable_default_collisions and enable_collisions; passive_joint; virtual_joint of the root link. End effectors
         are groups like others. Joints that are not of an arm's group have fixed values. Links, joints and groups that
-        there are not are ignored, as MoveIt does; makeArm() notes them. As there, a link of disable_default_collisions may
-        touch obstacles, too, unless ArmSettings::mayTouch takes the file's place; a note tells which. */
+        there are not are ignored, as MoveIt does; makeArm() notes them. As there, a link of disable_default_collisions
+        may touch obstacles, too, unless ArmSettings::mayTouch takes the file's place; a note tells which. */
     class ArmFile
     {
     public:
@@ -223,7 +224,8 @@ namespace ompl_certificates
         /** \brief Whether random states tell which pairs need no check, since nothing else does */
         bool isSampled(const ArmSettings &settings) const;
 
-        /** \brief The pairs of links, but not those with a touchable obstacle, that files and settings do not exclude */
+        /** \brief The pairs of links, but not those with a touchable obstacle, that files and settings do not exclude
+            */
         std::vector<std::pair<std::string, std::string>> pairsToCheck(const KinematicTree &tree,
                                                                       const ArmSettings &settings) const;
 
