@@ -40,6 +40,10 @@ namespace ompl_certificates
         if (goals_.size() != robots)
             throw ompl::Exception(owner, "must have a goal for each of " + std::to_string(robots) + " robots, not " +
                                              std::to_string(goals_.size()));
+        for (unsigned int i = 0; i < robots; ++i)
+            if (goals_[i] && !goals_[i]->isFor(team->getRobot(i)))
+                throw ompl::Exception(owner, goals_[i]->describe() + " is no goal of robot '" +
+                                                 team->getRobot(i).getName() + "', but of one that differs from it");
         if (!isSatisfied(state_.get()))
             throw ompl::Exception(owner, "the state must be in the goal");
     }

@@ -1,5 +1,7 @@
 #include "ompl_certificates/robots/AnyOfGoals.h"
 
+#include "SpaceBounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,6 +66,14 @@ namespace ompl_certificates
                 return true;
         }
         return false;
+    }
+
+    bool AnyOfGoals::isFor(const Robot &robot) const
+    {
+        return std::all_of(states_.begin(), states_.end(),
+                           [&](const ob::ScopedState<> &state)
+                           { return areAlike(*state.getSpace(), *robot.getStateSpace()); }) &&
+               std::all_of(goals_.begin(), goals_.end(), [&](const RobotGoalPtr &goal) { return goal->isFor(robot); });
     }
 
     std::string AnyOfGoals::describe() const

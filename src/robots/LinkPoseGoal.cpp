@@ -38,6 +38,10 @@ namespace ompl_certificates
         /** How often a step is made again without the joints that their limits hold */
         constexpr unsigned int MOST_HELD = 3;
 
+        /** In how many states two arms are compared, and up to what rounding they are the same */
+        constexpr unsigned int STATES_COMPARED = 3;
+        constexpr double SAME_POSE = 1e-9;
+
         /** A step that leaves more than this of the way does not count as one. */
         constexpr double LEFT_BY_A_STEP = 0.999;
 
@@ -190,6 +194,29 @@ namespace ompl_certificates
         Deviation beyond = deviation - deviation.cwiseMin(tolerance).cwiseMax(-tolerance);
         beyond.head<3>() /= reach_;
         return beyond;
+    }
+
+    bool LinkPoseGoal::isFor(const Robot &robot) const
+    {
+        const auto *arm = dynamic_cast<const Arm *>(&robot);
+        if (arm == arm_.get())
+            return true;
+        const ob::StateSpace &space = *arm_->getStateSpace();
+        const std::size_t count = space.getValueLocations().size();
+        if (!arm || arm->getStateSpace()->getValueLocations().size() != count || !arm->getTree().hasLink(pose_.link))
+            return false;
+        ompl::RNG random(1);
+        ob::ScopedState<> state(arm_->getStateSpace()), other(arm->getStateSpace());
+        for (unsigned int i = 0; i < STATES_COMPARED; ++i)
+        {
+            sampleUniform(space, random, state.get());
+            other = state.reals();
+            const Pose own = arm_->getLinkPose(state.get(), pose_.link),
+                       its = arm->getLinkPose(other.get(), pose_.link);
+            if (!((own.matrix() - its.matrix()).cwiseAbs().maxCoeff() <= SAME_POSE * (1.0 + own.translation().norm())))
+                return false;
+        }
+        return true;
     }
 
     double LinkPoseGoal::distance(const ob::State *state) const

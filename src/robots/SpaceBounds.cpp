@@ -8,6 +8,22 @@ namespace ompl_certificates
 {
     namespace ob = ompl::base;
 
+    bool areAlike(const ob::StateSpace &a, const ob::StateSpace &b)
+    {
+        if (typeid(a) != typeid(b) || a.getDimension() != b.getDimension())
+            return false;
+        const auto *first = dynamic_cast<const ob::CompoundStateSpace *>(&a);
+        const auto *second = dynamic_cast<const ob::CompoundStateSpace *>(&b);
+        if (!first)
+            return true;
+        if (first->getSubspaceCount() != second->getSubspaceCount())
+            return false;
+        for (unsigned int i = 0; i < first->getSubspaceCount(); ++i)
+            if (!areAlike(*first->getSubspace(i), *second->getSubspace(i)))
+                return false;
+        return true;
+    }
+
     bool haveEqualBounds(const ob::StateSpace &a, const ob::StateSpace &b)
     {
         if (const auto *vector = dynamic_cast<const ob::RealVectorStateSpace *>(&a))

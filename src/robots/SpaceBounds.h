@@ -7,6 +7,9 @@
 
 namespace ompl_certificates
 {
+    /** \brief Whether two spaces are of one class and dimension, and so are their components */
+    bool areAlike(const ompl::base::StateSpace &a, const ompl::base::StateSpace &b);
+
     /** \brief Whether two spaces made of the same kinds of spaces have equal bounds and weights */
     bool haveEqualBounds(const ompl::base::StateSpace &a, const ompl::base::StateSpace &b);
 

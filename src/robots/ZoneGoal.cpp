@@ -31,7 +31,7 @@ namespace ompl_certificates
             throw ompl::Exception("ZoneGoal", "the robot must not be null");
         const std::string owner = robot_->getName() + ": goal";
         if (dynamic_cast<const Arm *>(robot_.get()))
-            throw ompl::Exception(owner, "the state of an arm is no position; see LinkPoseGoal");
+            throw ompl::Exception(owner, "the state of an arm is no position; give the pose of a link");
         const std::size_t dimension = robot_->getWorkspaceDimension();
         const ob::RealVectorBounds *bounds = findPositionBounds(*robot_->getStateSpace());
         if (!bounds || bounds->low.size() < dimension)
@@ -61,6 +61,11 @@ namespace ompl_certificates
             squares += beyond * beyond;
         }
         return std::sqrt(squares);
+    }
+
+    bool ZoneGoal::isFor(const Robot &robot) const
+    {
+        return areAlike(*robot_->getStateSpace(), *robot.getStateSpace());
     }
 
     std::string ZoneGoal::describe() const

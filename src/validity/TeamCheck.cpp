@@ -6,6 +6,7 @@
 #include "MemorylessMethod.h"
 #include "ProjectedMethod.h"
 #include "RepairInSteps.h"
+#include "robots/ContactText.h"
 
 #include "ompl_certificates/obstacles/MixedObstacles.h"
 
@@ -264,24 +265,25 @@ namespace ompl_certificates
         {
             place(robot, team_.getRobotState(state, robot), context);
             std::size_t index = team_.getFirstBody(robot);
-            for (const Body &body : team_.getRobot(robot).getBodies())
+            const Robot &described = team_.getRobot(robot);
+            for (std::size_t body = 0; body < described.getBodies().size(); ++body)
             {
                 const Pose &pose = context.poses[index];
                 if (!isFinite(pose))
-                    return "robot '" + team_.getRobot(robot).getName() + "' has a number that is not finite";
-                if (!team_.mayTouchObstacles(index++) && obstacles_->collides(body, pose))
-                    return "robot '" + team_.getRobot(robot).getName() + "' touches an obstacle";
+                    return "robot '" + described.getName() + "' has a number that is not finite";
+                if (!team_.mayTouchObstacles(index++) && obstacles_->collides(described.getBodies()[body], pose))
+                    return "robot '" + described.getName() + "' " + describeTouch(described, body, "an obstacle");
             }
         }
         for (unsigned int pair = 0; pair < pairs_.getPairCount() && !looksAtObstaclesAlone_; ++pair)
             if (const auto bodies = pairs_.findCollision(pair, context))
             {
-                const std::string &first = team_.getRobot(pairs_.getFirst(pair)).getName(),
-                                  &second = team_.getRobot(pairs_.getSecond(pair)).getName();
+                const Robot &first = team_.getRobot(pairs_.getFirst(pair)),
+                            &second = team_.getRobot(pairs_.getSecond(pair));
                 if (pairs_.getFirst(pair) == pairs_.getSecond(pair))
-                    return "robot '" + first + "' touches itself: its bodies " + std::to_string(bodies->first) +
-                           " and " + std::to_string(bodies->second);
-                return "robots '" + first + "' and '" + second + "' touch each other";
+                    return "robot '" + first.getName() + "' " + describeOwnContact(first, *bodies);
+                return "robots '" + first.getName() + "' and '" + second.getName() + "' touch each other" +
+                       describeContact(first, bodies->first, second, bodies->second);
             }
         return "";
     }

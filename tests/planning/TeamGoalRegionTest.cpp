@@ -4,6 +4,7 @@
 #include "ompl_certificates/planning/Planners.h"
 #include "ompl_certificates/planning/TeamGoalRegion.h"
 #include "ompl_certificates/planning/TeamSetup.h"
+#include "ompl_certificates/robots/AnyOfGoals.h"
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 #include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/robots/ZoneGoal.h"
@@ -194,6 +195,18 @@ TEST(TeamGoalRegions, HoldCrowds)
         EXPECT_EQ(
             goals[i]->distance(setup.getSolutionPath().getStates().back()->as<ob::CompoundState>()->components[i]),
             0.0);
+}
+
+TEST_F(TeamGoalRegionTest, RefusesTheGoalOfAnotherArm)
+{
+    const ob::ScopedState<> state = freeState(true);
+    std::swap(goals_[0], goals_[1]);
+    const std::string message = messageOf([&] { TeamGoalRegion(setup_->getSpaceInformation(), state, goals_); });
+    EXPECT_NE(message.find("is no goal of robot 'left', but of one that differs from it"), std::string::npos)
+        << message;
+    goals_[0] = std::make_shared<AnyOfGoals>(team_->getRobots()[1], std::vector<std::vector<double>>{},
+                                             std::vector<RobotGoalPtr>{goals_[0]});
+    EXPECT_THROW(TeamGoalRegion(setup_->getSpaceInformation(), state, goals_), ompl::Exception);
 }
 
 TEST_F(TeamGoalRegionTest, RefusesWhatMakesNoSense)

@@ -3,6 +3,7 @@
 #include "ompl_certificates/robots/LinkPoseGoal.h"
 #include "support/Message.h"
 #include "support/Quiet.h"
+#include "support/Teams.h"
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
@@ -53,6 +54,29 @@ namespace
         result.rotation = LinkPose::Rotation{pose.linear()};
         return result;
     }
+}
+
+TEST(LinkPoseGoal, IsForArmsThatHaveTheLinkAtTheSamePlaces)
+{
+    LinkPose pose{"link7"};
+    pose.position = LinkPose::Position{Eigen::Vector3d(0.2, 0.0, 0.7)};
+    const auto arm = sevenJointArm();
+    const LinkPoseGoal goal(arm, pose);
+    EXPECT_TRUE(goal.isFor(*arm));
+    // The arm made anew, with something in its hand
+    KinematicTree tree = sevenJoints();
+    KinematicTree::Joint fixed;
+    fixed.name = "grasp";
+    tree.addLink("link7", fixed, "part", Body::sphere(0.05));
+    EXPECT_TRUE(goal.isFor(Arm("loaded", tree, SEVEN)));
+    ArmOptions elsewhere;
+    elsewhere.base = poseAt({0.0, 0.01, 0.0});
+    EXPECT_FALSE(goal.isFor(Arm("elsewhere", sevenJoints(), SEVEN, elsewhere)));
+    EXPECT_FALSE(goal.isFor(Arm("shorter", sevenJoints(), {SEVEN.begin(), SEVEN.end() - 1})));
+    EXPECT_FALSE(goal.isFor(*RigidRobot::sphere("ball", 0.1, cubeBounds(3, 1.0))));
+    const LinkPoseGoal ofLoaded(std::make_shared<Arm>("loaded", tree, SEVEN),
+                                LinkPose{"part", {0, 0, 0}, pose.position});
+    EXPECT_FALSE(ofLoaded.isFor(*arm));
 }
 
 TEST(LinkPoseGoal, FindsThePosesOfRandomStates)

@@ -327,7 +327,7 @@ TEST(SelfCollisions, IsSaidWithTheBodies)
     for (const auto &setup : checkers.setups)
     {
         const TeamValidityChecker &checker = *setup->getTeamChecker();
-        EXPECT_EQ(checker.describeCollision(state.get()), "robot 'arm' touches itself: its bodies 0 and 2");
+        EXPECT_EQ(checker.describeCollision(state.get()), "robot 'arm' touches itself: body 0 and body 2");
         EXPECT_FALSE(checker.isRobotFree(1, state->as<ob::CompoundState>()->components[1]));
         EXPECT_TRUE(checker.isRobotFree(0, state->as<ob::CompoundState>()->components[0]));
     }

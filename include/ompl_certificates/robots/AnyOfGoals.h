@@ -30,6 +30,9 @@ namespace ompl_certificates
             in it, of another one. */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
 
+        /** \brief Whether all the other goals are for \e robot, and states are of its space's kind */
+        bool isFor(const Robot &robot) const override;
+
         /** \brief Such as: any of its 3 goals */
         std::string describe() const override;
 

@@ -81,13 +81,17 @@ namespace ompl_certificates
             return pose_;
         }
 
-        /** \brief How far the point is beyond its tolerances, in lengths, plus how far the link is turned beyond its own,
-            in radians. Costs one forward kinematics. */
+        /** \brief How far the point is beyond its tolerances, in lengths, plus how far the link is turned beyond its
+            own, in radians. Costs one forward kinematics. */
         double distance(const ompl::base::State *state) const override;
 
         /** \brief See RobotGoal. Tries up to 50 random states. Costs about 0.2 ms for an arm of seven joints and a pose
             within its reach; some ms for one that it cannot reach. */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
+
+        /** \brief Whether \e robot is an arm that has the link where the goal's own arm has it, in some random states
+            */
+        bool isFor(const Robot &robot) const override;
 
         /** \brief Such as: link 'tool' at [1, 2, 3] */
         std::string describe() const override;

@@ -1,6 +1,8 @@
 #ifndef OMPL_CERTIFICATES_ROBOTS_ROBOT_GOAL_
 #define OMPL_CERTIFICATES_ROBOTS_ROBOT_GOAL_
 
+#include "ompl_certificates/robots/Robot.h"
+
 #include <memory>
 #include <ompl/base/State.h>
 #include <ompl/util/RandomNumbers.h>
@@ -26,6 +28,13 @@ namespace ompl_certificates
             matter.
             \return false if none was found. What is in \e state then means nothing. */
         virtual bool sample(ompl::RNG &random, ompl::base::State *state) const = 0;
+
+        /** \brief Whether the goal is one of \e robot: whether its states mean to this robot what they mean to the
+            goal. A robot may be made anew, such as with an object in its hand. True by default. */
+        virtual bool isFor(const Robot & /*robot*/) const
+        {
+            return true;
+        }
 
         /** \brief What messages call the goal */
         virtual std::string describe() const

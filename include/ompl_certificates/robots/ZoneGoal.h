@@ -33,6 +33,9 @@ namespace ompl_certificates
         /** \brief See RobotGoal: uniform in the box */
         bool sample(ompl::RNG &random, ompl::base::State *state) const override;
 
+        /** \brief Whether the states of \e robot are of the same kind as those of the goal's own robot */
+        bool isFor(const Robot &robot) const override;
+
         /** \brief Such as: its zone from [1, 2] to [3, 4] */
         std::string describe() const override;
 
