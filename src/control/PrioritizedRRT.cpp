@@ -1,6 +1,7 @@
 #include "ompl_certificates/control/PrioritizedRRT.h"
 
 #include "RobotTree.h"
+#include "team/OwnedState.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,9 +72,11 @@ namespace ompl_certificates
         const ob::State *start = pis_.nextStart();
         if (!start)
             return ob::PlannerStatus::INVALID_START;
-        const ob::State *goal = pis_.nextGoal(condition);
-        if (!goal)
+        const ob::State *first = pis_.nextGoal(condition);
+        if (!first)
             return ob::PlannerStatus::INVALID_GOAL;
+        // A copy: the next goal overwrites it, also one that is refused.
+        const OwnedState goal = cloneState(*si_->getStateSpace(), first);
 
         const auto &team = *si_->getStateSpace()->as<TeamStateSpace>();
         const unsigned int robots = team.getSubspaceCount();
@@ -88,12 +91,12 @@ namespace ompl_certificates
         {
             trajectories.clear();
             if (const ob::State *next = attempt > 0 && pis_.haveMoreGoalStates() ? pis_.nextGoal() : nullptr)
-                goal = next;
+                si_->copyState(goal.get(), next);
             const auto plan = [&](unsigned int robot)
             {
                 const double tolerance = region->getThreshold() / share / team.getSubspaceWeight(robot);
-                RobotTree tree(trajectories, {robot, partOf(start, robot), partOf(goal, robot), tolerance}, durations,
-                               random_);
+                RobotTree tree(trajectories, {robot, partOf(start, robot), partOf(goal.get(), robot), tolerance},
+                               durations, random_);
                 auto trajectory =
                     tree.search(iterations_ * (1 + std::uint64_t(attempt / robots)), goalBias_, condition);
                 if (!trajectory)

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ompl/util/Exception.h>
+#include <string>
 #include <vector>
 
 namespace ompl_certificates
@@ -31,8 +33,8 @@ namespace ompl_certificates
             bool arrives;
         };
 
-        /** Whether a control that leads from one state to \e reached leads to \e end: for each robot, by its own distance.
-            Weights of a team may be small, and bounds far apart. */
+        /** Whether a control that leads from one state to \e reached leads to \e end: for each robot, by its own
+            distance. Weights of a team may be small, and bounds far apart. */
         bool arrivesAt(const ob::CompoundStateSpace &team, const ob::State *from, const ob::State *reached,
                        const ob::State *end)
         {
@@ -81,6 +83,9 @@ namespace ompl_certificates
                         const ob::PlannerTerminationCondition &condition)
     {
         const auto prover = proverOf(path.getSpaceInformation()->getStateSpace(), checker);
+        if (path.getStateCount() <= path.getControlCount())
+            throw ompl::Exception("A path of " + std::to_string(path.getControlCount()) + " controls has " +
+                                  std::to_string(path.getStateCount()) + " states, and no last one");
         const auto si = std::static_pointer_cast<oc::SpaceInformation>(path.getSpaceInformation());
         const TeamPropagator propagator(si);
         const std::vector<Step> steps = stepsOf(path, propagator, si->getPropagationStepSize());

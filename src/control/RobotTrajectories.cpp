@@ -1,6 +1,7 @@
 #include "RobotTrajectories.h"
 
 #include "team/OwnedState.h"
+#include "validity/ControlSteps.h"
 
 #include "ompl_certificates/control/LimitedValidityChecker.h"
 #include "ompl_certificates/validity/TeamValidityChecker.h"
@@ -91,11 +92,16 @@ namespace ompl_certificates
         std::vector<std::size_t> steps;
         for (const double duration : path.getControlDurations())
         {
-            const double count = std::round(duration / getStepSize());
-            if (!(count >= 0.0) || !(std::abs(duration - count * getStepSize()) <= 1e-6 * getStepSize()))
+            if (duration == 0.0)
+            {
+                steps.push_back(0);
+                continue;
+            }
+            const ControlSteps durations(duration, getStepSize());
+            if (!(std::abs(durations[durations.count() - 1] - getStepSize()) <= 1e-6 * getStepSize()))
                 throw ompl::Exception(user_, "needs controls that are held for whole steps of " +
                                                  std::to_string(getStepSize()) + " s");
-            steps.push_back(static_cast<std::size_t>(count));
+            steps.push_back(durations.count());
         }
         std::size_t firstControl = 0;
         for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
@@ -180,8 +186,10 @@ namespace ompl_certificates
         auto path = std::make_shared<oc::PathControl>(si_);
         ob::ScopedState<> state(si_->getStateSpace(), start);
         std::vector<unsigned int> held;
+        std::vector<State> states;
         for (std::size_t step = 0; step < steps_; ++step)
         {
+            states.push_back(cloneState(*si_->getStateSpace(), state.get()));
             double *next = valuesOf(control_);
             for (unsigned int robot = 0; robot < trajectories_.size(); ++robot)
             {
@@ -199,26 +207,25 @@ namespace ompl_certificates
                 return nullptr;
         }
         path->append(state.get());
-        return inDurations(*path, held);
+        return inDurations(*path, held, states);
     }
 
     std::shared_ptr<oc::PathControl> RobotTrajectories::inDurations(const oc::PathControl &original,
-                                                                    const std::vector<unsigned int> &held) const
+                                                                    const std::vector<unsigned int> &held,
+                                                                    const std::vector<State> &states) const
     {
         // What was held for longer than may be is divided evenly, so that no rest is too short.
         oc::PathControl path(original);
         auto divided = std::make_shared<oc::PathControl>(si_);
-        ob::ScopedState<> state(si_->getStateSpace());
+        auto state = states.begin();
         for (unsigned int i = 0; i < held.size(); ++i)
         {
-            state = path.getState(i);
             const unsigned int parts = (held[i] + si_->getMaxControlDuration() - 1) / si_->getMaxControlDuration();
             for (unsigned int part = 0; part < parts; ++part)
             {
                 const unsigned int steps = held[i] / parts + (part < held[i] % parts ? 1 : 0);
-                divided->append(state.get(), path.getControl(i), steps * getStepSize());
-                for (unsigned int step = 0; step < steps; ++step)
-                    si_->propagate(state.get(), path.getControl(i), 1, state.get());
+                divided->append(state->get(), path.getControl(i), steps * getStepSize());
+                state += steps;
             }
         }
         divided->append(path.getStates().back());

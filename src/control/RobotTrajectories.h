@@ -85,8 +85,8 @@ namespace ompl_certificates
 
         /** \brief Move a robot by a control during step number \e step
             \param to set to where that brings it
-            \return whether it stays within its limits, and touches neither obstacles, nor itself, nor the robots that have
-            a trajectory: at the end of the step, and throughout if the propagator proves steps */
+            \return whether it stays within its limits, and touches neither obstacles, nor itself, nor the robots that
+            have a trajectory: at the end of the step, and throughout if the propagator proves steps */
         bool move(unsigned int robot, const ompl::base::State *from, const Control &control, std::size_t step,
                   ompl::base::State *to);
 
@@ -105,9 +105,11 @@ namespace ompl_certificates
         void copyControl(unsigned int robot, std::size_t step, const ompl::base::State *state, double *control) const;
 
         /** \brief The same path with controls that are held for no longer than they may be, each \e held for some
-            steps so far */
+            steps so far
+            \param states at the beginning of each step */
         std::shared_ptr<ompl::control::PathControl> inDurations(const ompl::control::PathControl &path,
-                                                                const std::vector<unsigned int> &held) const;
+                                                                const std::vector<unsigned int> &held,
+                                                                const std::vector<State> &states) const;
 
         /** \brief Whether a robot's step is proved free */
         bool isProved(unsigned int robot, const ompl::base::State *from, const Control &control, std::size_t step);

@@ -19,8 +19,8 @@ namespace oc = ompl::control;
 
 namespace
 {
-    /** A disc of radius 0.1 that is pushed at up to 10 m/s, in steps of 0.1 s, about a wall of 2 mm along x = 0, as high
-        as y = 1 */
+    /** A disc of radius 0.1 that is pushed at up to 10 m/s, in steps of 0.1 s, about a wall of 2 mm along x = 0, as
+        high as y = 1 */
     class ControlPathProof : public testing::Test
     {
     protected:
@@ -305,4 +305,14 @@ TEST_F(ControlPathProof, ProvesNoStepThatCollides)
     std::cout << proved << " steps are proved, " << unproved << " are not; " << colliding << " drives collide\n";
     EXPECT_GT(proved, 0U);
     EXPECT_GT(colliding, 0U);
+}
+
+TEST_F(ControlPathProof, NeedsTheLastState)
+{
+    const TeamControlSetupPtr setup = setupFor();
+    oc::PathControl path(driven(*setup, {-2.0, 0.0}, {{1.0, 0.0, 0.1}}));
+    path.getSpaceInformation()->freeState(path.getStates().back());
+    path.getStates().pop_back();
+    EXPECT_EQ(messageOf([&] { provePath(path, setup->getTeamChecker()); }),
+              "A path of 1 controls has 1 states, and no last one");
 }

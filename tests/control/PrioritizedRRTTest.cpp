@@ -205,3 +205,30 @@ TEST_F(PrioritizedRRTTest, RobotStepsAreProvedAmongThoseAskedForAlone)
     EXPECT_FALSE(propagator.isStepFree(checker, state.get(), control, 0.1, result.get()));
     si->freeControl(control);
 }
+
+TEST_F(PrioritizedRRTTest, KeepsItsGoalWhereTheNextOneIsRefused)
+{
+    // The goal of a is in the way of b, which must go first. Another goal, in a wall, is no reason to give it up.
+    ompl::RNG::setSeed(1);
+    ob::RealVectorBounds bounds(2);
+    bounds.setLow(0.0);
+    bounds.setHigh(10.0);
+    const auto disc = [&](const std::string &name) {
+        return Integrator::firstOrder(RigidRobot::disc(name, 0.4, bounds), within({1.0, 1.0}));
+    };
+    TeamControlSetup setup(teamOf({disc("a"), disc("b")}), boxes({{5.0, 2.2, 2.0, 4.4}, {5.0, 7.8, 2.0, 4.4}}));
+    ob::ScopedState<> start(setup.getStateSpace()), good(setup.getStateSpace()), refused(setup.getStateSpace());
+    start = std::vector<double>{2, 8, 2, 2};
+    good = std::vector<double>{5, 5, 8, 2};
+    refused = std::vector<double>{5, 2, 8, 2};
+    setup.addStartState(start);
+    const auto goals = std::make_shared<ob::GoalStates>(setup.getSpaceInformation());
+    goals->addState(good);
+    goals->addState(refused);
+    goals->setThreshold(0.6);
+    setup.setGoal(goals);
+    auto planner = std::make_shared<PrioritizedRRT>(setup.getSpaceInformation());
+    planner->setIterations(2000);
+    setup.setPlanner(planner);
+    EXPECT_EQ(setup.solve(60.0), ob::PlannerStatus::EXACT_SOLUTION);
+}
