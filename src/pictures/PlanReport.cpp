@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <sstream>
 #include <vector>
@@ -132,7 +133,11 @@ namespace ompl_certificates
     {
         const auto *byRoadmaps = dynamic_cast<const DRRTstar *>(&planner);
         if (byRoadmaps && !byRoadmaps->getStuckRobot().empty())
-            return "robot '" + byRoadmaps->getStuckRobot() + "' found no way from its start to its goal even alone";
+            return "robot '" + byRoadmaps->getStuckRobot() + "' found no way from its start to " +
+                   (dynamic_cast<const ob::GoalState *>(planner.getProblemDefinition()->getGoal().get())
+                        ? "its goal"
+                        : "any of the goals sampled") +
+                   " even alone";
         const auto *byPriorities = dynamic_cast<const PrioritizedRRT *>(&planner);
         if (byPriorities && !byPriorities->getStuckRobot().empty())
             return "robot '" + byPriorities->getStuckRobot() +

@@ -174,7 +174,10 @@ namespace ompl_certificates
                               high = box.max().head<2>().cwiseMin(corner_ + size_ + edge) + 0.1 * edge;
         if ((high - low).minCoeff() <= 0.0)
             return {};
-        MeshOutline outline(low, high, (high - low).maxCoeff() > 150.0 ? 0.5 : 0.25);
+        // What is larger than a picture is drawn more coarsely.
+        constexpr double mostCells = 2000.0;
+        const double extent = (high - low).maxCoeff();
+        MeshOutline outline(low, high, std::max(extent > 150.0 ? 0.5 : 0.25, extent / mostCells));
         for (const auto &triangle : seen)
             outline.add(triangle);
         std::vector<std::vector<MeshOutline::Loop>> outlines;

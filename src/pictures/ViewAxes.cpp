@@ -32,10 +32,14 @@ namespace ompl_certificates
         /** The points of an axis that have ticks: multiples of a round number */
         std::vector<double> ticksOf(double low, double high, double scale)
         {
-            const double step = roundStep(TICK_DISTANCE / scale);
+            const double step = roundStep(TICK_DISTANCE / scale), first = std::ceil(low / step - 1e-9);
             std::vector<double> ticks;
-            for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-                ticks.push_back(i == 0.0 ? 0.0 : i * step);  // not -0
+            // Far from 0 some multiples are the same number.
+            const auto most = static_cast<int>((high - low) / step) + 2;
+            for (int i = 0; i < most; ++i)
+                if (const double tick = (first + i) * step;
+                    tick <= high + 1e-9 * step && (ticks.empty() || tick > ticks.back()))
+                    ticks.push_back(tick == 0.0 ? 0.0 : tick);  // not -0
             return ticks;
         }
 

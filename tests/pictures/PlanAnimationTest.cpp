@@ -1,10 +1,12 @@
 #include "ompl_certificates/pictures/PlanAnimation.h"
 #include "ompl_certificates/control/TeamControlSetup.h"
+#include "ompl_certificates/robots/RigidRobot.h"
 #include "ompl_certificates/scene/SceneFile.h"
 #include "ompl_certificates/team/PathTimes.h"
 #include "files/WholeFile.h"
 #include "support/Folder.h"
 #include "support/Random.h"
+#include "support/RandomMeshes.h"
 #include "support/Svg.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -343,6 +345,21 @@ namespace ompl_certificates
         EXPECT_LT((sizes.front() - Eigen::Vector2d(94.0, 47.0)).norm(), 0.5);
         EXPECT_LT((sizes.back() - Eigen::Vector2d(94.0, 23.5)).norm(), 1.5);
         EXPECT_EQ(attributeOf(animation, "calcMode"), "discrete");
+    }
+
+    TEST(PlanAnimation, ShowsBodiesThatAreLargerThanThePicture)
+    {
+        // Bounds are those of positions. Drawn to the pixel, it would take some 10^11 cells.
+        ob::RealVectorBounds bounds(3);
+        bounds.setLow(0.0);
+        bounds.setHigh(1.0);
+        Scene scene("large", "large", bounds);
+        const Body block = Body::mesh(test::boxMesh({1000.0, 500.0, 250.0}, Eigen::Vector3d::Zero()));
+        scene.addMember({RigidRobot::inSE3("block", block, scene.getBounds()),
+                         {0.1, 0.1, 0.1, 0.0, 0.0, 0.0, 1.0},
+                         {0.9, 0.9, 0.9, 0.0, 0.0, 0.6, 0.8}});
+        const Planned planned(std::move(scene));
+        EXPECT_EQ(elementsWith(svgOf(planned, planned.path()), "attributeName='d'").size(), 2u);
     }
 
     TEST(PlanAnimation, DoesNotGrowWithStatesThatTellNothing)
