@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 
 from ._core import (
     AnyOf,
+    ArmFile,
     AttachedBody,
     Body,
     Checker,
@@ -28,6 +29,7 @@ from ._core import (
     Proof,
     Robot,
     Scene,
+    TouchableObstacle,
     Zone,
     __version__,
     _plan,
@@ -45,6 +47,7 @@ from ._view import View
 
 __all__ = [
     "AnyOf",
+    "ArmFile",
     "AttachedBody",
     "Body",
     "Checker",
@@ -55,6 +58,7 @@ __all__ = [
     "Proof",
     "Robot",
     "Scene",
+    "TouchableObstacle",
     "View",
     "Zone",
     "__version__",

@@ -114,6 +114,58 @@ class AttachedBody:
         """pose is in the frame of the link that holds the body. The two are not checked against each other, nor are the
         body and the touch_links, such as fingers. No link may have that name."""
 
+class TouchableObstacle:
+    """An obstacle that some links of an arm may touch, such as the table that a part stands on"""
+    def __init__(
+        self, name: str, body: Body, pose: Optional[ArrayLike] = None, touch_links: Sequence[str] = ...
+    ) -> None:
+        """pose is in the workspace. touch_links are links and attached bodies. All other links of the arm are checked
+        against it. It counts as a link of the arm, which must not have that name, and is not to be added to the scene.
+        Other robots must not touch it; an arm that has one of that name, too, heeds its own alone."""
+
+class ArmFile:
+    """The description of an arm, read once: a URDF file, in meters, and an SRDF file. Arms of one ArmFile share their
+    meshes and all that is made of them. So make the arm anew from it when it grasps something, which then takes
+    milliseconds."""
+    def __init__(
+        self, urdf: Path, srdf: Path = "", packages: Mapping[str, Path] = ..., visuals: bool = False
+    ) -> None:
+        """The arguments are those of Robot.arm."""
+    @property
+    def name(self) -> str:
+        """The robot's name, by the URDF file"""
+    @property
+    def groups(self) -> List[str]:
+        """The names of the groups of joints. Without an SRDF file there is one, without a name, of all joints that can
+        move."""
+    def joints(self, group: str = "") -> List[str]:
+        """The joints of a group, in the order of the numbers of a state"""
+    def states(self, group: str = "") -> Dict[str, NDArray[np.float64]]:
+        """See Robot.arm_states."""
+    def arm(
+        self,
+        group: str = "",
+        name: Optional[str] = None,
+        base: Optional[ArrayLike] = None,
+        joint_values: Mapping[str, float] = ...,
+        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        attached: Sequence[AttachedBody] = ...,
+        touchable: Sequence[TouchableObstacle] = ...,
+        may_touch_obstacles: Sequence[str] = ...,
+    ) -> Robot:
+        """An arm. The arguments are those of Robot.arm."""
+    def arms(
+        self,
+        groups: Mapping[str, str],
+        base: Optional[ArrayLike] = None,
+        joint_values: Mapping[str, float] = ...,
+        bounds: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        attached: Sequence[AttachedBody] = ...,
+        touchable: Sequence[TouchableObstacle] = ...,
+        may_touch_obstacles: Sequence[str] = ...,
+    ) -> List[Robot]:
+        """The arms of one mechanism. The arguments are those of Robot.arms."""
+
 class Robot:
     """One member of a team: a rigid body, a car with a trailer, an arm, or a robot that moves by controls"""
     @staticmethod
@@ -124,15 +176,26 @@ class Robot:
         high: ArrayLike,
         turns: bool = True,
         turning_radius: Optional[float] = None,
+        *,
+        keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
         """A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y and, if it turns,
         the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw. With a turning_radius it drives as a
-        car does, forward and backward along the curves of Reeds and Shepp; its x axis points ahead."""
+        car does, forward and backward along the curves of Reeds and Shepp; its x axis points ahead. keep_out lists
+        zones that this robot alone must not enter, pairs of a body and its pose."""
     @staticmethod
     def car_with_trailer(
-        name: str, car: Body, trailer: Body, hitch_length: float, low: ArrayLike, high: ArrayLike
+        name: str,
+        car: Body,
+        trailer: Body,
+        hitch_length: float,
+        low: ArrayLike,
+        high: ArrayLike,
+        *,
+        keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
-        """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle"""
+        """A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. keep_out lists zones that it
+        must not enter, pairs of a body and its pose."""
     @staticmethod
     def integrator(
         name: str,
@@ -141,10 +204,12 @@ class Robot:
         high: ArrayLike,
         velocity: ArrayLike,
         acceleration: Optional[ArrayLike] = None,
+        *,
+        keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
         """A robot that moves by controls and does not turn. Its controls are its velocities along the axes; with an
         acceleration its accelerations, and then the velocities are part of its state. Limits are a number v for -v to v
-        along each axis, or (low, high), or an array of shape (dimension, 2)."""
+        along each axis, or (low, high), or an array of shape (dimension, 2). keep_out is that of Robot.rigid."""
     @staticmethod
     def unicycle(
         name: str,
@@ -155,10 +220,12 @@ class Robot:
         angular: Limits,
         linear_acceleration: Optional[Limits] = None,
         angular_acceleration: Optional[Limits] = None,
+        *,
+        keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
         """A robot in the plane that moves by controls: along its heading, and by turns. Its controls are these two
         speeds; with both accelerations these, and then the speeds are part of its state. Limits are a number v for -v
-        to v, or (low, high)."""
+        to v, or (low, high). keep_out is that of Robot.rigid."""
     @staticmethod
     def car(
         name: str,
@@ -171,11 +238,13 @@ class Robot:
         trailer: Optional[Body] = None,
         hitch_length: Optional[float] = None,
         max_hinge_angle: Optional[float] = None,
+        *,
+        keep_out: Sequence[Tuple[Body, Optional[ArrayLike]]] = ...,
     ) -> Robot:
         """A car that moves by controls: the speed of its rear axle, where its frame's origin is, and the steering
         angle. Limits are a number v for -v to v, or (low, high). wheelbase is the distance between the axles. With a
-        trailer, whose origin is hitch_length behind the car's, the headings of both differ by at most
-        max_hinge_angle."""
+        trailer, whose origin is hitch_length behind the car's, the headings of both differ by at most max_hinge_angle.
+        keep_out is that of Robot.rigid."""
     @staticmethod
     def arm(
         urdf: Path,
@@ -189,14 +258,16 @@ class Robot:
         packages: Mapping[str, Path] = ...,
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
+        touchable: Sequence[TouchableObstacle] = ...,
     ) -> Robot:
         """An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan for. base is the
         pose of its root link; joint_values are those of joints that are not of the group. A planar or floating joint in
         the group needs bounds of its position, (low, high), of 2 or 3 numbers. attached are bodies that it carries.
         packages tells the folders of packages that meshes are in (package://name/...), where they are not around the
         URDF file; visuals takes visual geometry in place of that for collisions. may_touch_obstacles are links, and
-        attached bodies, that are not checked against obstacles, such as the foot of a robot that is bolted to a table.
-        A state has the values of the group's joints, in radians or meters. What was ignored in the files is told by
+        attached bodies, that are not checked against obstacles, such as the foot of a robot that is bolted to a table;
+        touchable are obstacles that some of them may touch. A state has the values of the group's joints, in radians or
+        meters. For several arms of the same files take an ArmFile. What was ignored in the files is told by
         warnings."""
     @staticmethod
     def arms(
@@ -210,6 +281,7 @@ class Robot:
         packages: Mapping[str, Path] = ...,
         visuals: bool = False,
         may_touch_obstacles: Sequence[str] = ...,
+        touchable: Sequence[TouchableObstacle] = ...,
     ) -> List[Robot]:
         """The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of joints
         that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link belongs to the robot
@@ -503,8 +575,9 @@ class Plan:
         """Prove that no robot touches anything on the path, also between the samples that discrete mode looks at, among
         the checker's obstacles as they are now. Where a motion is not proved, samples a hundred times as dense are
         looked at until one collides. Raises Error if there is no path."""
-    def save(self, file: Path) -> None:
-        """Write the path as a table of comma-separated values (docs/plan-team.md)."""
+    def save(self, file: Path, *, step: Optional[float] = None) -> None:
+        """Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line at each
+        multiple of it in time, too, such as the period of a controller."""
     def save_report(self, file: Path) -> None:
         """Write the report as JSON."""
     def at(self, times: ArrayLike) -> NDArray[np.float64]:

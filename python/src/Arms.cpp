@@ -31,25 +31,36 @@ namespace ompl_certificates_python
         ArmFile readArmFile(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
                             const Packages &packages, bool visuals)
         {
+            const py::gil_scoped_release release;
             ArmFile::Options options;
             options.useVisuals = visuals;
             options.packages.insert(packages.begin(), packages.end());
             return ArmFile(urdf, srdf, options);
         }
 
-        ArmFile::ArmSettings settingsOf(const py::object &base, const JointValues &jointValues, const Bounds &bounds,
-                                        const std::vector<AttachedBody> &attached,
-                                        const std::vector<std::string> &mayTouchObstacles)
+        /** What is asked of an arm beside its files and its group */
+        struct Settings
         {
-            ArmFile::ArmSettings settings;
-            settings.base = toPose(base, 3);
-            settings.jointValues = jointValues;
-            if (bounds)
-                settings.bounds = toBounds(bounds->first, bounds->second);
-            settings.attached = attached;
-            settings.mayTouchObstacles = mayTouchObstacles;
-            return settings;
-        }
+            const py::object &base;
+            const JointValues &jointValues;
+            const Bounds &bounds;
+            const std::vector<AttachedBody> &attached;
+            const std::vector<TouchableObstacle> &touchable;
+            const std::vector<std::string> &mayTouchObstacles;
+
+            ArmFile::ArmSettings get() const
+            {
+                ArmFile::ArmSettings settings;
+                settings.base = toPose(base, 3);
+                settings.jointValues = jointValues;
+                if (bounds)
+                    settings.bounds = toBounds(bounds->first, bounds->second);
+                settings.attached = attached;
+                settings.touchable = touchable;
+                settings.mayTouchObstacles = mayTouchObstacles;
+                return settings;
+            }
+        };
 
         bool hasMovingBase(const Arm &arm)
         {
@@ -64,7 +75,7 @@ namespace ompl_certificates_python
         }
 
         /** Refuse bounds that would make no difference. */
-        void requireUse(const Bounds &bounds, const std::vector<std::shared_ptr<const Arm>> &arms)
+        void requireMovingBase(const Bounds &bounds, const std::vector<std::shared_ptr<const Arm>> &arms)
         {
             if (bounds && std::none_of(arms.begin(), arms.end(), [](const auto &arm) { return hasMovingBase(*arm); }))
                 throw ompl::Exception("bounds",
@@ -79,26 +90,26 @@ namespace ompl_certificates_python
                     throw py::error_already_set();
         }
 
-        RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                            const std::string &group, const std::optional<std::string> &name, const py::object &base,
-                            const JointValues &jointValues, const Bounds &bounds,
-                            const std::vector<AttachedBody> &attached, const Packages &packages, bool visuals,
-                            const std::vector<std::string> &mayTouchObstacles)
+        std::vector<RobotHolder> makeParts(const ArmFile &file, const std::vector<ArmFile::Part> &parts,
+                                           const Settings &asked)
         {
-            const ArmFile file = readArmFile(urdf, srdf, packages, visuals);
+            const ArmFile::ArmSettings settings = asked.get();
             std::vector<std::string> notes;
-            const auto arm = file.makeArm(name.value_or(file.getName()), group,
-                                          settingsOf(base, jointValues, bounds, attached, mayTouchObstacles), &notes);
-            requireUse(bounds, {arm});
+            const auto arms = [&]
+            {
+                // Large meshes take time.
+                const py::gil_scoped_release release;
+                return file.makeArms(parts, settings, &notes);
+            }();
+            requireMovingBase(asked.bounds, arms);
             warnOf(notes);
-            return std::const_pointer_cast<Arm>(arm);
+            std::vector<RobotHolder> robots;
+            for (const auto &arm : arms)
+                robots.push_back(std::const_pointer_cast<Arm>(arm));
+            return robots;
         }
 
-        std::vector<RobotHolder> makeArms(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                                          const py::dict &groups, const py::object &base,
-                                          const JointValues &jointValues, const Bounds &bounds,
-                                          const std::vector<AttachedBody> &attached, const Packages &packages,
-                                          bool visuals, const std::vector<std::string> &mayTouchObstacles)
+        std::vector<ArmFile::Part> toParts(const py::dict &groups)
         {
             std::vector<ArmFile::Part> parts;
             for (const auto &[name, group] : groups)
@@ -107,16 +118,50 @@ namespace ompl_certificates_python
                     throw py::type_error("groups: must be a dict from names of robots to names of groups");
                 parts.push_back({name.cast<std::string>(), group.cast<std::string>()});
             }
-            std::vector<std::string> notes;
-            const auto arms =
-                readArmFile(urdf, srdf, packages, visuals)
-                    .makeArms(parts, settingsOf(base, jointValues, bounds, attached, mayTouchObstacles), &notes);
-            requireUse(bounds, arms);
-            warnOf(notes);
-            std::vector<RobotHolder> robots;
-            for (const auto &arm : arms)
-                robots.push_back(std::const_pointer_cast<Arm>(arm));
-            return robots;
+            return parts;
+        }
+
+        RobotHolder armOfFile(const ArmFile &file, const std::string &group, const std::optional<std::string> &name,
+                              const py::object &base, const JointValues &jointValues, const Bounds &bounds,
+                              const std::vector<AttachedBody> &attached,
+                              const std::vector<TouchableObstacle> &touchable,
+                              const std::vector<std::string> &mayTouchObstacles)
+        {
+            return makeParts(file, {{name.value_or(file.getName()), group}},
+                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles})
+                .front();
+        }
+
+        std::vector<RobotHolder> armsOfFile(const ArmFile &file, const py::dict &groups, const py::object &base,
+                                            const JointValues &jointValues, const Bounds &bounds,
+                                            const std::vector<AttachedBody> &attached,
+                                            const std::vector<TouchableObstacle> &touchable,
+                                            const std::vector<std::string> &mayTouchObstacles)
+        {
+            return makeParts(file, toParts(groups),
+                             {base, jointValues, bounds, attached, touchable, mayTouchObstacles});
+        }
+
+        RobotHolder makeArm(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+                            const std::string &group, const std::optional<std::string> &name, const py::object &base,
+                            const JointValues &jointValues, const Bounds &bounds,
+                            const std::vector<AttachedBody> &attached, const Packages &packages, bool visuals,
+                            const std::vector<std::string> &mayTouchObstacles,
+                            const std::vector<TouchableObstacle> &touchable)
+        {
+            return armOfFile(readArmFile(urdf, srdf, packages, visuals), group, name, base, jointValues, bounds,
+                             attached, touchable, mayTouchObstacles);
+        }
+
+        std::vector<RobotHolder> makeArms(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+                                          const py::dict &groups, const py::object &base,
+                                          const JointValues &jointValues, const Bounds &bounds,
+                                          const std::vector<AttachedBody> &attached, const Packages &packages,
+                                          bool visuals, const std::vector<std::string> &mayTouchObstacles,
+                                          const std::vector<TouchableObstacle> &touchable)
+        {
+            return armsOfFile(readArmFile(urdf, srdf, packages, visuals), groups, base, jointValues, bounds, attached,
+                              touchable, mayTouchObstacles);
         }
 
         AttachedBody makeAttached(const std::string &name, const std::string &link, const Body &body,
@@ -127,11 +172,17 @@ namespace ompl_certificates_python
             return {name, link, body, toPose(pose, 3), touchLinks};
         }
 
-        /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
-        std::map<std::string, Doubles> armStates(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
-                                                 const std::string &group, const Packages &packages, bool visuals)
+        TouchableObstacle makeTouchable(const std::string &name, const Body &body, const py::object &pose,
+                                        const std::vector<std::string> &touchLinks)
         {
-            const ArmFile file = readArmFile(urdf, srdf, packages, visuals);
+            if (body.getDimension() != 3)
+                throw ompl::Exception("body", "must be a body in space, since arms are");
+            return {name, body, toPose(pose, 3), touchLinks};
+        }
+
+        /** The states that the SRDF file describes for a group, those that tell the values of all its joints */
+        std::map<std::string, Doubles> statesOfFile(const ArmFile &file, const std::string &group)
+        {
             const std::vector<std::string> &joints = file.getJoints(group);
             std::map<std::string, Doubles> states;
             for (const std::string &name : file.getStates(group))
@@ -146,6 +197,44 @@ namespace ompl_certificates_python
             }
             return states;
         }
+
+        std::map<std::string, Doubles> armStates(const std::filesystem::path &urdf, const std::filesystem::path &srdf,
+                                                 const std::string &group, const Packages &packages, bool visuals)
+        {
+            return statesOfFile(readArmFile(urdf, srdf, packages, visuals), group);
+        }
+
+        void bindArmFiles(py::module_ &module)
+        {
+            py::class_<ArmFile>(
+                module, "ArmFile",
+                "The description of an arm, read once: a URDF file, in meters, and an SRDF file. Arms of "
+                "one ArmFile share their meshes and all that is made of them. So make the arm anew from "
+                "it when it grasps something, which then takes milliseconds.")
+                .def(py::init(&readArmFile), py::arg("urdf"), py::arg("srdf") = "", py::arg("packages") = Packages(),
+                     py::arg("visuals") = false, "The arguments are those of Robot.arm.")
+                .def("__repr__", [](const ArmFile &self) { return "<ArmFile '" + self.getName() + "'>"; })
+                .def_property_readonly("name", &ArmFile::getName, "The robot's name, by the URDF file")
+                .def_property_readonly(
+                    "groups", &ArmFile::getGroups,
+                    "The names of the groups of joints. Without an SRDF file there is one, without a "
+                    "name, of all joints that can move.")
+                .def("joints", &ArmFile::getJoints, py::arg("group") = "",
+                     "The joints of a group, in the order of the numbers of a state")
+                .def("states", &statesOfFile, py::arg("group") = "", "See Robot.arm_states.")
+                .def("arm", &armOfFile, py::arg("group") = "", py::arg("name") = py::none(),
+                     py::arg("base") = py::none(), py::arg("joint_values") = JointValues(),
+                     py::arg("bounds") = py::none(), py::arg("attached") = std::vector<AttachedBody>(),
+                     py::arg("touchable") = std::vector<TouchableObstacle>(),
+                     py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                     "An arm. The arguments are those of Robot.arm.")
+                .def("arms", &armsOfFile, py::arg("groups"), py::arg("base") = py::none(),
+                     py::arg("joint_values") = JointValues(), py::arg("bounds") = py::none(),
+                     py::arg("attached") = std::vector<AttachedBody>(),
+                     py::arg("touchable") = std::vector<TouchableObstacle>(),
+                     py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                     "The arms of one mechanism. The arguments are those of Robot.arms.");
+        }
     }
 
     void bindArms(py::module_ &module, py::class_<Robot, RobotHolder> &robots)
@@ -157,6 +246,17 @@ namespace ompl_certificates_python
                  "nor are the body and the touch_links, such as fingers. No link may have that name.")
             .def("__repr__",
                  [](const AttachedBody &self) { return "<AttachedBody '" + self.name + "' on '" + self.link + "'>"; });
+        py::class_<TouchableObstacle>(module, "TouchableObstacle",
+                                      "An obstacle that some links of an arm may touch, such as the table that a part "
+                                      "stands on")
+            .def(py::init(&makeTouchable), py::arg("name"), py::arg("body"), py::arg("pose") = py::none(),
+                 py::arg("touch_links") = std::vector<std::string>(),
+                 "pose is in the workspace. touch_links are links and attached bodies. All other links of the arm are "
+                 "checked against it. It counts as a link of the arm, which must not have that name, and is not to be "
+                 "added to the scene. Other robots must not touch it; an arm that has one of that name, too, heeds its "
+                 "own alone.")
+            .def("__repr__", [](const TouchableObstacle &self) { return "<TouchableObstacle '" + self.name + "'>"; });
+        bindArmFiles(module);
 
         robots
             .def_static(
@@ -165,19 +265,22 @@ namespace ompl_certificates_python
                 py::arg("bounds") = py::none(), py::arg("attached") = std::vector<AttachedBody>(),
                 py::arg("packages") = Packages(), py::arg("visuals") = false,
                 py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                py::arg("touchable") = std::vector<TouchableObstacle>(),
                 "An arm from a URDF file, in meters, and an SRDF file that names the group of joints to plan "
                 "for. base is the pose of its root link; joint_values are those of joints that are not of the "
                 "group. A planar or floating joint in the group needs bounds of its position, (low, high), of 2 "
                 "or 3 numbers. attached are bodies that it carries. packages tells the folders of packages that "
                 "meshes are in (package://name/...), where they are not around the URDF file; visuals takes visual "
                 "geometry in place of that for collisions. may_touch_obstacles are links, and attached bodies, that are "
-                "not checked against obstacles, such as the foot of a robot that is bolted to a table. A state has the values of the group's joints, in radians "
-                "or meters. What was ignored in the files is told by warnings.")
+                "not checked against obstacles, such as the foot of a robot that is bolted to a table; touchable are "
+                "obstacles that some of them may touch. A state has the values of the group's joints, in radians "
+                "or meters. For several arms of the same files take an ArmFile. What was ignored in the files is told by warnings.")
             .def_static(
                 "arms", &makeArms, py::arg("urdf"), py::arg("srdf"), py::arg("groups"), py::arg("base") = py::none(),
                 py::arg("joint_values") = JointValues(), py::arg("bounds") = py::none(),
                 py::arg("attached") = std::vector<AttachedBody>(), py::arg("packages") = Packages(),
                 py::arg("visuals") = false, py::arg("may_touch_obstacles") = std::vector<std::string>(),
+                py::arg("touchable") = std::vector<TouchableObstacle>(),
                 "The arms of one mechanism as several robots, such as both arms of a torso. groups tells the group of "
                 "joints that each moves, by the robot's name: {'left': 'left_arm', 'right': 'right_arm'}. A link "
                 "belongs to the robot that moves it, and links that none moves to the first. The rest is as for "

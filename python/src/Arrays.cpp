@@ -275,6 +275,14 @@ namespace ompl_certificates_python
                         " or a 4 × 4 matrix, not of shape " + shapeOf(array));
     }
 
+    std::vector<PlacedBody> toPlacedBodies(const std::vector<Placed> &bodies, unsigned int dimension)
+    {
+        std::vector<PlacedBody> placed;
+        for (const auto &[body, pose] : bodies)
+            placed.push_back({body, toPose(pose, dimension)});
+        return placed;
+    }
+
     Eigen::Matrix3d toRotation(const py::object &object)
     {
         const auto array = toDoubles(object, "rotation");

@@ -1,7 +1,7 @@
 #ifndef OMPL_CERTIFICATES_PYTHON_ARRAYS_
 #define OMPL_CERTIFICATES_PYTHON_ARRAYS_
 
-#include <ompl_certificates/geometry/Pose.h>
+#include <ompl_certificates/geometry/Body.h>
 #include <ompl_certificates/geometry/TriangleMesh.h>
 #include <ompl_certificates/obstacles/CellBox.h>
 
@@ -9,6 +9,7 @@
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <pybind11/numpy.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ompl_certificates_python
@@ -62,6 +63,14 @@ namespace ompl_certificates_python
         identity. Three numbers are (x, y, angle) if \e dimension is 2.
         \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */
     ompl_certificates::Pose toPose(const py::object &object, unsigned int dimension);
+
+    /** \brief A body and its pose, as toPose() takes it */
+    using Placed = std::pair<ompl_certificates::Body, py::object>;
+
+    /** \brief Bodies at their poses, in a workspace of \e dimension
+        \throws ompl::Exception as toPose() */
+    std::vector<ompl_certificates::PlacedBody> toPlacedBodies(const std::vector<Placed> &bodies,
+                                                              unsigned int dimension);
 
     /** \brief A rotation, from (qx, qy, qz, qw) or a 3 × 3 matrix
         \throws ompl::Exception for another shape, numbers that are not finite, and what is no rotation */

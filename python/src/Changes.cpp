@@ -142,16 +142,12 @@ namespace ompl_certificates_python
                      "for colors and intensities. Rows that are not finite are none.");
         }
 
-        /** A body and its pose */
-        using Placed = std::pair<Body, py::object>;
-
         std::vector<ObstacleSet::Id> changeObstacles(Checker &checker, const std::vector<Placed> &added,
                                                      const std::map<ObstacleSet::Id, py::object> &moved,
                                                      const std::vector<ObstacleSet::Id> &removed)
         {
             BodyChange change;
-            for (const auto &[body, pose] : added)
-                change.added.push_back({body, toPose(pose, checker.getDimension())});
+            change.added = toPlacedBodies(added, checker.getDimension());
             for (const auto &[number, pose] : moved)
                 change.moved.emplace(number, toPose(pose, checker.getDimension()));
             change.removed = removed;

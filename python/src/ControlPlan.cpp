@@ -36,6 +36,13 @@ namespace ompl_certificates_python
             return text.str();
         }
 
+        void save(const ControlPlan &plan, const std::filesystem::path &file)
+        {
+            if (!plan.solution)
+                throw ompl::Exception(file, "there is no path to be written");
+            writePath(file, *plan.solution);
+        }
+
         /** Where the controls bring the team to at some times: one row for each */
         Doubles controlPlanAt(const ControlPlan &plan, const py::object &times)
         {
@@ -44,9 +51,16 @@ namespace ompl_certificates_python
             // That of the setup may look for proofs, which parts of a step do not need.
             const TeamPropagator propagator(plan.setup->getSpaceInformation());
             const ob::StateSpacePtr &space = plan.setup->getStateSpace();
-            return statesAt(times, space, stateTimes(*plan.solution),
-                            [&](unsigned int before, double since, ob::State *state)
+            const std::vector<double> known = stateTimes(*plan.solution);
+            return statesAt(times, space,
+                            [&](double time, ob::State *state)
                             {
+                                // The last state that is not later; before the first and after the last the team rests.
+                                const auto next = std::upper_bound(known.begin(), known.end(), time);
+                                const auto before =
+                                    static_cast<unsigned int>(next == known.begin() ? 0 : next - known.begin() - 1);
+                                const double since =
+                                    next == known.begin() || next == known.end() ? 0.0 : time - known[before];
                                 const ob::State *from = plan.solution->getState(before);
                                 if (since > 0.0)
                                     propagator.propagate(from, plan.solution->getControl(before), since, state);
@@ -100,7 +114,7 @@ namespace ompl_certificates_python
                 "Prove that no robot touches anything on the path, also within its steps, at whose ends alone discrete "
                 "mode looks. In a step that is not proved a hundred states are looked at until one collides. Raises "
                 "Error if there is no path.")
-            .def("save", &savePath<ControlPlan>, py::arg("file"),
+            .def("save", &save, py::arg("file"),
                  "Write times, states and controls as a table of comma-separated values (docs/controls.md).")
             .def(
                 "at", &controlPlanAt, py::arg("times"),

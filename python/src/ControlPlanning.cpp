@@ -103,7 +103,6 @@ namespace ompl_certificates_python
             setup->getSpaceInformation()->setPropagationStepSize(options.step);
             setup->getSpaceInformation()->setMinMaxControlDuration(options.minSteps, options.maxSteps);
             setup->setPlanner(makeControlPlanner(options.planner, setup->getSpaceInformation()));
-            setParameters(*setup->getPlanner(), options);
             setup->setNearestStructure(nearestStructureOf(options.nearest));
             return setup;
         }
@@ -149,13 +148,18 @@ namespace ompl_certificates_python
             const Quiet quiet(ompl::msg::LOG_ERROR);
             seedRandomNumbers(options.seed);
             const auto scene = std::make_shared<const Scene>(withEnds(original, start, goal));
-            scene->validate();
             if (options.planner.empty())
                 options.planner = defaultControlPlanner(static_cast<unsigned int>(scene->getMembers().size()));
 
             ControlPlan plan;
             plan.scene = scene;
-            plan.setup = makeSetup(*scene, options);
+            {
+                // Large meshes take time.
+                const py::gil_scoped_release release;
+                scene->validate();
+                plan.setup = makeSetup(*scene, options);
+            }
+            setParameters(*plan.setup->getPlanner(), options);
             plan.planner = plan.setup->getPlanner();
             plan.report.scene = scene->getName();
             plan.report.planner = options.planner;

@@ -1,9 +1,10 @@
 #include "DynamicRobots.h"
-#include "Arrays.h"
 
 #include <ompl_certificates/control/Car.h>
 #include <ompl_certificates/control/Integrator.h>
 #include <ompl_certificates/control/Unicycle.h>
+#include <ompl_certificates/robots/CarWithTrailer.h>
+#include <ompl_certificates/robots/ConfinedRobot.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 
 #include <cmath>
@@ -67,12 +68,12 @@ namespace ompl_certificates_python
 
         Robots makeIntegrator(const std::string &name, const Body &body, const std::vector<double> &low,
                               const std::vector<double> &high, const py::object &velocity,
-                              const py::object &acceleration)
+                              const py::object &acceleration, const std::vector<Placed> &keepOut)
         {
             const RealVectorBounds bounds = toBounds(low, high);
             const unsigned int axes = body.getDimension();
-            const RobotPtr shape =
-                axes == 2 ? RigidRobot::inR2(name, body, bounds) : RigidRobot::inR3(name, body, bounds);
+            const RobotPtr shape = confined(
+                axes == 2 ? RigidRobot::inR2(name, body, bounds) : RigidRobot::inR3(name, body, bounds), keepOut);
             const RealVectorBounds velocities = limitsOf(velocity, "velocity", axes);
             if (acceleration.is_none())
                 return Integrator::firstOrder(shape, velocities);
@@ -81,10 +82,11 @@ namespace ompl_certificates_python
 
         Robots makeUnicycle(const std::string &name, const Body &body, const std::vector<double> &low,
                             const std::vector<double> &high, const py::object &linear, const py::object &angular,
-                            const py::object &linearAcceleration, const py::object &angularAcceleration)
+                            const py::object &linearAcceleration, const py::object &angularAcceleration,
+                            const std::vector<Placed> &keepOut)
         {
             requirePlane(body, "body");
-            const RobotPtr shape = RigidRobot::inSE2(name, body, toBounds(low, high));
+            const RobotPtr shape = confined(RigidRobot::inSE2(name, body, toBounds(low, high)), keepOut);
             const RealVectorBounds speeds = limitsOf(linear, "linear", angular, "angular");
             if (linearAcceleration.is_none() != angularAcceleration.is_none())
                 throw ompl::Exception(linearAcceleration.is_none() ? "linear_acceleration" : "angular_acceleration",
@@ -99,7 +101,7 @@ namespace ompl_certificates_python
         Robots makeCar(const std::string &name, const Body &body, const std::vector<double> &low,
                        const std::vector<double> &high, const py::object &speed, const py::object &steering,
                        double wheelbase, const std::optional<Body> &trailer, const std::optional<double> &hitchLength,
-                       const std::optional<double> &maxHingeAngle)
+                       const std::optional<double> &maxHingeAngle, const std::vector<Placed> &keepOut)
         {
             requirePlane(body, "body");
             const RealVectorBounds bounds = toBounds(low, high);
@@ -110,35 +112,45 @@ namespace ompl_certificates_python
                                                      : "max_hinge_angle",
                                       "must be given, too: trailer, hitch_length and max_hinge_angle go together");
             if (!trailer)
-                return Car::alone(RigidRobot::inSE2(name, body, bounds), controls, wheelbase);
+                return Car::alone(confined(RigidRobot::inSE2(name, body, bounds), keepOut), controls, wheelbase);
             requirePlane(*trailer, "trailer");
-            return Car::withTrailer(std::make_shared<CarWithTrailer>(name, body, *trailer, *hitchLength, bounds),
-                                    controls, wheelbase, *maxHingeAngle);
+            const auto shape = std::make_shared<CarWithTrailer>(name, body, *trailer, *hitchLength, bounds);
+            return Car::withTrailer(confined(shape, keepOut), controls, wheelbase, *maxHingeAngle);
         }
+    }
+
+    RobotPtr confined(const RobotPtr &robot, const std::vector<Placed> &zones)
+    {
+        if (zones.empty())
+            return robot;
+        return std::make_shared<ConfinedRobot>(robot, toPlacedBodies(zones, robot->getWorkspaceDimension()));
     }
 
     void bindDynamicRobots(py::class_<Robot, Robots> &robot)
     {
         robot
             .def_static("integrator", &makeIntegrator, py::arg("name"), py::arg("body"), py::arg("low"),
-                        py::arg("high"), py::arg("velocity"), py::arg("acceleration") = py::none(),
+                        py::arg("high"), py::arg("velocity"), py::arg("acceleration") = py::none(), py::kw_only(),
+                        py::arg("keep_out") = std::vector<Placed>(),
                         "A robot that moves by controls and does not turn. Its controls are its velocities along the "
                         "axes; with an acceleration its accelerations, and then the velocities are part of its state. "
                         "Limits are a number v for -v to v along each axis, or (low, high), or an array of shape "
-                        "(dimension, 2).")
+                        "(dimension, 2). keep_out is that of Robot.rigid.")
             .def_static("unicycle", &makeUnicycle, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
                         py::arg("linear"), py::arg("angular"), py::arg("linear_acceleration") = py::none(),
-                        py::arg("angular_acceleration") = py::none(),
+                        py::arg("angular_acceleration") = py::none(), py::kw_only(),
+                        py::arg("keep_out") = std::vector<Placed>(),
                         "A robot in the plane that moves by controls: along its heading, and by turns. Its controls "
                         "are these two speeds; with both accelerations these, and then the speeds are part of its "
-                        "state. Limits are a number v for -v to v, or (low, high).")
+                        "state. Limits are a number v for -v to v, or (low, high). keep_out is that of Robot.rigid.")
             .def_static("car", &makeCar, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
                         py::arg("speed"), py::arg("steering"), py::arg("wheelbase"), py::arg("trailer") = py::none(),
-                        py::arg("hitch_length") = py::none(), py::arg("max_hinge_angle") = py::none(),
+                        py::arg("hitch_length") = py::none(), py::arg("max_hinge_angle") = py::none(), py::kw_only(),
+                        py::arg("keep_out") = std::vector<Placed>(),
                         "A car that moves by controls: the speed of its rear axle, where its frame's origin is, and "
                         "the steering angle. Limits are a number v for -v to v, or (low, high). wheelbase is the "
                         "distance between the axles. With a trailer, whose origin is hitch_length behind the car's, "
-                        "the headings of both differ by at most max_hinge_angle.")
+                        "the headings of both differ by at most max_hinge_angle. keep_out is that of Robot.rigid.")
             .def_property_readonly(
                 "control_names",
                 [](const Robot &self)

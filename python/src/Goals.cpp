@@ -82,6 +82,9 @@ namespace ompl_certificates_python
             const std::vector<double> numbers = toNumbers(object, what);
             if (numbers.size() != 2 && numbers.size() != 3)
                 throw ompl::Exception(what, "must have 2 or 3 numbers, not " + std::to_string(numbers.size()));
+            for (const double number : numbers)
+                if (!std::isfinite(number))
+                    throw ompl::Exception(what, "must be finite, not " + listOf(numbers));
             pose.note(numbers.size() == 2, what);
             return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
         }
@@ -89,7 +92,8 @@ namespace ompl_certificates_python
         bool isNumber(const py::object &object)
         {
             const auto array = py::array::ensure(object);
-            return array && array.ndim() == 0 && !py::isinstance<py::bool_>(object);
+            const bool isReal = array && std::string("iuf").find(array.dtype().kind()) != std::string::npos;
+            return isReal && array.ndim() == 0;
         }
 
         /** One tolerance for all axes, or three */
@@ -166,6 +170,8 @@ namespace ompl_certificates_python
                     const auto more = goal.cast<AnyOf>().goals;
                     result.goals.insert(result.goals.end(), more.begin(), more.end());
                 }
+                else if (isNumber(py::reinterpret_borrow<py::object>(goal)))
+                    throw ompl::Exception("AnyOf", "takes a list of goals; a number is none");
                 else
                     result.goals.push_back(py::reinterpret_borrow<py::object>(goal));
             if (result.goals.empty())

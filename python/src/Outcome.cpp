@@ -53,25 +53,22 @@ namespace ompl_certificates_python
             throw ompl::Exception(file, "pictures are SVG: the name must end in .svg");
     }
 
-    Doubles statesAt(const py::object &object, const ob::StateSpacePtr &space, const std::vector<double> &known,
-                     const std::function<void(unsigned int, double, ob::State *)> &write)
+    Doubles statesAt(const py::object &object, const ob::StateSpacePtr &space,
+                     const std::function<void(double, ob::State *)> &write)
     {
         const Doubles times = toDoubles(object, "times");
+        if (times.ndim() > 1)
+            throw ompl::Exception("times", "must be one number or an array of shape (n,), not " + shapeOf(times));
         if (std::any_of(times.data(), times.data() + times.size(), [](double time) { return std::isnan(time); }))
             throw ompl::Exception("times", "must be numbers, not nan");
         ob::ScopedState<> state(space);
         const auto stateOf = [&](unsigned int i)
         {
-            const double time = times.data()[i];
-            // The first state that is later; before the first and after the last the team rests.
-            const auto next = std::upper_bound(known.begin(), known.end(), time);
-            const auto before = next == known.begin() ? next : std::prev(next);
-            const bool rests = before == next || next == known.end();
-            write(static_cast<unsigned int>(before - known.begin()), rests ? 0.0 : time - *before, state.get());
+            write(times.data()[i], state.get());
             return state.get();
         };
         Doubles rows = toRows(*space, static_cast<unsigned int>(times.size()), stateOf);
-        return times.ndim() == 0 ? Doubles(rows.squeeze()) : rows;
+        return times.ndim() == 0 ? Doubles(rows.reshape({rows.shape(1)})) : rows;
     }
 
     py::object toView(const std::string &html, const py::object &path)

@@ -78,11 +78,10 @@ namespace ompl_certificates_python
 
     /** \brief The states of a path at some times: one row for each
         \param object the times, as an array or as one number
-        \param known the times of the path's states, in ascending order
-        \param write writes the state some seconds after that of an index: 0 seconds at the ends, where the team rests
-        \throws ompl::Exception if a time is no number */
-    Doubles statesAt(const py::object &object, const ompl::base::StateSpacePtr &space, const std::vector<double> &known,
-                     const std::function<void(unsigned int, double, ompl::base::State *)> &write);
+        \param write writes the state at a time
+        \throws ompl::Exception if a time is no number, or times have more than one dimension */
+    Doubles statesAt(const py::object &object, const ompl::base::StateSpacePtr &space,
+                     const std::function<void(double, ompl::base::State *)> &write);
 
     /** \brief The page with \e html, which is written to \e path unless that is None */
     py::object toView(const std::string &html, const py::object &path);
@@ -136,14 +135,6 @@ namespace ompl_certificates_python
             html = viewer.toHtml();
         }
         return toView(html, path);
-    }
-
-    template <typename Kind>
-    void savePath(const Kind &plan, const std::filesystem::path &file)
-    {
-        if (!plan.solution)
-            throw ompl::Exception(file, "there is no path to be written");
-        py::cast(file).attr("write_text")(ompl_certificates::toCsv(*plan.solution), py::arg("encoding") = "utf-8");
     }
 
     /** \brief Adds what plans of all kinds have to the class of one. */

@@ -4,8 +4,10 @@
 
 #include <ompl_certificates/planning/ProvePath.h>
 #include <ompl_certificates/team/PathTimes.h>
+#include <ompl_certificates/team/TimedPath.h>
 
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace ompl_certificates_python
@@ -32,23 +34,24 @@ namespace ompl_certificates_python
             return text.str();
         }
 
+        void save(const Plan &plan, const std::filesystem::path &file, const std::optional<double> &step)
+        {
+            if (!plan.solution)
+                throw ompl::Exception(file, "there is no path to be written");
+            if (step)
+                writePath(file, *plan.solution, *step);
+            else
+                writePath(file, *plan.solution);
+        }
+
         /** Where the team is at some times: one row for each */
         Doubles planAt(const Plan &plan, const py::object &times)
         {
             if (!plan.solution)
                 throw ompl::Exception("at", "there is no path");
-            const ob::StateSpacePtr &space = plan.solution->getSpaceInformation()->getStateSpace();
-            const std::vector<double> known = stateTimes(*plan.solution);
-            return statesAt(times, space, known,
-                            [&](unsigned int before, double since, ob::State *state)
-                            {
-                                const ob::State *from = plan.solution->getState(before);
-                                if (since > 0.0)
-                                    space->interpolate(from, plan.solution->getState(before + 1),
-                                                       since / (known[before + 1] - known[before]), state);
-                                else
-                                    space->copyState(state, from);
-                            });
+            const TimedPath path(*plan.solution);
+            return statesAt(times, plan.solution->getSpaceInformation()->getStateSpace(),
+                            [&](double time, ob::State *state) { path.computeState(time, state); });
         }
     }
 
@@ -83,8 +86,9 @@ namespace ompl_certificates_python
                  "Prove that no robot touches anything on the path, also between the samples that discrete mode looks "
                  "at, among the checker's obstacles as they are now. Where a motion is not proved, samples a hundred "
                  "times as dense are looked at until one collides. Raises Error if there is no path.")
-            .def("save", &savePath<Plan>, py::arg("file"),
-                 "Write the path as a table of comma-separated values (docs/plan-team.md).")
+            .def("save", &save, py::arg("file"), py::kw_only(), py::arg("step") = py::none(),
+                 "Write the path as a table of comma-separated values (docs/plan-team.md). With a step there is a line "
+                 "at each multiple of it in time, too, such as the period of a controller.")
             .def(
                 "at", &planAt, py::arg("times"),
                 "Where the team is at some times, of shape (n, coordinates), or for one time (coordinates,). Between two "

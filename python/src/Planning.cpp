@@ -173,24 +173,25 @@ namespace ompl_certificates_python
                     problem.chooseGoals(setup);
             }
             const ob::ScopedState<> end = goalOf(setup);
+            ob::OptimizationObjectivePtr objective;
             try
             {
                 requireFree(setup, checker,
                             problem.hasRegions() ? "goal, where no free state was found:" : "goal:", end.get());
+                if (options.objective != "length" || options.first)
+                    objective = makeObjective(options.objective, setup.getSpaceInformation(), end);
             }
             catch (const ompl::Exception &)
             {
-                // A goal that is refused is not remembered.
+                // A problem that is refused is not remembered.
                 setup.setStartState(lastStart);
                 setup.setGoal(lastGoal);
                 throw;
             }
-            setup.setOptimizationObjective(options.objective == "length" && !options.first
-                                               ? nullptr
-                                               : makeObjective(options.objective, setup.getSpaceInformation(), end));
             // Any solution is good enough.
             if (options.first)
-                setup.getOptimizationObjective()->setCostThreshold(setup.getOptimizationObjective()->infiniteCost());
+                objective->setCostThreshold(objective->infiniteCost());
+            setup.setOptimizationObjective(objective);
         }
 
         double costOf(TeamSetup &setup, const Options &options)
@@ -258,6 +259,7 @@ namespace ompl_certificates_python
             Checker &checker = *owner;
             const auto planning = checker.beginPlanning();
             requirePositive(options.seconds, "time");
+            requireCallable(options.callback);
             for (const RobotPtr &robot : checker.getSetup().getTeam().getRobots())
                 if (dynamic_cast<const DynamicRobot *>(robot.get()))
                     throw ompl::Exception(checker.getSceneName(), "robot '" + robot->getName() +

@@ -22,7 +22,12 @@ namespace ompl_certificates_python
       , hasCallback_(!callback_.is_none())
       , planner_(planner)
     {
-        if (hasCallback_ && !PyCallable_Check(callback_.ptr()))
+        requireCallable(callback_);
+    }
+
+    void requireCallable(const py::object &callback)
+    {
+        if (!callback.is_none() && !PyCallable_Check(callback.ptr()))
             throw py::type_error("callback must be callable");
     }
 

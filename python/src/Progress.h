@@ -14,6 +14,10 @@
 
 namespace ompl_certificates_python
 {
+    /** \brief Refuse what cannot be called, and is not None.
+        \throws pybind11::type_error if so */
+    void requireCallable(const pybind11::object &callback);
+
     /** \brief Ends a plan: after a time or a number of evaluations, on Ctrl-C, or when the callback says so.
 
         The planner runs in a thread of its own. Meanwhile the thread that called looks for signals and calls the

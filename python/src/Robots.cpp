@@ -9,7 +9,10 @@
 #include <ompl_certificates/robots/CarWithTrailer.h>
 #include <ompl_certificates/robots/RigidRobot.h>
 #include <ompl_certificates/team/Coordinates.h>
+#include <ompl_certificates/team/Rotations.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
 #include <optional>
@@ -30,16 +33,27 @@ namespace ompl_certificates_python
         }
 
         RobotHolder makeRigid(const std::string &name, const Body &body, const std::vector<double> &low,
-                              const std::vector<double> &high, bool turns, std::optional<double> turningRadius)
+                              const std::vector<double> &high, bool turns, std::optional<double> turningRadius,
+                              const std::vector<Placed> &keepOut)
         {
             const auto bounds = toBounds(low, high);
             if (turningRadius && (!turns || body.getDimension() == 3))
                 throw ompl::Exception("turning_radius", "is for planar bodies that turn");
             if (turningRadius)
-                return hold(RigidRobot::inReedsShepp(name, body, *turningRadius, bounds));
+                return hold(confined(RigidRobot::inReedsShepp(name, body, *turningRadius, bounds), keepOut));
             if (body.getDimension() == 2)
-                return hold(turns ? RigidRobot::inSE2(name, body, bounds) : RigidRobot::inR2(name, body, bounds));
-            return hold(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds));
+                return hold(confined(
+                    turns ? RigidRobot::inSE2(name, body, bounds) : RigidRobot::inR2(name, body, bounds), keepOut));
+            return hold(confined(turns ? RigidRobot::inSE3(name, body, bounds) : RigidRobot::inR3(name, body, bounds),
+                                 keepOut));
+        }
+
+        RobotHolder makeCarWithTrailer(const std::string &name, const Body &car, const Body &trailer,
+                                       double hitchLength, const std::vector<double> &low,
+                                       const std::vector<double> &high, const std::vector<Placed> &keepOut)
+        {
+            return hold(confined(std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)),
+                                 keepOut));
         }
 
         const Arm &requireArm(const Robot &robot)
@@ -66,15 +80,39 @@ namespace ompl_certificates_python
             if (state.size() != space->getValueLocations().size())
                 throw ompl::Exception("state", "must have " + std::to_string(space->getValueLocations().size()) +
                                                    " numbers, not " + std::to_string(state.size()));
+            // OMPL aborts at angles and quaternions out of their range.
+            if (!std::all_of(state.begin(), state.end(), [](double number) { return std::isfinite(number); }))
+                throw ompl::Exception("state", "all numbers must be finite");
+            const Rotations rotations(*space);
+            std::vector<double> numbers = state;
+            rotations.wrapAngles(numbers);
+            if (const double length = rotations.normalizeQuaternions(numbers); length != 1.0)
+                throw ompl::Exception("state", "a quaternion must have length 1, not " + std::to_string(length));
             ompl::base::ScopedState<> scoped(space);
-            space->copyFromReals(scoped.get(), state);
+            space->copyFromReals(scoped.get(), numbers);
             return scoped;
+        }
+
+        /** How many bodies a robot moves: zones come after them. */
+        std::size_t countMoved(const Robot &robot)
+        {
+            std::size_t count = robot.getBodies().size();
+            while (robot.isZone(count - 1))
+                --count;
+            return count;
+        }
+
+        std::vector<Body> bodiesOf(const Robot &robot)
+        {
+            const std::vector<Body> &all = robot.getBodies();
+            return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(countMoved(robot))};
         }
 
         py::array_t<double> posesOf(const Robot &robot, const std::vector<double> &state)
         {
             std::vector<Pose> poses(robot.getBodies().size());
             robot.placeBodies(toState(robot, state).get(), poses.data());
+            poses.resize(countMoved(robot));
             py::array_t<double> result({static_cast<py::ssize_t>(poses.size()), py::ssize_t(4), py::ssize_t(4)});
             for (std::size_t i = 0; i < poses.size(); ++i)
                 RowMatrix(result.mutable_data() + 16 * i) = poses[i].matrix();
@@ -128,22 +166,23 @@ namespace ompl_certificates_python
                                               "robot that moves by controls");
         forbidNew(robots, "Robot.rigid(), Robot.arm() and other functions of the class make robots");
         robots
-            .def_static("rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
-                        py::arg("turns") = true, py::arg("turning_radius") = py::none(),
-                        "A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y "
-                        "and, if it turns, the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw. "
-                        "With a turning_radius it drives as a car does, forward and backward along the curves of Reeds "
-                        "and Shepp; its x axis points ahead.")
             .def_static(
-                "car_with_trailer",
-                [](const std::string &name, const Body &car, const Body &trailer, double hitchLength,
-                   const std::vector<double> &low, const std::vector<double> &high) -> RobotHolder
-                { return std::make_shared<CarWithTrailer>(name, car, trailer, hitchLength, toBounds(low, high)); },
-                py::arg("name"), py::arg("car"), py::arg("trailer"), py::arg("hitch_length"), py::arg("low"),
-                py::arg("high"), "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle")
+                "rigid", &makeRigid, py::arg("name"), py::arg("body"), py::arg("low"), py::arg("high"),
+                py::arg("turns") = true, py::arg("turning_radius") = py::none(), py::kw_only(),
+                py::arg("keep_out") = std::vector<Placed>(),
+                "A robot of one body. low and high bound its position, with 2 or 3 numbers. A state is x, y "
+                "and, if it turns, the angle in radians; in space x, y, z and the quaternion qx, qy, qz, qw. "
+                "With a turning_radius it drives as a car does, forward and backward along the curves of Reeds "
+                "and Shepp; its x axis points ahead. keep_out lists zones that this robot alone must not enter, "
+                "pairs of a body and its pose.")
+            .def_static("car_with_trailer", &makeCarWithTrailer, py::arg("name"), py::arg("car"), py::arg("trailer"),
+                        py::arg("hitch_length"), py::arg("low"), py::arg("high"), py::kw_only(),
+                        py::arg("keep_out") = std::vector<Placed>(),
+                        "A car that pulls a trailer in the plane: x, y, its angle, the trailer's angle. keep_out lists "
+                        "zones that it must not enter, pairs of a body and its pose.")
             .def("__repr__", [](const Robot &robot) { return "<Robot '" + robot.getName() + "'>"; })
             .def_property_readonly("name", &Robot::getName, "The robot's name, unique in its team")
-            .def_property_readonly("bodies", &Robot::getBodies, "The bodies that the robot moves")
+            .def_property_readonly("bodies", &bodiesOf, "The bodies that the robot moves")
             .def_property_readonly(
                 "coordinates", [](const Robot &robot) { return coordinateNames(robot); },
                 "The names of the numbers of a state")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Dict
 
 import numpy as np
 import pytest
@@ -113,6 +113,10 @@ def test_a_single_arm_needs_no_dict() -> None:
         (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=0), "position_tolerance: must be at least 1e-9"),
         (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=1e-10), r"at least 1e-9, not \(1e-10, 1e-10, 1e-10\)"),
         (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance=True), "position_tolerance: must be a list"),
+        (lambda: oc.LinkPose("a", [1, 2, 3], position_tolerance="x"), "position_tolerance: "),
+        (lambda: oc.LinkPose("a", [1, 2, np.nan]), r"position: must be finite, not \(1, 2, nan\)"),
+        (lambda: oc.AnyOf([0.0, 1.0, 2.0]), "AnyOf: takes a list of goals; a number is none"),
+        (lambda: oc.LinkPose("a", rotation="x"), "rotation: "),
         (lambda: oc.LinkPose("a", [1, 2, 3], rotation=0.5), "rotation: must be of space"),
         (lambda: oc.LinkPose("a", [1, 2], point=[1, 2, 3]), "point: must be of the plane"),
         (
@@ -139,6 +143,14 @@ def test_goals_that_are_refused_are_not_remembered() -> None:
     plan = oc.plan(checker, time=10, first=True)
     assert np.allclose(plan.path[0], scene.start)
     assert np.abs(tool_positions(scene, plan.path[-1]) - before).max() <= 2e-3
+
+
+@pytest.mark.parametrize("option", [{"objective": "nothing"}, {"callback": 3}])
+def test_a_problem_is_remembered_only_if_it_is_planned(room: oc.Scene, option: Dict[str, Any]) -> None:
+    checker = oc.Checker(room)
+    with pytest.raises((oc.Error, TypeError)):
+        oc.plan(checker, start=room.goal, goal=room.start, **option)
+    assert (oc.plan(checker, time=10, first=True).path[0] == room.start).all()
 
 
 def test_an_arm_that_is_there_stays() -> None:
@@ -256,6 +268,9 @@ def test_any_of_several_goals_will_do() -> None:
     assert plan.path[-1][0] == 5 and plan.path[-1][1] in (1, 2)
     robot = scene.robots[0]
     assert robot.goal_distance(docks, [9, 1, 1]) == 0 and robot.goal_distance(docks, [9, 1.5, 1]) == 0.5
+    assert robot.goal_distance(docks, [9, 1, 1 - 2 * np.pi]) == pytest.approx(0, abs=1e-12)
+    with pytest.raises(oc.Error, match="^state: all numbers must be finite$"):
+        robot.goal_distance(docks, [9, np.nan, 1])
     samples = robot.sample_goal(oc.AnyOf([[5, 1, 0], [7, 2, 0]]), 20)
     assert {tuple(row[:2]) for row in samples} == {(5, 1), (7, 2)}
     wrong: list[tuple[Any, str]] = [

@@ -113,6 +113,17 @@ def test_report_is_a_dict(room: oc.Scene, tmp_path: pathlib.Path) -> None:
     assert (room.load_path(tmp_path / "path.csv") == plan.path).all()
     table = np.loadtxt(tmp_path / "path.csv", delimiter=",", skiprows=1)
     assert (table[:, 1:5] == plan.path).all()
+    step = plan.times[-1] / 7.5
+    plan.save(tmp_path / "ticks.csv", step=step)
+    ticks = np.loadtxt(tmp_path / "ticks.csv", delimiter=",", skiprows=1)
+    assert set(plan.times) <= set(ticks[:, -1]) and len(ticks) == 7 + len(plan.times)
+    assert np.diff(ticks[:, -1]).max() <= step * (1 + 1e-9)
+    assert np.allclose(ticks[:, 1:5], plan.at(ticks[:, -1]))
+    assert room.load_path(tmp_path / "ticks.csv").shape == (len(ticks), 4)
+    with pytest.raises(oc.Error, match="must be positive"):
+        plan.save(tmp_path / "ticks.csv", step=0)
+    with pytest.raises(oc.Error, match=r"^times: must be one number or an array of shape \(n,\), not \(2, 2\)"):
+        plan.at(np.zeros((2, 2)))
 
 
 @pytest.mark.parametrize("planner", ["RRT", "KPIECE1"])

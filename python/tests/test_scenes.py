@@ -404,3 +404,89 @@ def test_cars_drive_the_way_that_they_point() -> None:
         oc.Robot.rigid("car", oc.Body.box(0.8, 0.4), *bounds, turns=False, turning_radius=1.0)
     with pytest.raises(oc.Error, match="^turning_radius: is for planar bodies that turn$"):
         oc.Robot.rigid("car", oc.Body.sphere(0.4), [0] * 3, [1] * 3, turning_radius=1.0)
+
+
+ZONE: List[Tuple[oc.Body, Any]] = [(oc.Body.box(2, 2), (5, 0))]
+
+
+def test_robots_keep_out_of_their_zones() -> None:
+    low, high, disc = [-9, -9], [9, 9], oc.Body.disc(0.3)
+    makers: List[Callable[[Any], oc.Robot]] = [
+        lambda zones: oc.Robot.rigid("r", disc, low, high, keep_out=zones),
+        lambda zones: oc.Robot.rigid("r", disc, low, high, turns=False, keep_out=zones),
+        lambda zones: oc.Robot.rigid("r", disc, low, high, turning_radius=1, keep_out=zones),
+        lambda zones: oc.Robot.car_with_trailer("r", disc, oc.Body.disc(0.1), 0.6, low, high, keep_out=zones),
+        lambda zones: oc.Robot.integrator("r", disc, low, high, 1, 1, keep_out=zones),
+        lambda zones: oc.Robot.unicycle("r", disc, low, high, 1, 1, keep_out=zones),
+        lambda zones: oc.Robot.car("r", disc, low, high, 1, 1, 0.3, keep_out=zones),
+        lambda zones: oc.Robot.car("r", disc, low, high, 1, 1, 0.3, disc, 0.7, 0.5, keep_out=zones),
+    ]
+    for make in makers:
+        robot, free = make(ZONE), make(())
+        assert robot.coordinates == free.coordinates and len(robot.bodies) == len(free.bodies)
+        scene = oc.Scene(low, high)
+        rest = [0] * (len(robot.coordinates) - 2)
+        scene.add_robot(robot, [0, 0, *rest], [0, 1, *rest])
+        checker = oc.Checker(scene)
+        states = np.array([[x, 0, *rest] for x in (3.6, 3.75, 5, 7.5)], dtype=float)
+        verdicts = checker.is_valid(states)
+        assert len(robot.poses(states[0])) == len(free.bodies)
+        assert verdicts.tolist() == [True, False, False, True], robot
+        assert checker.describe_collision(states[1]) == "robot 'r' touches keep_out[0]" + (
+            " with body 0" if len(free.bodies) > 1 else ""
+        )
+    with pytest.raises(oc.Error, match="^r: a zone of 3 dimensions"):
+        oc.Robot.rigid("r", disc, low, high, keep_out=[(oc.Body.sphere(1), None)])
+
+
+def test_only_one_robot_keeps_out_of_a_zone() -> None:
+    scene = oc.Scene([-9, -9], [9, 9])
+    for name, y, zones in (("shy", 0.0, ZONE), ("bold", 0.5, ())):
+        robot = oc.Robot.rigid(name, oc.Body.disc(0.2), [-9, -9], [9, 9], turns=False, keep_out=zones)
+        scene.add_robot(robot, [3, y], [7, y])
+    plan = oc.plan(scene, time=20, first=True, motion="continuous")
+    assert plan.solved and plan.prove()
+    ways = plan.at(np.linspace(0, plan.times[-1], 1000))
+    from_middle = [np.abs(ways[:, [i, i + 1]] - [5, 0]).max(axis=1).min() for i in (0, 2)]
+    assert from_middle[0] > 1.0 > from_middle[1]
+
+
+def test_arms_of_one_file_share_its_meshes(scenes: pathlib.Path) -> None:
+    arms = scenes / "arms"
+    file = oc.ArmFile(arms / "arm6.urdf", arms / "arm6.srdf")
+    assert file.groups == ["arm", "gripper"] and len(file.joints("arm")) == 6
+    ready = file.states("arm")["ready"]
+    known = oc.Robot.arm_states(arms / "arm6.urdf", arms / "arm6.srdf", "arm")
+    assert set(file.states("arm")) == set(known) and (known["ready"] == ready).all()
+    arm, same = file.arm("arm", name="picker"), oc.Robot.arm(arms / "arm6.urdf", arms / "arm6.srdf", "arm")
+    assert arm.name == "picker" and same.name == file.name
+    assert np.array_equal(arm.poses(ready), same.poses(ready)) and arm.links == same.links
+    (alone,) = file.arms({"one": "arm"}, base=[1, 0, 0])
+    assert np.allclose(alone.link_pose(ready, "palm")[:3, 3], arm.link_pose(ready, "palm")[:3, 3] + [1, 0, 0])
+    with pytest.raises(oc.Error, match="there is no group 'leg'"):
+        file.arm("leg")
+
+
+def test_some_links_may_touch_an_obstacle(scenes: pathlib.Path) -> None:
+    file = oc.ArmFile(scenes / "arms" / "arm6.urdf", scenes / "arms" / "arm6.srdf")
+    ready = file.states("arm")["ready"]
+    hold = np.eye(4)
+    hold[2, 3] = 0.2
+    rod = oc.AttachedBody("rod", "palm", oc.Body.box(0.02, 0.02, 0.3), hold, ["left_finger", "right_finger"])
+    end = file.arm("arm").link_pose(ready, "palm") @ [0, 0, 0.34, 1]
+
+    def told(touch_links: List[str], names: List[str]) -> str:
+        block = oc.TouchableObstacle("block", oc.Body.sphere(0.03), end[:3], touch_links)
+        assert repr(block) == "<TouchableObstacle 'block'>"
+        scene = oc.Scene([-2, -2, -2], [2, 2, 2])
+        for i, name in enumerate(names):
+            arm = file.arm("arm", name=name, base=[0, -1.5 * i, 0], attached=[rod], touchable=[block])
+            scene.add_robot(arm, ready, ready)
+        return oc.Checker(scene).describe_collision(scene.start)
+
+    assert told([], ["a"]) == "robot 'a' touches obstacle 'block' with link 'rod'"
+    assert told(["rod"], ["a"]) == told(["rod"], ["a", "b"]) == ""
+    with pytest.raises(oc.Error, match="touch links of obstacle 'block': there is no link 'rood'; did you mean rod"):
+        told(["rood"], ["a"])
+    with pytest.raises(oc.Error, match="^body: must be a body in space"):
+        oc.TouchableObstacle("flat", oc.Body.disc(1))

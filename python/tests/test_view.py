@@ -5,6 +5,7 @@ import html
 import json
 import pathlib
 import re
+import resource
 from typing import Any, Dict
 
 import numpy as np
@@ -73,6 +74,26 @@ def test_without_a_solution_robots_stay_at_their_starts(room: oc.Scene) -> None:
     assert not plan.solved
     shown = shown_in(plan.view().html)
     assert shown["end"] == 0 and len(floats(shown["robots"][0]["times"])) == 1
+
+
+def test_files_stay_where_there_is_no_room_for_new_ones(room: oc.Scene, tmp_path: pathlib.Path) -> None:
+    plan = oc.plan(room, time=5.0, first=True)
+    page, path = tmp_path / "plan.html", tmp_path / "plan.csv"
+    page.write_text("old")
+    page.chmod(0o640)
+    path.write_text("old")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (50, limits[1]))
+    try:
+        with pytest.raises(OSError):
+            plan.view(page)
+        with pytest.raises(oc.Error, match="plan.csv"):
+            plan.save(path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert page.read_text() == path.read_text() == "old" and len(list(tmp_path.iterdir())) == 2
+    plan.view(page)
+    assert page.read_text(encoding="utf-8").startswith("<!") and page.stat().st_mode & 0o777 == 0o640
 
 
 def test_file_that_cannot_be_written_is_named(room: oc.Scene, tmp_path: pathlib.Path) -> None:
