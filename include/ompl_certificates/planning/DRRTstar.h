@@ -66,7 +66,7 @@ namespace ompl_certificates
 
         /** \brief Plan until \e condition becomes true or the objective is satisfied. Calls of solve() continue the
             search before, unless clear() was called, or the validity checker, the motion validator or the objective is
-            another one. If a robot finds no way even alone, an error names it; then planning also ends when the
+            another one. If a robot finds no way even alone, a message names it; then planning also ends when the
             roadmaps have grown to their limit and all goals were taken. */
         ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &condition) override;
 
