@@ -47,15 +47,26 @@ namespace ompl_certificates
 
     void wrapAngles(const ob::StateSpace &space, ob::State *state)
     {
-        if (space.getType() == ob::STATE_SPACE_SO2)
+        const auto wrap = [](ob::State *angle)
         {
-            double &angle = state->as<ob::SO2StateSpace::StateType>()->value;
-            angle = wrappedAngle(angle);
+            double &value = angle->as<ob::SO2StateSpace::StateType>()->value;
+            value = wrappedAngle(value);
+        };
+        switch (space.getType())
+        {
+            case ob::STATE_SPACE_REAL_VECTOR:
+            case ob::STATE_SPACE_SO3:
+            case ob::STATE_SPACE_SE3:
+                return;
+            case ob::STATE_SPACE_SO2:
+                return wrap(state);
+            case ob::STATE_SPACE_SE2:
+                return wrap(state->as<ob::CompoundState>()->components[1]);
+            default:
+                break;
         }
-        else if (space.getType() == ob::STATE_SPACE_REAL_VECTOR)
-            return;
         // A space that wraps a compound one says that it is compound, too, but its states are others.
-        else if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
+        if (const auto *compound = dynamic_cast<const ob::CompoundStateSpace *>(&space))
             for (unsigned int i = 0; i < compound->getSubspaceCount(); ++i)
                 wrapAngles(*compound->getSubspace(i), state->as<ob::CompoundState>()->components[i]);
     }
