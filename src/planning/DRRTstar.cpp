@@ -8,6 +8,8 @@
 #include "TeamGoals.h"
 #include "TeamRoadmaps.h"
 
+#include "ompl_certificates/team/TeamObjective.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -261,7 +263,14 @@ namespace ompl_certificates
     {
         const ob::Cost cost = path.cost(objective_);
         if (best_ && !objective_->isCostBetterThan(cost, getBestCost()))
+        {
+            // Of paths of one cost, such as a makespan, the one with the shorter ways is kept.
+            const auto lengths = std::make_shared<TeamObjective>(si_, TeamObjective::SUM_OF_LENGTHS);
+            if (!objective_->isCostBetterThan(getBestCost(), cost) &&
+                lengths->isCostBetterThan(path.cost(lengths), best_->cost(lengths)))
+                best_ = std::make_shared<og::PathGeometric>(path);
             return false;
+        }
         best_ = std::make_shared<og::PathGeometric>(path);
         bestCost_ = cost.value();
         if (const auto intermediate = pdef_->getIntermediateSolutionCallback())

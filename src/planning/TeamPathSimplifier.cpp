@@ -248,7 +248,30 @@ namespace ompl_certificates
             return accept({{robot, std::move(moved)}}, previous.time, next.time);
         }
 
-        /** Change paths if that lowers the cost, and the motions between two times are valid */
+        /** How long the way of a robot is through some knots, by its space's distance */
+        double lengthOf(unsigned int robot, const Knots &knots) const
+        {
+            const ob::StateSpace &space = team_.getRobotSpace(robot);
+            double length = 0.0;
+            for (std::size_t i = 1; i < knots.size(); ++i)
+                length += space.distance(knots[i - 1].state.get(), knots[i].state.get());
+            return length;
+        }
+
+        /** Whether the robots of \e changes, which have the knots that they had before, have shorter ways now */
+        bool areShorter(const std::vector<Change> &changes) const
+        {
+            double length = 0.0, old = 0.0;
+            for (const Change &change : changes)
+            {
+                length += lengthOf(change.robot, paths_.getKnots(change.robot));
+                old += lengthOf(change.robot, change.knots);
+            }
+            return length < (1.0 - LEAST_GAIN) * old;
+        }
+
+        /** Change paths if that lowers the cost, or makes ways shorter at the same cost, and the motions between two
+            times are valid */
         bool accept(std::vector<Change> changes, double first, double last)
         {
             const double begin = paths_.knotBefore(first), end = paths_.knotAfter(last);
@@ -259,7 +282,10 @@ namespace ompl_certificates
                     change.knots = paths_.exchange(change.robot, std::move(change.knots));
             };
             exchange();
-            if (isBetterBy(LEAST_GAIN, objective_, cost(begin, end), old) && isValid(begin, end))
+            const ob::Cost changed = cost(begin, end);
+            const bool isBetter = isBetterBy(LEAST_GAIN, objective_, changed, old) ||
+                                  (!objective_.isCostBetterThan(old, changed) && areShorter(changes));
+            if (isBetter && isValid(begin, end))
                 return true;
             exchange();
             return false;

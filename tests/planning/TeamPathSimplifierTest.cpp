@@ -1,4 +1,5 @@
 #include "support/CrowdProblem.h"
+#include "support/IterationLimit.h"
 #include "support/Quiet.h"
 
 #include "ompl_certificates/planning/DRRTstar.h"
@@ -92,6 +93,50 @@ TEST_F(TeamPathSimplifierTest, FindsTheStraightWayOfRobotsThatAreFarApart)
     EXPECT_TRUE(TeamPathSimplifier(stock, std::make_shared<TeamPathLength>(stock))
                     .simplify(path, ob::plannerNonTerminatingCondition()));
     EXPECT_NEAR(path.length(), std::sqrt(2.0 * (64.0 + 9.0)), 0.02);
+}
+
+TEST_F(TeamPathSimplifierTest, KeepsRobotsFromWanderingWhereThatCostsNothing)
+{
+    const auto bounds = cubeBounds(2, 20.0);
+    auto team = std::make_shared<TeamStateSpace>();
+    for (const std::string name : {"mover", "parked", "idle"})
+        team->addRobot(RigidRobot::disc(name, 0.4, bounds));
+    TeamSetup setup(team, std::make_shared<FclObstacles>(std::vector<PlacedBody>{}, 2));
+    setup.getSpaceInformation()->setup();
+    const auto makespan = std::make_shared<TeamObjective>(setup.getSpaceInformation(), TeamObjective::MAKESPAN);
+    const auto lengthsOf = [&](og::PathGeometric &path)
+    {
+        std::vector<double> lengths(3, 0.0);
+        for (std::size_t i = 1; i < path.getStateCount(); ++i)
+            for (unsigned int robot = 0; robot < 3; ++robot)
+                lengths[robot] += team->getSubspace(robot)->distance(
+                    path.getStates()[i - 1]->as<ob::CompoundState>()->components[robot],
+                    path.getStates()[i]->as<ob::CompoundState>()->components[robot]);
+        return lengths;
+    };
+    og::PathGeometric path(setup.getSpaceInformation());
+    ob::ScopedState<> start(team), state(team), goal(team);
+    start = std::vector<double>{-9, 0, 0, 5, 0, -5};
+    state = std::vector<double>{0, 0, 3, 8, 4, -8};
+    goal = std::vector<double>{9, 0, 0, 5, 1, -5};
+    for (const auto *each : {&start, &state, &goal})
+        path.append(each->get());
+    TeamPathSimplifier simplifier(setup.getSpaceInformation(), makespan);
+    EXPECT_TRUE(simplifier.simplify(path, 100, ob::plannerNonTerminatingCondition()));
+    EXPECT_EQ(path.cost(makespan).value(), 18.0);
+    EXPECT_EQ(lengthsOf(path), (std::vector<double>{18.0, 0.0, 1.0}));
+
+    // The planner keeps the shorter one of two paths of one cost. The mover has to pass the parked one here.
+    ompl::RNG::setSeed(1);
+    start = std::vector<double>{-9, 5, 0, 5, 0, -5};
+    goal = std::vector<double>{9, 5, 0, 5, 1, -5};
+    setup.setStartAndGoalStates(start, goal);
+    setup.setOptimizationObjective(makespan);
+    setup.setPlanner(std::make_shared<DRRTstar>(setup.getSpaceInformation()));
+    ASSERT_EQ(setup.solve(ob::IterationTerminationCondition(20000)), ob::PlannerStatus::EXACT_SOLUTION);
+    const std::vector<double> lengths = lengthsOf(setup.getSolutionPath());
+    EXPECT_LT(lengths[1], 4.0);
+    EXPECT_LT(lengths[2], 1.2);
 }
 
 TEST_F(TeamPathSimplifierTest, LetsEachRobotGoAtItsOwnSpeed)

@@ -14,7 +14,8 @@ namespace ompl_certificates
 
         ompl::geometric::PathSimplifier replaces a part of a path by one motion of the whole team, which is rarely free
         for many robots. Here a robot takes a shortcut, moves a corner of its way, or goes the same way at another pace.
-        A change is kept if it lowers the cost and the motion validator, of any class, accepts the motions that change.
+        A change is kept if it lowers the cost, or makes ways shorter at the same cost, and the motion validator, of any
+        class, accepts the motions that change. So no robot wanders where a makespan would let it.
         The cost of a path must be the sum of its motions' costs, as of all objectives of this library; that of the rest
         is not looked at.
 
@@ -29,7 +30,7 @@ namespace ompl_certificates
         TeamPathSimplifier(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective);
 
         /** \brief Try \e attempts changes of a valid path; fewer if \e condition becomes true
-            \return whether the path has a lower cost now */
+            \return whether the path has a lower cost now, or shorter ways */
         bool simplify(ompl::geometric::PathGeometric &path, std::uint64_t attempts,
                       const ompl::base::PlannerTerminationCondition &condition);
 
