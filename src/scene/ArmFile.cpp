@@ -2,6 +2,7 @@
 
 #include "LinkPairs.h"
 #include "SrdfReader.h"
+#include "TouchRules.h"
 #include "UrdfReader.h"
 #include "robots/JointTypes.h"
 
@@ -79,55 +80,6 @@ namespace ompl_certificates
                     std::abs(mimic->multiplier * followed->second + mimic->offset - value) > FILE_ROUNDING)
                     notes.push_back("joint '" + name + "' follows joint '" + mimic->joint +
                                     "', whose value counts in place of " + std::to_string(value));
-            }
-        }
-
-        /** The pairs that \e attached must not be checked in. Bodies that one link carries may touch each other, as
-            they do for MoveIt: they never move against each other. */
-        bool mayTouch(const std::vector<AttachedBody> &attached, const LinkPair &pair)
-        {
-            const auto areCarriedTogether = [&](const AttachedBody &body, const std::string &other)
-            {
-                return std::any_of(attached.begin(), attached.end(),
-                                   [&](const AttachedBody &another)
-                                   { return another.name == other && another.link == body.link; });
-            };
-            const auto allows = [&](const AttachedBody &body, const std::string &other)
-            {
-                return other == body.link || areCarriedTogether(body, other) ||
-                       std::find(body.touchLinks.begin(), body.touchLinks.end(), other) != body.touchLinks.end();
-            };
-            return std::any_of(attached.begin(), attached.end(),
-                               [&](const AttachedBody &body)
-                               {
-                                   return (pair.first == body.name && allows(body, pair.second)) ||
-                                          (pair.second == body.name && allows(body, pair.first));
-                               });
-        }
-
-        bool isAny(const std::vector<TouchableObstacle> &obstacles, const std::string &name)
-        {
-            return std::any_of(obstacles.begin(), obstacles.end(),
-                               [&](const TouchableObstacle &obstacle) { return obstacle.name == name; });
-        }
-
-        bool isOfAny(const std::vector<TouchableObstacle> &obstacles, const LinkPair &pair)
-        {
-            return isAny(obstacles, pair.first) || isAny(obstacles, pair.second);
-        }
-
-        /** Add the pairs of each obstacle and the links that must not touch it. Those in \e free may touch all. */
-        void addPairs(const std::vector<TouchableObstacle> &obstacles, const KinematicTree &tree,
-                      const std::vector<std::string> &free, std::vector<LinkPair> &pairs)
-        {
-            for (const TouchableObstacle &obstacle : obstacles)
-            {
-                const auto &allowed = obstacle.touchLinks;
-                for (const KinematicTree::Link &link : tree.getLinks())
-                    if (link.body && !isAny(obstacles, link.name) &&
-                        std::find(allowed.begin(), allowed.end(), link.name) == allowed.end() &&
-                        std::find(free.begin(), free.end(), link.name) == free.end())
-                        pairs.emplace_back(link.name, obstacle.name);
             }
         }
 
