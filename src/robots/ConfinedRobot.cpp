@@ -29,7 +29,7 @@ namespace ompl_certificates
                 throw ompl::Exception(robot.getName(), "a zone of " + std::to_string(zone.body.getDimension()) +
                                                            " dimensions cannot keep out a robot that moves in " +
                                                            std::to_string(dimension));
-            const PlacedBody rigid{zone.body, rigidPose(zone.pose, "a zone of '" + robot.getName() + "'")};
+            PlacedBody rigid{zone.body, rigidPose(zone.pose, "a zone of '" + robot.getName() + "'")};
             for (const Body::Part &part : rigid.body.getParts())
                 if (Pose pose = rigid.pose * part.pose;
                     dimension == 2 && (rigid.pose.translation().z() != 0.0 || !part.shape.snapToPlane(pose)))
@@ -46,6 +46,7 @@ namespace ompl_certificates
                 if (robot->isZone(body))
                     throw ompl::Exception(robot->getName(), "has zones already; name all of them together");
             std::vector<PlacedBody> result;
+            result.reserve(zones.size());
             for (const PlacedBody &zone : zones)
                 result.push_back(checked(*robot, zone));
             return result;
