@@ -164,19 +164,23 @@ namespace ompl_certificates_python
                               touchable, mayTouchObstacles);
         }
 
-        AttachedBody makeAttached(const std::string &name, const std::string &link, const Body &body,
-                                  const py::object &pose, const std::vector<std::string> &touchLinks)
+        void requireSpace(const Body &body)
         {
             if (body.getDimension() != 3)
                 throw ompl::Exception("body", "must be a body in space, since arms are");
+        }
+
+        AttachedBody makeAttached(const std::string &name, const std::string &link, const Body &body,
+                                  const py::object &pose, const std::vector<std::string> &touchLinks)
+        {
+            requireSpace(body);
             return {name, link, body, toPose(pose, 3), touchLinks};
         }
 
         TouchableObstacle makeTouchable(const std::string &name, const Body &body, const py::object &pose,
                                         const std::vector<std::string> &touchLinks)
         {
-            if (body.getDimension() != 3)
-                throw ompl::Exception("body", "must be a body in space, since arms are");
+            requireSpace(body);
             return {name, body, toPose(pose, 3), touchLinks};
         }
 
