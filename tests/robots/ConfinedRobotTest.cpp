@@ -30,6 +30,15 @@ namespace
         return {RigidRobot::inSE2("box", Body::box(0.9, 0.2), cubeBounds(2, HALF)), train("train")};
     }
 
+    /** The same, and a car that drives along curves */
+    std::vector<RobotPtr> robotsWithCurves(unsigned int dimension)
+    {
+        std::vector<RobotPtr> robots = someRobots(dimension);
+        if (dimension == 2)
+            robots.push_back(RigidRobot::inReedsShepp("car", Body::box(0.9, 0.2), 0.7, cubeBounds(2, HALF)));
+        return robots;
+    }
+
     PlacedBody randomZone(Random &random, unsigned int dimension)
     {
         const auto number = [&](double most) { return random.uniform(-most, most); };
@@ -37,9 +46,16 @@ namespace
         {
             Pose pose = poseAt({number(4.0), number(4.0), number(4.0)});
             pose.linear() = Eigen::AngleAxisd(number(3.0), Eigen::Vector3d::UnitX()).toRotationMatrix();
-            return {random.chance(0.5) ? Body::box(3.0, 0.1, 2.0) : Body::sphere(1.0), pose};
+            const Body mesh = Body::mesh(boxMesh({2.0, 0.2, 1.0}, Eigen::Vector3d::Zero()));
+            return {random.chance(0.3)   ? mesh
+                    : random.chance(0.5) ? Body::box(3.0, 0.1, 2.0)
+                                         : Body::sphere(1.0),
+                    pose};
         }
-        return {random.chance(0.5) ? Body::box(3.0, 0.1) : Body::disc(1.0),
+        const Body mesh = Body::planarMesh(boxMesh({2.0, 0.2, 1.0}, Eigen::Vector3d::Zero()));
+        return {random.chance(0.3)   ? mesh
+                : random.chance(0.5) ? Body::box(3.0, 0.1)
+                                     : Body::disc(1.0),
                 planarPose(number(4.0), number(4.0), number(3.0))};
     }
 
@@ -59,7 +75,7 @@ TEST(ConfinedRobot, IsARobotByTheLibrarysOwnTrial)
 {
     Random random(3);
     for (const unsigned int dimension : {2U, 3U})
-        for (const RobotPtr &robot : someRobots(dimension))
+        for (const RobotPtr &robot : robotsWithCurves(dimension))
         {
             const ConfinedRobot confined(robot, {randomZone(random, dimension), randomZone(random, dimension)});
             EXPECT_EQ(complaintOf([&] { checkRobot(confined, scaled(300)); }), "");
