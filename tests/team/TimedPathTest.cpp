@@ -96,8 +96,8 @@ TEST_F(TimedPathTest, ListEachTickAndEachState)
     for (std::size_t i = 0; i < late.size(); ++i)
         EXPECT_NEAR(late[i], now + 0.001 * static_cast<double>(i), 5e-7);
     EXPECT_TRUE(std::is_sorted(late.begin(), late.end()));
-    // However short the step is: what divides the path evenly has a line for each. The state in the middle of the path is
-    // another line where the number of parts is odd.
+    // However short the step is: what divides the path evenly has a line for each. The state in the middle of the
+    // path is another line where the number of parts is odd.
     for (const unsigned int parts : {3U, 300U, 3000U, 70001U})
         EXPECT_EQ(TimedPath(path(), {0.0, 0.5 / 3.0, 1.0 / 3.0}).listTimes(1.0 / 3.0 / parts).size(),
                   parts + 1 + parts % 2);
