@@ -138,6 +138,8 @@ namespace ompl_certificates
         bounds.setHigh(radius);
         SceneView view(bounds, from_, Eigen::Vector2d::Zero(), scale_);
         view.corner_ = -view.project(Eigen::Vector3d::Zero());
+        // What turns is drawn a hundred times.
+        view.mostCells_ = 500.0;
         return view;
     }
 
@@ -174,10 +176,8 @@ namespace ompl_certificates
                               high = box.max().head<2>().cwiseMin(corner_ + size_ + edge) + 0.1 * edge;
         if ((high - low).minCoeff() <= 0.0)
             return {};
-        // What is larger than a picture is drawn more coarsely.
-        constexpr double mostCells = 2000.0;
         const double extent = (high - low).maxCoeff();
-        MeshOutline outline(low, high, std::max(extent > 150.0 ? 0.5 : 0.25, extent / mostCells));
+        MeshOutline outline(low, high, std::max(extent > 150.0 ? 0.5 : 0.25, extent / mostCells_));
         for (const auto &triangle : seen)
             outline.add(triangle);
         std::vector<std::vector<MeshOutline::Loop>> outlines;

@@ -125,6 +125,8 @@ namespace ompl_certificates
         Eigen::Vector2d corner_;
         double scale_;
         Eigen::Vector2d size_;
+        /** How many cells an outline is found on at most, along an edge: what is larger is drawn more coarsely. */
+        double mostCells_{2000.0};
     };
 }
 

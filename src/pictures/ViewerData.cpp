@@ -138,13 +138,15 @@ namespace ompl_certificates
     json ViewerData::robot(std::size_t index, const RobotMotion &motion, const std::vector<Pose> &goal)
     {
         const Robot &robot = *scene_.getMembers()[index].robot;
-        json bodies = json::array();
+        json bodies = json::array(), zones = json::array();
         for (std::size_t body = 0; body < robot.getBodies().size(); ++body)
         {
             json parts = json::array();
-            // Those that are obstacles are there already. Zones are not shown.
-            if (!isOwnObstacle(robot, body))
-                for (const Body::Part &part : robot.getBodies()[body].getParts())
+            for (const Body::Part &part : robot.getBodies()[body].getParts())
+                if (robot.isZone(body))
+                    zones.push_back({shapes_.add(part.shape), poseJson(goal[body] * part.pose, origin_)});
+                // Those that are obstacles are there already.
+                else if (!isOwnObstacle(robot, body))
                     parts.push_back({shapes_.add(part.shape), poseJson(part.pose)});
             bodies.push_back(parts);
         }
@@ -166,7 +168,7 @@ namespace ompl_certificates
         json result{{"name", robot.getName()},  {"color", SceneDrawing::colorOf(index)},
                     {"bodies", bodies},         {"traced", robot.getTracedBody()},
                     {"times", packed(times)},   {"poses", packed(poses)},
-                    {"goal", packed(goalPoses)}};
+                    {"goal", packed(goalPoses)}, {"zones", zones}};
         if (const auto *arm = dynamic_cast<const Arm *>(&robot))
             for (std::size_t body = 0; body < bodies.size(); ++body)
                 result["links"].push_back(arm->getLinkOfBody(body));

@@ -118,10 +118,10 @@ namespace ompl_certificates
         return numbers;
     }
 
-    json poseJson(const Pose &pose)
+    json poseJson(const Pose &pose, const Eigen::Vector3d &origin)
     {
         json numbers = json::array();
-        for (const float number : numbersOf(pose, Eigen::Vector3d::Zero()))
+        for (const float number : numbersOf(pose, origin))
             numbers.push_back(rounded(static_cast<double>(number)));
         return numbers;
     }

@@ -38,7 +38,7 @@ namespace ompl_certificates
     std::array<float, 7> numbersOf(const Pose &pose, const Eigen::Vector3d &origin);
 
     /** \brief numbersOf() as a JSON array */
-    nlohmann::json poseJson(const Pose &pose);
+    nlohmann::json poseJson(const Pose &pose, const Eigen::Vector3d &origin = Eigen::Vector3d::Zero());
 }
 
 #endif

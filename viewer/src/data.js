@@ -9,8 +9,8 @@
 //   clouds        points (floats), radius
 //   robots        name, color, bodies (for each its parts: [shape, pose]), traced (an index of a body), times (floats,
 //                 of the keys), poses (floats: for each key those of all bodies), goal (floats: those of all bodies),
-//                 links (of an arm: their names, for each body), tree (low, step, points: 16 bits each; two points are a
-//                 line)
+//                 links (of an arm: their names, for each body), zones (that it keeps out of: [shape, pose]), tree
+//                 (low, step, points: 16 bits each; two points are a line)
 //   certificates  floats: x, y, z, radius
 //
 // A pose is seven numbers: the position and the quaternion x, y, z, w.

@@ -22,7 +22,7 @@ const DARK = {
 export const isDark = () => matchMedia('(prefers-color-scheme: dark)').matches
 export const look = isDark() ? DARK : LIGHT
 
-export const ORDER = { floor: 0, grid: 1, certificates: 2, obstacles: 3, tree: 4, trail: 5, path: 6, goal: 7, robot: 8 }
+export const ORDER = { floor: 0, grid: 1, certificates: 2, obstacles: 3, zones: 4, tree: 5, trail: 6, path: 7, goal: 8, robot: 9 }
 
 /** What a material needs in a flat scene: all of it is drawn in the order above. */
 export const FLAT = { depthTest: false, depthWrite: false, transparent: true }

@@ -1,5 +1,5 @@
-// A robot: its bodies as they are now and at its goal, its path with marks at equal times, a trail of bodies there, and
-// its part of the planner's tree.
+// A robot: its bodies as they are now and at its goal, its path with marks at equal times, a trail of bodies there, the
+// zones that it keeps out of, and its part of the planner's tree.
 import {
   BufferGeometry,
   CanvasTexture,
@@ -61,6 +61,7 @@ export class Robot {
     this.bodies = this.makeBodies(this.bodyMaterial(), ORDER.robot)
     this.group.add(...this.bodies)
     this.addGoal()
+    this.addLayer('zones', this.makeBody(data.zones, this.ghostMaterial(0.12), ORDER.zones, this.lineMaterial()))
     if (this.moves) this.addPath()
     if (data.tree.length > 0) this.addTree()
   }
@@ -83,6 +84,11 @@ export class Robot {
     return this.keep(new MeshBasicMaterial({ ...common, depthTest: this.plan.spatial, side: this.plan.spatial ? FrontSide : DoubleSide }))
   }
 
+  /** For edges in the robot's color */
+  lineMaterial() {
+    return this.keep(new LineBasicMaterial({ color: this.color, ...this.flat, transparent: true, opacity: 0.32, depthWrite: false }))
+  }
+
   edgeMaterial() {
     return new LineBasicMaterial({
       color: this.plan.spatial || isDark() ? '#000000' : '#202020',
@@ -95,15 +101,17 @@ export class Robot {
   /** A group for each body, at the origin */
   makeBodies(material, order, edges = true) {
     const line = edges && this.edgeMaterial()
-    return this.data.bodies.map((parts) => {
-      const body = new Group()
-      for (const [shape, pose] of parts) {
-        const objects = this.plan.spatial ? this.solidPart(shape, pose, material, line) : this.flatPart(shape, pose, material, line)
-        for (const object of objects) object.renderOrder = order
-        body.add(...objects)
-      }
-      return body
-    })
+    return this.data.bodies.map((parts) => this.makeBody(parts, material, order, line))
+  }
+
+  makeBody(parts, material, order, line) {
+    const body = new Group()
+    for (const [shape, pose] of parts) {
+      const objects = this.plan.spatial ? this.solidPart(shape, pose, material, line) : this.flatPart(shape, pose, material, line)
+      for (const object of objects) object.renderOrder = order
+      body.add(...objects)
+    }
+    return body
   }
 
   solidPart(shape, pose, material, line) {
@@ -174,10 +182,7 @@ export class Robot {
   addTree() {
     const geometry = new BufferGeometry()
     geometry.setAttribute('position', new Float32BufferAttribute(this.data.tree, 3))
-    const lines = new LineSegments(
-      geometry,
-      this.keep(new LineBasicMaterial({ color: this.color, ...this.flat, transparent: true, opacity: 0.32, depthWrite: false })),
-    )
+    const lines = new LineSegments(geometry, this.lineMaterial())
     lines.renderOrder = ORDER.tree
     this.addLayer('tree', lines)
   }

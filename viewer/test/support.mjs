@@ -25,8 +25,8 @@ export function plan(scene, ...options) {
   return { page: file('html'), size: readFileSync(file('html')).length, states: readPath(file('csv')), report: JSON.parse(readFileSync(file('json'), 'utf8')) }
 }
 
-export function launch() {
-  return chromium.launch({ executablePath: process.env.CHROMIUM, args: ['--use-gl=angle', '--use-angle=swiftshader', '--no-sandbox'] })
+export function launch(...options) {
+  return chromium.launch({ executablePath: process.env.CHROMIUM, args: ['--use-gl=angle', '--use-angle=swiftshader', '--no-sandbox', ...options] })
 }
 
 /** Open a page without a network. What goes wrong in it, and what it asks for beside its file, is in `troubles`. */
@@ -61,12 +61,12 @@ export async function pixels(page) {
   return { width, height, data: Buffer.from(data, 'base64') }
 }
 
-/** The mean color of the pixels that differ, and how many there are */
-export function difference(a, b) {
+/** The mean color of the pixels that differ by `least` or more, and how many there are */
+export function difference(a, b, least = 24) {
   const sum = [0, 0, 0]
   let count = 0
   for (let i = 0; i < a.data.length; i += 4) {
-    if (Math.max(...[0, 1, 2].map((c) => Math.abs(a.data[i + c] - b.data[i + c]))) < 24) continue
+    if (Math.max(...[0, 1, 2].map((c) => Math.abs(a.data[i + c] - b.data[i + c]))) < least) continue
     ++count
     for (let c = 0; c < 3; ++c) sum[c] += a.data[i + c]
   }

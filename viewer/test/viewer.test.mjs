@@ -181,3 +181,26 @@ test('keys and controls, on a phone', async () => {
   assert.deepEqual(troubles, [])
   await close()
 })
+
+test('zones that robots keep out of', async () => {
+  const made = plan('zones.yaml', '--iterations', '2000')
+  const { page, troubles, close } = await open(browser, made.page)
+  assert.deepEqual(await page.evaluate('viewer.plan.robots.map(({ zones }) => zones.length)'), [2, 2, 0, 0])
+  const zone = await page.evaluate('viewer.plan.robots[0].zones[0][1]')
+  const walkway = [11.75 - 10, 0, 0, 0, 0, 0, 1]
+  zone.forEach((number, i) => assert.ok(Math.abs(number - walkway[i]) < 1e-6, `${zone}`))
+  const shown = await pixels(page)
+  await page.keyboard.press('z')
+  assert.ok(difference(shown, await pixels(page), 8).count > 5000, 'zones can be seen')
+  assert.deepEqual(troubles, [])
+  await close()
+})
+
+test('a browser without WebGL', async () => {
+  const made = plan('paper_five_discs.yaml', '--iterations', '1000')
+  const plain = await launch('--disable-3d-apis')
+  const page = await plain.newPage()
+  await page.goto(`file://${made.page}`)
+  assert.match(await page.locator('#canvas .trouble').textContent(), /needs WebGL/)
+  await plain.close()
+})
