@@ -36,10 +36,6 @@ namespace ompl_certificates
             return static_cast<double>(nearest) < value ? std::nextafter(nearest, FLOAT_INF) : nearest;
         }
 
-        /** The smallest cell that is divided, as a fraction of the root's. Further certificates there go into chained
-            buckets. */
-        constexpr double SMALLEST_CELL = 1e-9;
-
         /** The largest coordinate of a certificate that is kept: squares of farther ones are infinite. */
         constexpr double FARTHEST = 1e150;
     }
@@ -225,12 +221,53 @@ namespace ompl_certificates
         root_.store(&root, std::memory_order_release);
     }
 
-    double CertificateTree::smallestCell(const Eigen::AlignedBox3d &cell) const
+    bool CertificateTree::mayDivide(const Eigen::AlignedBox3d &cell, const Bucket &first,
+                                    const Eigen::Vector3d &point) const
     {
-        // Far from the origin, a cell also needs enough floating-point resolution to have a middle.
-        const double farthest = cell.min().cwiseAbs().cwiseMax(cell.max().cwiseAbs()).maxCoeff();
-        return std::max(SMALLEST_CELL * cell.sizes().maxCoeff(),
-                        4.0 * std::numeric_limits<double>::epsilon() * farthest);
+        if (cell.isEmpty())
+            return false;
+        // A cell needs enough floating-point resolution to have a middle.
+        const double farthest = cell.min().cwiseAbs().cwiseMax(cell.max().cwiseAbs()).head(dimension_).maxCoeff();
+        if (cell.sizes().head(dimension_).minCoeff() <= 4.0 * std::numeric_limits<double>::epsilon() * farthest)
+            return false;
+        // No division takes certificates of one point apart. They go into chained buckets.
+        for (std::uint32_t i = 0; i < first.count; ++i)
+            if (first.certificate(i).point != point)
+                return true;
+        return false;
+    }
+
+    unsigned int CertificateTree::enterPart(const Eigen::Vector3d &point, Eigen::AlignedBox3d &cell, int &axis) const
+    {
+        unsigned int side = 0;
+        for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)
+        {
+            const double middle = cell.center()[axis];
+            const bool above = !(point[axis] < middle);
+            side = 2 * side + (above ? 1 : 0);
+            (above ? cell.min() : cell.max())[axis] = middle;
+        }
+        return side;
+    }
+
+    bool CertificateTree::contains(const Certificate &certificate) const
+    {
+        const Root &root = *root_.load(std::memory_order_acquire);
+        Eigen::AlignedBox3d cell = root.cell();
+        int axis = root.firstAxis;
+        Subtree subtree = root.subtree.load(std::memory_order_acquire);
+        while (!subtree.isNothing())
+        {
+            for (const Bucket *at = subtree.bucket(); at; at = at->next())
+                for (std::uint32_t i = 0, count = at->count.load(std::memory_order_acquire); i < count; ++i)
+                    if (at->certificate(i) == certificate)
+                        return true;
+            if (!subtree.isInnerNode())
+                return false;
+            const unsigned int side = enterPart(certificate.point, cell, axis);
+            subtree = subtree.innerNode()->child[side].load(std::memory_order_acquire);
+        }
+        return false;
     }
 
     void CertificateTree::growRootTo(const Eigen::Vector3d &point)
@@ -307,7 +344,6 @@ namespace ompl_certificates
 
         Root &root = *root_.load();
         Eigen::AlignedBox3d cell = root.cell();
-        const double smallest = cell.isEmpty() ? INF : smallestCell(cell);
         int axis = root.firstAxis;
         InnerNode *parent = nullptr;
         CertificateIndex index = NO_CERTIFICATE;
@@ -321,8 +357,7 @@ namespace ompl_certificates
                 link->store(Subtree(bucket), std::memory_order_release);
                 break;
             }
-            const bool isTooSmall = cell.isEmpty() || cell.sizes().head(dimension_).minCoeff() <= smallest;
-            if (!isFull(subtree) || (!subtree.isInnerNode() && isTooSmall))
+            if (!isFull(subtree) || (!subtree.isInnerNode() && !mayDivide(cell, *subtree.bucket(), certificate.point)))
             {
                 index = append(*subtree.bucket(), certificate);
                 break;
@@ -335,14 +370,7 @@ namespace ompl_certificates
                 link->store(Subtree(parent), std::memory_order_release);
                 lastBucket(*subtree.bucket()).link.store(Link::toOwn(parent), std::memory_order_release);
             }
-            unsigned int side = 0;
-            for (int i = 0; i < 2; ++i, axis = (axis + 1) % dimension_)
-            {
-                const double middle = cell.center()[axis];
-                const bool above = !(certificate.point[axis] < middle);
-                side = 2 * side + (above ? 1 : 0);
-                (above ? cell.min() : cell.max())[axis] = middle;
-            }
+            const unsigned int side = enterPart(certificate.point, cell, axis);
             // Bounds first, so that no search skips the certificate once it is there.
             extend(*parent, side, certificate);
             link = &parent->child[side];

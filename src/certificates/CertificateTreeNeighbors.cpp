@@ -10,17 +10,16 @@
 
 namespace ompl_certificates
 {
-    namespace
-    {
-    }
-
     struct CertificateTree::NearSearch
     {
         const Eigen::Vector3d center;
         const std::size_t limit;
         double worst;  // squared
         /** The nearest so far, as a heap with the farthest on top */
-        std::vector<std::pair<double, CertificateIndex>> heap;
+        std::vector<std::pair<double, CertificateIndex>> heap{};
+        /** How far a point may lie outside its cell: cells are found by halving the root, and have rounded borders if
+            that is very large. */
+        double rounding{0.0};
 
         void consider(double squaredDistance, CertificateIndex index)
         {
@@ -40,7 +39,7 @@ namespace ompl_certificates
 
     bool CertificateTree::remove(const Certificate &data)
     {
-        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), 0.0, {}};
+        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), 0.0};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
         {
@@ -58,6 +57,8 @@ namespace ompl_certificates
     void CertificateTree::nearFromRoot(NearSearch &search) const
     {
         const Root &root = *root_.load(std::memory_order_acquire);
+        const double farthest = root.low.cwiseAbs().cwiseMax(root.high.cwiseAbs()).maxCoeff();
+        search.rounding = 4.0 * std::numeric_limits<double>::epsilon() * farthest;
         nearDown(root.subtree.load(std::memory_order_acquire), root.cell(), root.firstAxis, search);
         std::sort_heap(search.heap.begin(), search.heap.end());
     }
@@ -88,8 +89,9 @@ namespace ompl_certificates
                 ((side & (2U >> i)) != 0 ? part.min() : part.max())[axes[i]] = middle[axes[i]];
             double squared = 0.0;
             for (int i = 0; i < dimension_; ++i)
-                squared +=
-                    std::pow(std::max({part.min()[i] - search.center[i], search.center[i] - part.max()[i], 0.0}), 2);
+                squared += std::pow(std::max({part.min()[i] - search.center[i] - search.rounding,
+                                              search.center[i] - part.max()[i] - search.rounding, 0.0}),
+                                    2);
             if (squared <= search.worst)
                 nearDown(child, part, (axis + 2) % dimension_, search);
         }
@@ -97,7 +99,7 @@ namespace ompl_certificates
 
     Certificate CertificateTree::nearest(const Certificate &data) const
     {
-        NearSearch search{data.point, 1, INF, {}};
+        NearSearch search{data.point, 1, INF};
         nearFromRoot(search);
         if (search.heap.empty())
             throw ompl::Exception("No elements found in nearest neighbors data structure");
@@ -109,7 +111,7 @@ namespace ompl_certificates
         nbh.clear();
         if (k == 0)
             return;
-        NearSearch search{data.point, k, INF, {}};
+        NearSearch search{data.point, k, INF};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
             nbh.push_back((*this)[index]);
@@ -120,7 +122,7 @@ namespace ompl_certificates
         nbh.clear();
         if (radius < 0.0)
             return;
-        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), radius * radius, {}};
+        NearSearch search{data.point, std::numeric_limits<std::size_t>::max(), radius * radius};
         nearFromRoot(search);
         for (const auto &[distance, index] : search.heap)
             nbh.push_back((*this)[index]);

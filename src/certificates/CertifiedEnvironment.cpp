@@ -197,6 +197,13 @@ namespace ompl_certificates
         verdict.validInterval = verdict.free ? query.requiredInterval : 0.0;
     }
 
+    void CertifiedEnvironment::add(const Certificate &certificate)
+    {
+        // Whoever loads a file before each plan does not pay for it each time.
+        if (!certificates_.contains(certificate))
+            certificates_.insert(certificate);
+    }
+
     void CertifiedEnvironment::collide(const PoseQuery &query, PoseVerdict &verdict, CheckCounts &counts) const
     {
         ObstaclePart hit;

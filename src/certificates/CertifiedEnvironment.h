@@ -78,12 +78,9 @@ namespace ompl_certificates
             return *obstacles_;
         }
 
-        /** \brief Adds a certificate of these obstacles, unless the limit is reached
+        /** \brief Adds a certificate of these obstacles, unless it is there already or the limit is reached
             \throws ompl::Exception as CertificateTree::insert() */
-        void add(const Certificate &certificate)
-        {
-            certificates_.insert(certificate);
-        }
+        void add(const Certificate &certificate);
 
         /** \brief The certificates of the obstacles */
         const CertificateTree &getCertificates() const

@@ -89,7 +89,68 @@ TEST_P(Neighbors, AreThoseOfALinearSearch)
     }
 }
 
+/** Of any size, at any place: cells may be larger than rounding lets their parts be. */
+TEST_P(Neighbors, AreFoundAtAnyDistanceFromEachOther)
+{
+    for (unsigned int seed = 0; seed < scaled(1000); ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto anyNumber = [&random]
+        { return random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-20.0, 20.0)); };
+        const double offset = random.chance(0.5) ? anyNumber() : 0.0;
+        const auto anyPoint = [&]
+        {
+            Eigen::Vector3d point = Eigen::Vector3d::Constant(offset);
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                point[axis] += anyNumber();
+            if (GetParam() == 2)
+                point.z() = 0.0;
+            return point;
+        };
+        CertificateTree tree(GetParam());
+        std::vector<Certificate> all;
+        for (std::size_t i = random.below(300); i > 0; --i)
+        {
+            all.push_back({anyPoint(), 1.0});
+            tree.add(all.back());
+        }
+        std::vector<Certificate> found;
+        for (const Certificate &one : all)
+        {
+            tree.nearestR(one, 0.0, found);
+            ASSERT_NE(std::find(found.begin(), found.end(), one), found.end()) << one.point.transpose();
+        }
+        // Neither a hint nor a promise: in files of certificates there are no such distances.
+        const auto contained =
+            std::count_if(all.begin(), all.end(), [&tree](const Certificate &one) { return tree.contains(one); });
+        EXPECT_GE(2 * contained, static_cast<std::ptrdiff_t>(all.size()));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Dimension, Neighbors, testing::Values(2U, 3U));
+
+/** One that is very far away does not make the rest one long list, which no search could shorten. */
+TEST(CertificateTreeNeighbors, AreDividedHoweverFarAnotherIs)
+{
+    const auto treeOf = [](double far, int place)
+    {
+        Random random(1);
+        CertificateTree tree(2);
+        for (int i = 0; i < 5000; ++i)
+        {
+            if (i == place)
+                tree.add({{far, far, 0.0}, 1.0});
+            tree.add({{random.uniform(0.0, 10.0), random.uniform(0.0, 10.0), 0.0}, 0.1});
+        }
+        return static_cast<double>(tree.bytes());
+    };
+    // Without inner nodes it is a quarter smaller.
+    const double near = treeOf(5.0, 0);
+    for (const double far : {1e9, 1e12, 1e30, -1e140})
+        for (const int place : {0, 20})
+            EXPECT_GT(treeOf(far, place), 0.9 * near) << far << " at " << place;
+}
 
 TEST(CertificateTreeNeighbors, AreSorted)
 {
@@ -130,6 +191,9 @@ TEST(CertificateTreeNeighbors, RemoveTakesTheOneWithTheSameClearance)
     EXPECT_FALSE(tree.remove({{1, 0, 0}, 3.0}));
     EXPECT_TRUE(tree.remove({{1, 0, 0}, 2.0}));
     EXPECT_EQ(tree.size(), 2U);
+    EXPECT_TRUE(tree.contains({{1, 0, 0}, 2.0}));
+    EXPECT_FALSE(tree.contains({{1, 0, 0}, 3.0}));
+    EXPECT_FALSE(tree.contains({{1, 0.5, 0}, 2.0}));
     std::vector<Certificate> left;
     tree.list(left);
     ASSERT_EQ(left.size(), 2U);

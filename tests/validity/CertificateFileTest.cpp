@@ -146,6 +146,21 @@ TEST_P(CertificateFile, KeepsItsSizeWhereNothingIsLearned)
     EXPECT_EQ(sizes.size(), 1U);
 }
 
+/** As who loads it before each plan does */
+TEST_P(CertificateFile, MayBeLoadedTwice)
+{
+    const auto obstacles = makeObstacles();
+    saveCertificates(*makeExperienced(obstacles, Method::SHARED_PROJECTION)->getTeamChecker(), file_);
+    for (const Method method : {Method::SHARED_PROJECTION, Method::PARTIAL})
+    {
+        const auto checker = makeFresh(obstacles, method)->getTeamChecker();
+        loadCertificates(*checker, file_);
+        const std::size_t count = checker->getCertificateCount();
+        loadCertificates(*checker, file_);
+        EXPECT_EQ(checker->getCertificateCount(), count);
+    }
+}
+
 TEST_P(CertificateFile, SharesALimitAmongRobots)
 {
     const auto obstacles = makeObstacles();

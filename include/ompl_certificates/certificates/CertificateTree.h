@@ -63,10 +63,10 @@ namespace ompl_certificates
         that certificate is near the query.
 
         Cells are divided in the middle. So the ratio of the points' distances bounds the depth, in any order of
-        insertion. Insertion never rebuilds or moves anything. A cell keeps its first twelve certificates; later
-        ones go into the four cells it is divided into. A certificate takes some 50 to 60 bytes in all. The tree stores
-        only certificates, not the states they prove. Each subtree keeps bounds of its certificates' balls, by which a
-        search skips it.
+        insertion, and a point that is very far from the others makes it only that much deeper. Insertion never rebuilds
+        or moves anything. A cell keeps its first twelve certificates; later ones go into the four cells it is divided
+        into. A certificate takes some 50 to 60 bytes in all. The tree stores only certificates, not the states they
+        prove. Each subtree keeps bounds of its certificates' balls, by which a search skips it.
 
         Threads: any number may search while others add. add() takes a lock; searches take none. remove(),
         setClearance() and clear() need exclusive use of the tree.
@@ -128,6 +128,10 @@ namespace ompl_certificates
 
         /** \brief The indices of the certificates that were added since setNotesAdded(true), or since the last call */
         std::vector<CertificateIndex> takeAdded();
+
+        /** \brief Whether a certificate is there. Cost: logarithmic. It may not be found if there is another that is
+            10^15 times as far away. */
+        bool contains(const Certificate &certificate) const;
 
         /** \brief The certificate of an index that insert() returned
             \throws ompl::Exception if there is no such certificate */
@@ -381,7 +385,11 @@ namespace ompl_certificates
         /** \brief Adds a certificate to a cell and returns its index */
         CertificateIndex append(Bucket &first, const Certificate &certificate);
         void chooseFirstCell();
-        double smallestCell(const Eigen::AlignedBox3d &cell) const;
+        bool mayDivide(const Eigen::AlignedBox3d &cell, const Bucket &first, const Eigen::Vector3d &point) const;
+
+        /** \brief Which of the four parts of \e cell a point is in. The cell becomes that part, and \e axis that along
+            which it is divided first. */
+        unsigned int enterPart(const Eigen::Vector3d &point, Eigen::AlignedBox3d &cell, int &axis) const;
         void growRootTo(const Eigen::Vector3d &point);
 
         template <int DIMENSION>

@@ -170,8 +170,9 @@ namespace ompl_certificates
         /** \brief All certificates of the obstacles, for pictures and analysis */
         std::vector<Certificate> getCertificates() const;
 
-        /** \brief Adds certificates of these obstacles, for example from another run. They must be true: they are not
-            checked. Partial gives them to each robot. At the limit of setMaxCertificates() no more are added.
+        /** \brief Adds certificates of these obstacles, for example from another run, but for those that it has. They
+            must be true: they are not checked. Partial gives them to each robot. At the limit of setMaxCertificates()
+            no more are added.
             \throws ompl::Exception if the method keeps no single certificates: FCL, STANDARD and BASIC. Also if a point
             is not finite, or not in the plane of a planar team, or a clearance is not a number or minus infinity; those
             before it are then added. */
