@@ -218,6 +218,9 @@ namespace ompl_certificates
                 throw ompl::Exception(
                     "The obstacles are mixed ones, and this change starts from one member of them; "
                     "give a mixedChange() of those of all members, or ObstacleChange::replacing() all");
+            // If all of it was added to what is not known, it takes the place of what there was.
+            if (change.added && change.added == change.after && !change.removed && !change.before)
+                return ObstacleChange::replacing(before, change.after);
             const bool namesNothing = !change.added && !change.removed;
             const ObstaclesPtr &starting = namesNothing ? change.after : change.before;
             return !starting || isSame(*starting, *before) ? change : ObstacleChange::replacing(before, change.after);

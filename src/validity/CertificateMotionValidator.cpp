@@ -144,8 +144,9 @@ namespace ompl_certificates
         if (isSampled_ && mode == CONTINUOUS)
             throw ompl::Exception(makesCertificates(method)
                                       ? team.getStateSpace()->getName() +
-                                            ": motions cannot be checked continuously: the space does not move the "
-                                            "robots as their own spaces do"
+                                            ": CertificateMotionValidator cannot check motions continuously: the space "
+                                            "does not move the robots as their own spaces do. Plan in "
+                                            "Robot::getStateSpace(), or in a TeamStateSpace"
                                       : "The method " + nameOf(method) +
                                             " makes no certificates and so cannot check motions continuously");
         if (mode == CONTINUOUS && !spaceInformation_.expired() &&

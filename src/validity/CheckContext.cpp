@@ -34,6 +34,8 @@ namespace ompl_certificates
       , teamCurve(*team.getStateSpace())
       , hasRobotCurves(team.interpolatesRobots() && !teamCurve.isCurve() && hasAny(curves))
       , hasCurves(teamCurve.isCurve() || hasAny(curves))
+      , mayMissEnds(teamCurve.mayMissEnd() || std::any_of(curves.begin(), curves.end(),
+                                                          [](const MotionCurve &curve) { return curve.mayMissEnd(); }))
       , placed(team.getRobotCount())
       , sparePoses(team.getBodyCount())
       , knowsMotionBounds(team.getRobotCount())

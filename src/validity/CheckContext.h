@@ -69,6 +69,9 @@ namespace ompl_certificates
         MotionCurve teamCurve;
         const bool hasRobotCurves, hasCurves;
 
+        /** \brief Whether motions may be led beside their ends; see MotionCurve::mayMissEnd() */
+        const bool mayMissEnds;
+
         /** \brief Begins another motion */
         void beginCurves()
         {

@@ -105,7 +105,7 @@ namespace ompl_certificates
         Cells proved;
         for (unsigned int subject = 0; subject < subjectCount_; ++subject)
         {
-            const bool free = settleCell(subject, cells_ - 1, proved);
+            const bool free = settleCell(subject, cells_ - 1, proved) && isEndFree(subject);
             countEnds();
             if (!free)
                 return false;
@@ -162,6 +162,9 @@ namespace ompl_certificates
                 else
                     unproved = cell;
             }
+        for (unsigned int subject = 0; subject < subjectCount_ && unproved == cells_; ++subject)
+            if (!isEndFree(subject))
+                --unproved;
         if (unproved == cells_)
         {
             giveReferences(s2_);

@@ -21,6 +21,13 @@ namespace ompl_certificates
             return !std::holds_alternative<None>(curve_);
         }
 
+        /** \brief Whether a motion may be led beside its end: OMPL takes steps of Dubins' that are shorter than a
+            millionth of the radius for straight ones, wherever they lead. */
+        bool mayMissEnd() const
+        {
+            return std::holds_alternative<Dubins>(curve_);
+        }
+
         /** \brief Begins another motion */
         void begin()
         {

@@ -21,11 +21,13 @@ namespace
 {
     constexpr double RADIUS = 1.0;
 
-    /** A disc that drives along the curves of its space, as a user may write it */
+    /** A body that drives along the curves of its space, as a user may write it */
     class CurveRobot : public Robot
     {
     public:
-        explicit CurveRobot(std::shared_ptr<ob::SE2StateSpace> space) : Robot("car", prepared(space), {Body::disc(0.1)})
+        explicit CurveRobot(const std::shared_ptr<ob::SE2StateSpace> &space, const Body &body = Body::disc(0.1),
+                            double radius = RADIUS)
+          : Robot("car", prepared(space), {body}), radius_(radius)
         {
         }
 
@@ -38,7 +40,7 @@ namespace
         void computeMotionBounds(const ob::State *from, const ob::State *to, MotionBound *bounds) const override
         {
             const double length = getStateSpace()->distance(from, to);
-            bounds[0] = {length, length / RADIUS};
+            bounds[0] = {length, length / radius_};
         }
 
     private:
@@ -47,6 +49,8 @@ namespace
             space->setBounds(cubeBounds(2, 10.0));
             return space;
         }
+
+        double radius_;
     };
 
     class Curves : public ErrorsOnly<std::string>
@@ -223,6 +227,30 @@ TEST_P(Curves, OfTeamsHaveSamplesAllAlong)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Curves, ::testing::Values("ReedsShepp", "SymmetricDubins", "Dubins"));
+
+/** For very short steps OMPL's curves of Dubins go straight ahead, wherever they should end. */
+TEST(CurvesOfDubins, AreFreeOnlyIfTheirEndIs)
+{
+    constexpr double radius = 1e4, step = 0.9e-6 * radius;
+    auto team = std::make_shared<TeamStateSpace>();
+    team->addRobot(
+        std::make_shared<CurveRobot>(std::make_shared<ob::DubinsStateSpace>(radius), Body::box(1.0, 1.0), radius));
+    const std::vector<PlacedBody> wall{{Body::box(100.0, 1.0), planarPose(5.0, 6.0 + 0.5 * step)}};
+    TeamSetup setup(team, std::make_shared<FclObstacles>(wall, 2), Method::SHARED_PROJECTION,
+                    CertificateMotionValidator::CONTINUOUS);
+    const auto &si = setup.getSpaceInformation();
+    si->setup();
+    ob::ScopedState<> from(team), to(team), last(team);
+    from = std::vector<double>{5.0, 5.0, 0.0};
+    to = std::vector<double>{5.0, 5.0 + step, 0.0};
+    ASSERT_TRUE(si->isValid(from.get()));
+    ASSERT_FALSE(si->isValid(to.get()));
+    EXPECT_FALSE(si->checkMotion(from.get(), to.get()));
+    std::pair<ob::State *, double> lastValid(last.get(), 1.0);
+    EXPECT_FALSE(si->checkMotion(from.get(), to.get(), lastValid));
+    EXPECT_LT(lastValid.second, 1.0);
+    EXPECT_TRUE(si->isValid(last.get()));
+}
 
 TEST(CurvesOfAnotherRadius, AreSampled)
 {

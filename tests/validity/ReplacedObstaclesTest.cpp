@@ -70,7 +70,7 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
 {
     const TeamStateSpacePtr team = teamOfDiscs();
     for (const auto &make : {makeObstacles<FclObstacles>, makeObstacles<Nameless>})
-        for (const bool told : {false, true})
+        for (const std::string told : {"after", "both", "after, twice"})
         {
             const ObstaclesPtr before = make(worldOf(1)), after = make(worldOf(2));
             TeamSetup setup(team, before);
@@ -82,8 +82,10 @@ TEST(ReplacedObstacles, LeaveNothingOfWhatWasKnown)
             // The same obstacles once more: who has a fingerprint keeps what is known.
             checker->changeObstacles({make(worldOf(1)), {}, {}});
             EXPECT_EQ(checker->getCertificateCount(), known);
-            checker->changeObstacles(told ? ObstacleChange::replacing(before, after)
-                                          : ObstacleChange{after, nullptr, nullptr});
+            // Who does not know what there was may still say that all of it is replaced.
+            checker->changeObstacles(told == "both"    ? ObstacleChange::replacing(before, after)
+                                     : told == "after" ? ObstacleChange{after, nullptr, nullptr}
+                                                       : ObstacleChange::replacing(nullptr, after));
             expectTruth(team, *checker, after, states);
         }
 }
