@@ -158,7 +158,8 @@ namespace ompl_certificates
     double ConvexCover::distanceToHull(const Eigen::Vector3d &point) const
     {
         ConvexSearch search;
-        Eigen::Vector3d direction = point;
+        // The middle has no direction of its own; it may lie outside as well, and then any direction will do to begin.
+        Eigen::Vector3d direction = point.squaredNorm() > 0.0 ? point : Eigen::Vector3d(Eigen::Vector3d::UnitX());
         for (unsigned int step = 0; step < ConvexSearch::MOST_STEPS && direction.squaredNorm() > 0.0; ++step)
         {
             direction.normalize();

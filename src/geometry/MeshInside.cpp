@@ -16,6 +16,9 @@ namespace ompl_certificates
         /** About so many points of a piece's box are tried as centers of balls. */
         constexpr double CANDIDATES = 300.0;
 
+        /** How many triangles of a piece are looked at, to tell which candidates are inside: some 0.4 s */
+        constexpr std::size_t MOST_WINDINGS = 10000000;
+
         /** A piece smaller than this share of the largest one is left out. */
         constexpr double LEAST_PIECE = 0.1;
 
@@ -35,11 +38,23 @@ namespace ompl_certificates
             std::size_t piece;
         };
 
-        /** The ball about \e center, or about a point deeper inside, that just reaches the surface */
-        Ball ballFrom(const TriangleTree &surface, Eigen::Vector3d center)
+        /** Positive if the triangles of a closed surface look outwards, negative if inwards */
+        double orientationOf(const TriangleTree &surface, const Eigen::Vector3d &middle)
+        {
+            double volume = 0.0;
+            for (std::uint32_t i = 0; i < surface.size(); ++i)
+            {
+                const auto &[a, b, c] = surface.getTriangle(i).corners;
+                volume += (a - middle).dot((b - middle).cross(c - middle));
+            }
+            return volume;
+        }
+
+        /** The ball about \e center, or about a point deeper inside, that just reaches the surface
+            \param nearest set to a triangle that it reaches */
+        Ball ballFrom(const TriangleTree &surface, Eigen::Vector3d center, std::uint32_t &nearest)
         {
             constexpr double inf = std::numeric_limits<double>::infinity();
-            std::uint32_t nearest;
             double radius = surface.distance(center, inf, &nearest);
             double step = 0.5;
             for (int i = 0; i < 8 && radius > 0.0; ++i)
@@ -60,21 +75,36 @@ namespace ompl_certificates
             return {center, radius};
         }
 
-        /** Large balls that just reach the surface, inside of it or not, from the largest to the smallest */
+        /** How many candidates there are along each axis of a box: some CANDIDATES in all, about evenly apart */
+        Eigen::Array3i countsIn(const Eigen::Array3d &sizes)
+        {
+            Eigen::Array3d counts = (sizes / std::cbrt(sizes.prod() / CANDIDATES)).ceil().max(1.0).min(CANDIDATES);
+            // In a flat box there is one layer of them, which would have many more.
+            while (counts.prod() > 3.0 * CANDIDATES)
+            {
+                Eigen::Index largest = 0;
+                counts.maxCoeff(&largest);
+                counts[largest] = std::ceil(0.5 * counts[largest]);
+            }
+            return counts.cast<int>();
+        }
+
+        /** Large balls that just reach the surface, mostly from inside, from the largest to the smallest */
         std::vector<Ball> candidatesIn(const TriangleTree &surface, const Eigen::AlignedBox3d &box)
         {
-            const double spacing = std::cbrt(box.volume() / CANDIDATES);
-            Eigen::Vector3i counts;
-            for (int axis = 0; axis < 3; ++axis)
-                counts[axis] = static_cast<int>(std::clamp(std::ceil(box.sizes()[axis] / spacing), 1.0, CANDIDATES));
+            const double orientation = orientationOf(surface, box.center());
+            const Eigen::Array3i counts = countsIn(box.sizes());
             std::vector<Ball> balls;
             for (int x = 0; x < counts.x(); ++x)
                 for (int y = 0; y < counts.y(); ++y)
                     for (int z = 0; z < counts.z(); ++z)
                     {
-                        const Eigen::Array3d at = (Eigen::Array3d(x, y, z) + 0.5) / counts.cast<double>().array();
-                        const Ball ball = ballFrom(surface, box.min() + (at * box.sizes().array()).matrix());
-                        if (box.contains(ball.center))
+                        const Eigen::Array3d at = (Eigen::Array3d(x, y, z) + 0.5) / counts.cast<double>();
+                        std::uint32_t nearest = 0;
+                        const Ball ball = ballFrom(surface, box.min() + (at * box.sizes().array()).matrix(), nearest);
+                        // The largest ones may fill holes. Their nearest triangle looks at them.
+                        const auto &[a, b, c] = surface.getTriangle(nearest).corners;
+                        if (box.contains(ball.center) && orientation * (b - a).cross(c - a).dot(ball.center - a) < 0.0)
                             balls.push_back(ball);
                     }
             std::sort(balls.begin(), balls.end(), [](const Ball &a, const Ball &b) { return a.radius > b.radius; });
@@ -101,12 +131,17 @@ namespace ompl_certificates
         }
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Candidate &a, const Candidate &b) { return a.ball.radius > b.ball.radius; });
+        std::vector<std::size_t> windings(closed.size(), 0);
         for (const auto &[ball, piece] : candidates)
         {
+            const TriangleTree &surface = closed[piece].surface;
             const auto isNear = [&center = ball.center](const Ball &other)
             { return (other.center - center).norm() < LEAST_SPACING * other.radius; };
-            if (balls_.size() < MOST_BALLS && std::none_of(balls_.begin(), balls_.end(), isNear) &&
-                isInside(closed[piece].surface, ball.center))
+            if (balls_.size() >= MOST_BALLS || windings[piece] > MOST_WINDINGS ||
+                std::any_of(balls_.begin(), balls_.end(), isNear))
+                continue;
+            windings[piece] += surface.size();
+            if (isInside(surface, ball.center))
             {
                 balls_.push_back({ball.center, ball.radius * (1.0 - SHRINKING)});
                 pieceOf_.push_back(piece);

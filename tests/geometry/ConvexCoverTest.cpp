@@ -53,6 +53,32 @@ TEST(ConvexCover, ContainsItsShape)
     }
 }
 
+/** The middle of a cover is that of the box around its shape, and may be a corner that sticks out. */
+TEST(ConvexCover, ContainsACornerInItsMiddle)
+{
+    std::vector<Eigen::Vector3d> corners{{0, 0, 0},    {1, -1, -1},    {-1, 1, -1},   {-1, -1, 1},
+                                         {1, 0.8, -1}, {1, -1, -0.05}, {-1, 1, -0.05}};
+    std::vector<TriangleMesh::Triangle> triangles;
+    for (std::uint32_t i = 1; i < 7; ++i)
+        for (std::uint32_t j = i + 1; j < 7; ++j)
+            triangles.push_back({0, i, j});
+    // More than a cover takes without a choice
+    for (int i = 0; i < 60; ++i)
+        corners.emplace_back(-1.0 + 0.01 * i, -1.0 + 0.005 * ((i * 7) % 60), -1.0 + 0.003 * ((i * 11) % 60));
+    for (std::uint32_t i = 7; i + 2 < corners.size(); ++i)
+        triangles.push_back({i, i + 1, i + 2});
+    const Shape shape = Shape::mesh(3, std::make_shared<TriangleMesh>(corners, triangles));
+    const ConvexCover cover(shape, Pose::Identity());
+    Random random(1);
+    for (int k = 0; k < 1000; ++k)
+    {
+        const Eigen::Vector3d direction = k == 0 ? Eigen::Vector3d(1.0, 1.0, 1.9).normalized() : random.direction(3);
+        for (const Eigen::Vector3d &corner : corners)
+            ASSERT_LE(direction.dot(corner - cover.getCenter() - cover.farthest(direction)), cover.getRounding() + 1e-12)
+                << corner.transpose() << " along " << direction.transpose();
+    }
+}
+
 TEST(ConvexCover, IsTight)
 {
     const ConvexCover box(Shape::box(Eigen::Vector3d(1.0, 2.0, 3.0)), Pose::Identity());
