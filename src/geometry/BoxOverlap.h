@@ -80,21 +80,22 @@ namespace ompl_certificates
         them. Writes their numbers, that of the box with the farthest middle first: a walk takes the last one next, so
         that it comes early to where two things are deep in each other.
         \param turn takes \e box to the node's frame
+        \param slack one number for all four boxes, or FourFloats with one for each
         \return how many there are */
-    template <typename Node>
-    inline int overlaps(const Node &node, const FloatBox &box, const BoxTurn &turn, float slack, int *numbers)
+    template <typename Node, typename Slack>
+    inline int overlaps(const Node &node, const FloatBox &box, const BoxTurn &turn, const Slack &slack, int *numbers)
     {
         using FourFlags = int __attribute__((vector_size(16)));
         const auto sumOf = [](const FourFloats *three, const auto &factors)
         { return three[0] * factors[0] + three[1] * factors[1] + three[2] * factors[2]; };
         const FourFloats center = sumOf(turn.columns, box.center) + turn.shift;
-        const FourFloats half = sumOf(turn.absoluteColumns, box.half) + slack;
+        const FourFloats half = sumOf(turn.absoluteColumns, box.half);
         FourFlags outside{};
         FourFloats middles[3], halves[3];
         for (int axis = 0; axis < 3; ++axis)
         {
             const FourFloats low = fourFloats(node.low[axis]), high = fourFloats(node.high[axis]);
-            outside |= (low > center[axis] + half[axis]) | (high < center[axis] - half[axis]);
+            outside |= (low > center[axis] + (half[axis] + slack)) | (high < center[axis] - (half[axis] + slack));
             middles[axis] = 0.5F * (low + high) - center[axis];
             halves[axis] = 0.5F * (high - low);
         }

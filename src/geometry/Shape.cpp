@@ -16,6 +16,7 @@
 #include <limits>
 #include <mutex>
 #include <ompl/util/Exception.h>
+#include <sstream>
 
 namespace ompl_certificates
 {
@@ -60,7 +61,14 @@ namespace ompl_certificates
         {
             static const ConvexHull cube = convexHull(boxCorners(Eigen::Vector3d::Ones()), 3);
             // What is too thin, the search refuses.
-            constexpr double thin = 1e-5;
+            constexpr double thin = 1e-5, tooThin = 3e-7;
+            if (size.minCoeff() <= tooThin * size.norm())
+            {
+                std::ostringstream text;
+                text << "A box must be thicker than " << tooThin << " of its diagonal; its sides are "
+                     << size.transpose();
+                throw ompl::Exception(text.str());
+            }
             if (!(size.minCoeff() > thin * size.maxCoeff()) || !size.allFinite())
                 return convexHull(boxCorners(size), 3);
             ConvexHull hull = cube;
@@ -199,6 +207,9 @@ namespace ompl_certificates
     {
         // Any height will do for a prism; one like its other extents keeps FCL's solver well conditioned.
         const double prismHeight = dimension_ == 2 ? getBounds().sizes().maxCoeff() : 0.0;
+        // FCL's solver may never end for shapes without width. So little more is less than its tolerance.
+        const double least = 1e-9 * std::max(2.0 * radius_, size_.maxCoeff());
+        const auto widened = [least](double length) { return FCL_SCALE * std::max(length, least); };
         const double radius = FCL_SCALE * radius_;
         const Eigen::Vector3d size = FCL_SCALE * size_;
         switch (kind_)
@@ -209,9 +220,9 @@ namespace ompl_certificates
                 return std::make_shared<fcl::Boxd>(size.x(), size.y(),
                                                    dimension_ == 2 ? FCL_SCALE * prismHeight : size.z());
             case Kind::CAPSULE:
-                return std::make_shared<fcl::Capsuled>(radius, size.z());
+                return std::make_shared<fcl::Capsuled>(widened(radius_), widened(size_.z()));
             case Kind::CYLINDER:
-                return std::make_shared<fcl::Cylinderd>(radius, size.z());
+                return std::make_shared<fcl::Cylinderd>(widened(radius_), widened(size_.z()));
             case Kind::POLYTOPE:
                 return makeConvex(*hull_, prismHeight);
             case Kind::MESH:

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 namespace ompl_certificates
@@ -37,12 +38,27 @@ namespace ompl_certificates
                 farthest = std::max(farthest, vertices_[corner].norm());
             }
         leastHeight_ = std::max(0.5e-7 * bounds_.diagonal().norm(), 1e-12 * farthest);
-        std::size_t degenerate = 0;
-        while (degenerate < triangles_.size() && isDegenerate(degenerate))
-            ++degenerate;
+        const auto isThin = [this](std::size_t triangle)
+        {
+            const auto [a, b, c] = getCorners(triangle);
+            const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+            return !((b - a).cross(c - a).norm() > 1e-3 * longest);
+        };
+        std::size_t degenerate = 0, small = 0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i)
+            if (isDegenerate(i))
+            {
+                ++degenerate;
+                small += isThin(i) ? 0 : 1;
+            }
         if (degenerate == triangles_.size())
             throw ompl::Exception("None of the " + std::to_string(triangles_.size()) +
                                   " triangles of a mesh has an area");
+        if (small > 0)
+            OMPL_WARN(
+                "A mesh is %g in size, and up to %g away from its origin, so %zu of its %zu triangles are too small "
+                "to be checked. Give what is so large a mesh of its own",
+                bounds_.diagonal().norm(), farthest, small, triangles_.size());
     }
 
     TriangleMesh::~TriangleMesh() = default;

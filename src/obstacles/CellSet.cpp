@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <ompl/util/Exception.h>
 #include <utility>
 
 namespace ompl_certificates
@@ -30,6 +31,9 @@ namespace ompl_certificates
         {
             return (1U << static_cast<std::uint32_t>(high)) - (1U << static_cast<std::uint32_t>(low));
         }
+
+        /** How many blocks one box may reach into. Blocks take up to three kilobytes each. */
+        constexpr double MOST_BLOCKS = 1 << 20;
 
         constexpr std::size_t NO_BOX = std::numeric_limits<std::size_t>::max();
 
@@ -93,6 +97,19 @@ namespace ompl_certificates
     void CellSet::insert(const std::vector<CellBox> &boxes)
     {
         requireCells(boxes, dimension_);
+        for (const CellBox &box : boxes)
+        {
+            const auto [first, last] = placesOf(box);
+            double blocks = 1.0;
+            for (std::size_t axis = 0; axis < dimension_; ++axis)
+                blocks *= last[axis] - first[axis] + 1.0;
+            if (blocks > MOST_BLOCKS)
+                throw ompl::Exception(
+                    "CellSet", "a box of cells is too large to be changed cell by cell: it reaches into " +
+                                   std::to_string(static_cast<std::uint64_t>(blocks)) + " blocks of " +
+                                   std::to_string(BLOCK) + " cells a side, more than " +
+                                   std::to_string(static_cast<std::uint64_t>(MOST_BLOCKS)) + ". Use larger cells");
+        }
         for (const CellBox &box : boxes)
         {
             const auto [first, last] = placesOf(box);

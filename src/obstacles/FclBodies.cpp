@@ -108,7 +108,8 @@ namespace ompl_certificates
             const auto *geometry = object.collisionGeometry().get();
             const fcl::Transform3d &transform = object.getTransform();
             const fcl::Matrix3d turn = transform.linear();
-            const bool upright = std::abs(turn(2, 2)) > 1.0 - 1e-9;
+            // The sine of the tilt, of which cosines hide the small ones; rotations may be rounded to six decimals.
+            const bool upright = std::hypot(turn(0, 2), turn(1, 2)) <= 2e-6;
             const Pose pose = planarPose(transform.translation().x(), transform.translation().y(),
                                          std::atan2(turn(1, 0), turn(0, 0)));
             const auto requireUpright = [&]
@@ -142,7 +143,7 @@ namespace ompl_certificates
                 case fcl::BV_OBBRSS:
                 case fcl::BV_OBB:
                 {
-                    if (!(turn(2, 2) > 1.0 - 1e-9))
+                    if (!upright || turn(2, 2) < 0.0)
                         throw ompl::Exception("A mesh of a planar workspace must stand upright");
                     Pose lifted = pose;
                     lifted.translation().z() = transform.translation().z();

@@ -67,6 +67,6 @@ namespace ompl_certificates
             return false;
         const double height = meshZInterval_.high - meshZInterval_.low,
                      middle = 0.5 * (meshZInterval_.low + meshZInterval_.high);
-        return robotPrisms_.get(shape, height).collides(meshes_, partPose, middle);
+        return robotPrisms_.collide(shape, height, meshes_, partPose, middle);
     }
 }

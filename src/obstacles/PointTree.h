@@ -168,8 +168,8 @@ namespace ompl_certificates
         const FloatBox floatBox(box);
         const Eigen::Vector3d shift = pose.translation() - origin_;
         const BoxTurn turn(pose.linear(), shift);
-        const auto slack =
-            static_cast<float>(largestRadius_ + ROUNDING * (shift.norm() + box.center().norm() + box.sizes().norm()));
+        const auto rounding =
+            static_cast<float>(ROUNDING * (largestRadius_ + shift.norm() + box.center().norm() + box.sizes().norm()));
         std::uint32_t stack[STACK_SIZE];
         std::size_t open = 0;
         stack[open++] = 0;
@@ -186,7 +186,8 @@ namespace ompl_certificates
             }
             const Node &node = nodes_[current];
             int numbers[4];
-            const int count = overlaps(node, floatBox, turn, slack, numbers);
+            // The radii of the node alone: elsewhere there may be a much larger ball.
+            const int count = overlaps(node, floatBox, turn, fourFloats(node.radius) + rounding, numbers);
             for (int i = 0; i < count; ++i)
                 stack[open++] = node.child[numbers[i]];
         }

@@ -64,7 +64,14 @@ namespace ompl_certificates
             others.add(piece.geometry, uprightPose(partPose) * piece.pose);
     }
 
-    const Prism &RobotPrisms::get(const Shape &shape, double height) const
+    bool RobotPrisms::collide(const Shape &shape, double height, const Broadphase &others, const Pose &partPose,
+                              double lift) const
+    {
+        const Prism *kept = get(shape, height);
+        return kept ? kept->collides(others, partPose, lift) : Prism(shape, height).collides(others, partPose, lift);
+    }
+
+    const Prism *RobotPrisms::get(const Shape &shape, double height) const
     {
         const auto find = [&](const Entry *entry)
         {
@@ -73,14 +80,17 @@ namespace ompl_certificates
             return entry;
         };
         if (const Entry *known = find(first_.load(std::memory_order_acquire)))
-            return known->prism;
+            return &known->prism;
+        if (count_.load(std::memory_order_relaxed) >= MOST)
+            return nullptr;
         const std::lock_guard<std::mutex> lock(mutex_);
         const Entry *first = first_.load(std::memory_order_relaxed);
         if (const Entry *known = find(first))
-            return known->prism;
+            return &known->prism;
         entries_.push_front({shape.getCollisionGeometry(), Prism(shape, height), first});
         first_.store(&entries_.front(), std::memory_order_release);
-        return entries_.front().prism;
+        count_.fetch_add(1, std::memory_order_relaxed);
+        return &entries_.front().prism;
     }
 
     const Broadphase &ObstaclePrisms::get(double height) const

@@ -41,10 +41,18 @@ namespace ompl_certificates
     class RobotPrisms
     {
     public:
-        /** \brief The prism of \e shape. Searches the few that there are. May be called from many threads at once. */
-        const Prism &get(const Shape &shape, double height) const;
+        /** \brief Whether \e shape collides with \e others; see Prism::collides(). Searches the few prisms that there
+            are. May be called from many threads at once. */
+        bool collide(const Shape &shape, double height, const Broadphase &others, const Pose &partPose,
+                     double lift) const;
 
     private:
+        /** \brief Robots have fewer shapes. Who makes a body for each check has its prism made as often. */
+        static constexpr std::size_t MOST = 1024;
+
+        /** \brief The prism that is kept for \e shape; null if MOST others are */
+        const Prism *get(const Shape &shape, double height) const;
+
         struct Entry
         {
             /// Kept alive, so that no other shape can get the same address
@@ -56,6 +64,7 @@ namespace ompl_certificates
         mutable std::mutex mutex_;
         mutable std::forward_list<Entry> entries_;
         mutable std::atomic<const Entry *> first_{nullptr};
+        mutable std::atomic<std::size_t> count_{0};
     };
 
     /** \brief The prisms of obstacles that are planar primitives, as high as a robot of meshes needs them */

@@ -1,3 +1,4 @@
+#include "support/Message.h"
 #include "support/RandomBodies.h"
 #include "support/RandomMeshes.h"
 
@@ -175,6 +176,11 @@ TEST(Shape, RefusesSizesThatAreNotPositiveAndFinite)
     EXPECT_NO_THROW(Shape::ball(3, 0.0));
     EXPECT_THROW(Shape::ball(1, 1.0), ompl::Exception);
     EXPECT_THROW(Shape::capsule(4, 1.0, 1.0), ompl::Exception);
+    // As thin as a polytope must not be; it is named as what it is.
+    EXPECT_NO_THROW(Shape::box(Eigen::Vector3d(1.0, 1.0, 1e-6)));
+    EXPECT_NE(
+        messageOf([] { Shape::box(Eigen::Vector3d(1.0, 1.0, 4e-7)); }).find("A box must be thicker than 3e-07 of"),
+        std::string::npos);
 }
 
 TEST(Shape, EqualsOnlyItsLike)

@@ -1,5 +1,6 @@
 #include "geometry/BodyContact.h"
 #include "support/RandomMeshes.h"
+#include "support/Warnings.h"
 
 #include "ompl_certificates/obstacles/FclObstacles.h"
 
@@ -81,6 +82,21 @@ TEST(TriangleMesh, KeepsThinTrianglesFarFromItsOrigin)
         else
             EXPECT_EQ(touching(Body::mesh(mesh), ball, beside, 1e-3), Touching::YES);
     }
+}
+
+TEST(TriangleMesh, WarnsOfPartsThatAreTooSmallToBeChecked)
+{
+    const auto warningsOf = [](double ground)
+    {
+        const Warnings warnings("1 of its 2 triangles are too small to be checked");
+        const TriangleMesh mesh(
+            {{-ground, -ground, 0}, {ground, -ground, 0}, {0, ground, 0}, {0, 0, 1}, {0.01, 0, 1}, {0, 0.01, 1}},
+            {{0, 1, 2}, {3, 4, 5}});
+        EXPECT_EQ(mesh.isDegenerate(1), ground > 1e5);
+        return warnings.count;
+    };
+    EXPECT_EQ(warningsOf(1e4), 0U);
+    EXPECT_EQ(warningsOf(1e6), 1U);
 }
 
 TEST(TriangleMesh, IsClosedIfEachEdgeHasTwoTriangles)

@@ -297,6 +297,8 @@ TEST(CellSet, RefusesWhatMakesNoSense)
         far{{CellBox::FARTHEST, 0, 0}, {CellBox::FARTHEST + 1, 1, 1}};
     EXPECT_THROW(set.insert({good, empty}), ompl::Exception);
     EXPECT_THROW(set.insert({good, far}), ompl::Exception);
+    // More than the memory of most machines
+    EXPECT_THROW(set.insert({good, {{-1024, -1024, -1024}, {1024, 1024, 1024}}}), ompl::Exception);
     EXPECT_EQ(set.size(), 0U);
     set.insert({good});
     EXPECT_THROW(set.remove({good, empty}), ompl::Exception);

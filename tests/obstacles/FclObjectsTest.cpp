@@ -117,6 +117,14 @@ TEST(FclObjects, AreRefusedIfNullOfAnotherKindOrNotUpright)
     EXPECT_THROW(FclObstacles(Objects{object<fcl::Boxd>(pose, 1.0, 2.0, 3.0)}, 2), ompl::Exception);
     EXPECT_THROW(FclObstacles(Objects{object<fcl::Capsuled>(pose, 1.0, 2.0)}, 2), ompl::Exception);
     EXPECT_THROW(FclObstacles(Objects{object<fcl::Cylinderd>(pose, 1.0, 2.0)}, 2), ompl::Exception);
+    const auto leaning = [](double angle)
+    {
+        Pose turned = Pose::Identity();
+        turned.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
+        return Objects{object<fcl::Boxd>(turned, 1.0, 2.0, 3.0)};
+    };
+    EXPECT_THROW(FclObstacles(leaning(1e-5), 2), ompl::Exception);
+    EXPECT_NO_THROW(FclObstacles(leaning(1e-6), 2));
     EXPECT_THROW(FclObstacles(Objects{}, 5), ompl::Exception);
     EXPECT_NO_THROW(FclObstacles(Objects{}, 3));
 }

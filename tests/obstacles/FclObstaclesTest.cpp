@@ -228,3 +228,17 @@ TEST(FclObstacles, TakeDiscsHoweverTheyAreTurned)
     EXPECT_FALSE(obstacles.collides(part, planarPose(0.0, 1.2)));
     EXPECT_TRUE(part.getBounds().contains(Eigen::Vector3d(0.0, 0.09, 0.0)));
 }
+
+/** FCL's solver does not end for these two, unless it is told that they have some width. Then this test never ends. */
+TEST(FclObstacles, WithoutWidthAreCheckedInFiniteTime)
+{
+    Pose ofCylinder, ofCapsule;
+    ofCylinder.matrix().topRows<3>() << 0.0, 0.0, -1.0, -0x1.03e68fa193c18p+6, 0.0, -1.0, 0.0, -0x1.9b58a9de5ced1p+0,
+        -1.0, 0.0, 0.0, 0x1.2236620b37a69p+7;
+    ofCapsule.matrix().topRows<3>() << 0x1.9031ae983fd6p-5, -0x1.ff96e5721f122p-2, 0x1.bad150502105fp-1,
+        -0x1.03e68fa193c18p+6, 0x1.7d965a88ac4a7p-1, 0x1.307de634d4b92p-1, 0x1.34ac7888d9c55p-2, -0x1.9b58aa2bf4ap+0,
+        -0x1.547471ad5d1b7p-1, 0x1.427ca653b0f78p-1, 0x1.9b0802601f794p-2, 0x1.2236620b37a69p+7;
+    const Body capsule = Body::capsule(4.8966798817474458e-15, 0.10103199806124907);
+    const FclObstacles obstacles({{capsule, ofCapsule}}, 3);
+    EXPECT_FALSE(obstacles.collides(Body::cylinder(7.2936120514323799e-14, 6.7977885072217717e-14), ofCylinder));
+}

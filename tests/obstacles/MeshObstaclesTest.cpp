@@ -295,6 +295,21 @@ TEST(MeshObstacles, InThePlaneAreCheckedAgainstPointsAndSegmentsInFiniteTime)
 }
 
 /** FCL's constructors of a collision object compute the geometry's box again, while other threads read it. */
+/** Who makes a body for each check makes more shapes than are kept. */
+TEST(MeshObstacles, InThePlaneAreCheckedAgainstAnyNumberOfShapes)
+{
+    const auto mesh = std::make_shared<TriangleMesh>(std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}},
+                                                     std::vector<TriangleMesh::Triangle>{{0, 1, 2}});
+    const FclObstacles obstacles({{Body::planarMesh(mesh)}}, 2);
+    for (int i = 0; i < 1500; ++i)
+    {
+        const double radius = 0.9001 + 0.0002 * i;
+        const Body disc = Body::disc(radius);
+        for (int k = 0; k < 2; ++k)
+            ASSERT_EQ(obstacles.collides(disc, planarPose(-1.0, 0.3)), radius > 1.0) << radius;
+    }
+}
+
 TEST(MeshObstacles, ChecksLeaveTheGeometriesAlone)
 {
     const Body mesh = Body::mesh(boxMesh({2, 2, 10})), plane = Body::planarMesh(boxMesh({2, 2, 10}));

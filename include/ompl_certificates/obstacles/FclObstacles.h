@@ -42,8 +42,8 @@ namespace ompl_certificates
             capsules, cylinders, convex polytopes and meshes (fcl::BVHModel of OBBRSS or OBB).
 
             For a planar workspace (\e dimension 2) primitives become their outline seen from above. Boxes, cylinders
-            and capsules must stand upright; spheres and convex polytopes may lie anyhow. Meshes must stand upright and
-            are taken as they are.
+            and capsules must stand upright, to within 2e-6 radians; spheres and convex polytopes may lie anyhow. Meshes
+            must stand upright, too, and are taken as they are.
             \throws ompl::Exception if an object is null, of another kind, or not upright where it must be */
         explicit FclObstacles(const std::vector<std::shared_ptr<fcl::CollisionObjectd>> &objects,
                               unsigned int dimension = 3, const ZInterval &zInterval = {});
