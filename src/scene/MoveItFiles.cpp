@@ -265,6 +265,20 @@ namespace ompl_certificates
             return settings;
         }
 
+        /** Give all other joints their values: of those that nobody tells MoveIt takes 0, or the middle of limits that 0
+            is not within. */
+        void setOtherJoints(const KinematicTree &tree, ArmFile::ArmSettings &settings)
+        {
+            for (const KinematicTree::Link &link : tree.getLinks())
+            {
+                const KinematicTree::Joint &joint = link.joint;
+                const bool isLimited = joint.type == KinematicTree::JointType::REVOLUTE ||
+                                       joint.type == KinematicTree::JointType::PRISMATIC;
+                if (isLimited && !joint.mimic && (joint.lower > 0.0 || joint.upper < 0.0))
+                    settings.jointValues.try_emplace(joint.name, 0.5 * (joint.lower + joint.upper));
+            }
+        }
+
         /** Take the group's joints out of those that are fixed. States have values of all joints, also of those that
             the group's joints move along. */
         void releaseJointsOf(const std::string &group, const ArmFile &robot, ArmFile::ArmSettings &settings)
@@ -307,11 +321,14 @@ namespace ompl_certificates
 
             if (wish.has("start_state"))
                 merge(readMoveItRobotState(wish.at("start_state"), robot, folderOf(request)), state);
+            // Obstacles stay where the scene's state of the robot has them. Goals are seen from the robot that starts.
+            const MoveItFrames goalFrames = readFrames(root, robot, state);
             for (const auto &[object, about] : state.notes)
                 notes.insert(notes.end(), about.begin(), about.end());
             const YamlNode groupNode = wish.at("group_name");
             const std::string group = groupNode.text();
             ArmFile::ArmSettings settings = settingsOf(wish, state);
+            setOtherJoints(robot.getTree(), settings);
             std::optional<MoveItMatrix> matrix;
             if (hasMatrix(root))
             {
@@ -329,7 +346,7 @@ namespace ompl_certificates
             member.robot = arm;
             member.start =
                 moveItCoordinates(wish.has("start_state") ? wish.at("start_state") : wish, *arm, state.joints);
-            readMoveItGoal(wish.at("goal_constraints"), robot, frames, member, notes);
+            readMoveItGoal(wish.at("goal_constraints"), robot, goalFrames, member, notes);
 
             const std::string name = moveItText(root, "name"), model = moveItText(root, "robot_model_name");
             SceneFile file{Scene(name.empty() ? std::filesystem::path(scene).stem().string() : name, scene,

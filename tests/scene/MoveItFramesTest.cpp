@@ -76,6 +76,39 @@ namespace ompl_certificates
             EXPECT_TRUE(file.scene.getObstacles().at(0).pose.isApprox(poseAt({0, 2, 0})));
         }
 
+        /** Obstacles stay where the scene's state of the robot has its root. */
+        TEST_F(MoveItScene, GoalsAreSeenFromWhereTheRobotStarts)
+        {
+            const SceneFile file =
+                read(BALL,
+                     "group_name: arm\nstart_state: {joint_state: {name: [turn, bend], position: [0, 0]}, "
+                     "multi_dof_joint_state: {joint_names: [world_joint], transforms: [{translation: [5, 0, 0]}]}}\n"
+                     "goal_constraints:\n  - position_constraints:\n      - {header: {frame_id: base}, link_name: tip, "
+                     "constraint_region: {primitives: [{type: box, dimensions: [0.02, 0.02, 0.02]}], primitive_poses: "
+                     "[{position: [0.6, 0.4, 0.32]}]}}\n");
+            ompl::base::ScopedState<> goal(armOf(file).getStateSpace());
+            goal = file.scene.getMembers().front().goal;
+            const Eigen::Vector3d tip = armOf(file).getLinkPose(goal.get(), "tip").translation();
+            EXPECT_LT((tip - Eigen::Vector3d(5.6, 0.4, 0.32)).norm(), 0.02) << tip.transpose();
+        }
+
+        TEST_F(MoveItScene, JointsThatNobodyNamesAreInTheMiddleOfLimitsWithoutZero)
+        {
+            std::string urdf = TWO_LINKS_URDF;
+            urdf.replace(urdf.find("lower=\"0\""), 9, "lower=\"0.1\"");
+            robot_ = std::make_unique<const ArmFile>(folder_.write("arm.urdf", urdf), folder_.path() + "/arm.srdf");
+            const auto tipOf = [&](const std::string &joints)
+            {
+                const SceneFile file =
+                    read(BALL, "group_name: arm\nstart_state: {joint_state: " + joints + "}\n" + GOAL);
+                ompl::base::ScopedState<> state(armOf(file).getStateSpace());
+                state = std::vector<double>{0.0, 0.0};
+                return armOf(file).getLinkPose(state.get(), "tip").translation().x();
+            };
+            EXPECT_NEAR(tipOf("{name: [turn, bend], position: [0, 0]}"), 0.5 + 0.4 + 0.15, 1e-9);
+            EXPECT_NEAR(tipOf("{name: [turn, bend, slide], position: [0, 0, 0.2]}"), 0.5 + 0.4 + 0.2, 1e-9);
+        }
+
         /** MoveIt plans in the root link unless a virtual joint moves. */
         TEST_F(MoveItScene, FixedFramesAreInTheFrameThatMoveItPlansIn)
         {
