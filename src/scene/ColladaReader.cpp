@@ -346,12 +346,7 @@ namespace ompl_certificates
                                        std::to_string(count->second));
                     const Eigen::Vector3d first(numbers.data());
                     if (count->first == "matrix")
-                    {
-                        Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
-                        matrix.affine() =
-                            Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
-                        transform = transform * matrix;
-                    }
+                        transform = transform * matrixOf(step, numbers);
                     else if (count->first == "translate")
                         transform.translate(first);
                     else if (count->first == "scale")
@@ -382,8 +377,11 @@ namespace ompl_certificates
                             if (name == "node" || name == "instance_node")
                                 open.push_back({name == "node" ? child : nodeOf(child), transform, level + 1});
                             else
-                                for (MeshPart &part : partsOf(geometryOf(child)))
-                                    mesh_.add(part, transform);
+                            {
+                                Eigen::Affine3d place = transform;
+                                for (MeshPart &part : partsOf(geometryOf(child, place)))
+                                    mesh_.add(part, place);
+                            }
                         }
                 }
             }
@@ -397,14 +395,36 @@ namespace ompl_certificates
                 return require(instance, "url", "node");
             }
 
-            /** The geometry of an instance, which may be that of a skin, or of the skin of a morph */
-            Node geometryOf(const Node &instance) const
+            /** The geometry of an instance, which may be that of a skin, or of the skin of a morph
+                \param place where the instance is; for a skin set to where its geometry is */
+            Node geometryOf(const Node &instance, Eigen::Affine3d &place) const
             {
                 Node from = instance;
                 for (const char *attribute : {"url", "source"})
                     if (const Node controller = find(from, attribute, "controller"))
+                    {
                         from = controller.child("skin") ? controller.child("skin") : controller.child("morph");
-                return require(from, from == instance ? "url" : "source", "geometry");
+                        if (const Node bind = from.child("bind_shape_matrix"))
+                            place = place * matrixOf(bind, numbersOf<double>(bind));
+                    }
+                const Node geometry = require(from, from == instance ? "url" : "source", "geometry");
+                for (const char *other : {"convex_mesh", "spline", "brep"})
+                    if (geometry.child(other))
+                        fail(geometry.child(other), "is not supported: only a <mesh> is");
+                return geometry;
+            }
+
+            /** The transform that 16 numbers are, row by row */
+            Eigen::Affine3d matrixOf(const Node &node, const std::vector<double> &numbers) const
+            {
+                if (numbers.size() != 16)
+                    fail(node, "has " + std::to_string(numbers.size()) + " numbers, not 16");
+                const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> rows(numbers.data());
+                if (!rows.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), 1e-6))
+                    fail(node, "must end with the row 0 0 0 1");
+                Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
+                matrix.affine() = rows.topRows<3>();
+                return matrix;
             }
 
             std::string_view content_;

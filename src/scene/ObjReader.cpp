@@ -31,11 +31,14 @@ namespace ompl_certificates
                         addPoint();
                     else if (keyword == "vn" || keyword == "vt")
                         addAttribute(keyword == "vn");
-                    else if (keyword == "f" || keyword == "l" || keyword == "p")
+                    else if (keyword == "f" || keyword == "fo" || keyword == "l" || keyword == "p")
                         addElement(keyword[0]);
                     else if (keyword == "g" || keyword == "o" || keyword == "usemtl")
                         // A name may contain the sign of a comment.
                         changePart(keyword, firstWord(text_.getLine()));
+                    else if (keyword == "surf" || keyword == "curv2")
+                        text_.fail("'" + std::string(keyword) +
+                                   "' is not supported: only faces are read, no free forms");
                 }
                 mesh_.add(part_);
             }

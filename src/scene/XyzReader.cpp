@@ -62,6 +62,7 @@ namespace ompl_certificates
         std::vector<Eigen::Vector3d> points;
         std::vector<std::string_view> words;
         Columns columns{0, 1, 2};
+        std::size_t named = 0;  // How many columns the first line names
         bool isFirst = true;
         std::uint64_t rows = 0, told = 0;  // Rows of points, and how many the first line tells of
         LineReader text(content);
@@ -71,7 +72,9 @@ namespace ompl_certificates
                 continue;
             const bool mayBeHeader = std::exchange(isFirst, false);
             words.clear();
-            const std::size_t most = mayBeHeader ? SIZE_MAX : 1 + *std::max_element(columns.begin(), columns.end());
+            const std::size_t most = mayBeHeader ? SIZE_MAX
+                                     : named > 0 ? named + 1
+                                                 : 1 + *std::max_element(columns.begin(), columns.end());
             for (std::string_view word = text.next(); !word.empty(); word = text.next())
             {
                 words.push_back(word);
@@ -84,7 +87,14 @@ namespace ompl_certificates
                 continue;
             }
             if (mayBeHeader && findColumns(words, columns))
+            {
+                named = words.size();
                 continue;
+            }
+            // Where numbers have decimal commas, each becomes two.
+            if (double more = 0.0;
+                named > 0 && words.size() > named && parseNumber(words[named], more) && std::isfinite(more))
+                text.fail("there are more numbers than the first line names columns");
             ++rows;
             Eigen::Vector3d point;
             for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,6 +1,7 @@
 #include "ompl_certificates/scene/MeshFile.h"
 #include "support/Folder.h"
 #include "support/MeshTexts.h"
+#include "support/Random.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Exception.h>
@@ -49,6 +50,7 @@ namespace ompl_certificates
             {"long.obj", with(OBJ, "v 1 0 0", "v 1" + std::string(30, '0') + " 0 0"),
              "not a finite number of at most 1e9"},
             {"weight.obj", with(OBJ, "v 1 0 0", "v 1 0 0 0"), "line 2: a vertex has a coordinate that is not a finite"},
+            {"free.obj", std::string(OBJ) + "surf 0 1 0 1 1 2 3\n", "'surf' is not supported: only faces are read"},
             {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "None of the 1 triangles of a mesh has an area"},
             {"huge.ply", with(ply, "vertex 3", "vertex 4000000000"), "line 3: there is 'element vertex 4000000000'"},
             {"faces.ply", with(ply, "face 1", "face 99999999999999999999"),
@@ -151,7 +153,7 @@ namespace ompl_certificates
             {"b.stl", binaryStl(3, 3)},
             {"a.dae", collada("<node><instance_geometry url=\"#g\"/></node>")}};
         for (const auto &[name, content] : files)
-            for (std::size_t length = 0; length <= content.size(); length += 1 + content.size() / 200)
+            for (std::size_t length = 0; length <= content.size(); length += 1 + content.size() / scaled(200))
             {
                 const std::string file = folder.write(name, content.substr(0, length));
                 try

@@ -212,6 +212,7 @@ namespace ompl_certificates
             {"a.txt", "1,2,3\n", "line 1: "},
             {"a.csv", "1;2;3\n", "line 1: "},
             {"a.csv", "1,5;2,5;3,5\n", "line 1: there is '5;2', not a number"},
+            {"a.csv", "x,y,z\n1,5,2,5,3,5\n", "line 2: there are more numbers than the first line names"},
             {"a.csv", "1,2\n", "line 1: "}};
         for (const Broken &file : files)
         {

@@ -171,6 +171,12 @@ namespace ompl_certificates
              "<instance_node> is of the <node> '#h', which is not there"},
             {with(text, "</geometry>", "</geometry><geometry id=\"g\"/>"),
              "<instance_geometry> is of '#g', but there are two <geometry> of that id"},
+            {with(text, "<instance_geometry", "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2</matrix><instance_geometry"),
+             "<matrix> must end with the row 0 0 0 1"},
+            {with(with(text, "</geometry>",
+                       "</geometry><geometry id=\"h\"><convex_mesh convex_hull_of=\"#g\"/></geometry>"),
+                  "<instance_geometry", "<instance_geometry url=\"#h\"/><instance_geometry"),
+             "<convex_mesh> is not supported: only a <mesh> is"},
             {with(text, "</COLLADA>", ""), "it is not XML"},
             {"<x/>", "it has no element <COLLADA>"},
         };
@@ -248,5 +254,11 @@ namespace ompl_certificates
             with(collada("<node><instance_controller url=\"#c\"/></node>"), "<library_visual_scenes>", controllers);
         const MeshFile file(folder.write("a.dae", text));
         EXPECT_EQ(file.getMesh()->getTriangles().size(), 1u);
+        // Where the mesh is before its bones move it
+        const std::string bind = "<bind_shape_matrix>1 0 0 9 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix>";
+        const MeshFile moved(folder.write("b.dae", with(text, "<source id=\"j\">", bind + "<source id=\"j\">")));
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_TRUE(moved.getMesh()->getVertices()[i].isApprox(file.getMesh()->getVertices()[i] +
+                                                                   Eigen::Vector3d(9.0, 0.0, 0.0)));
     }
 }
