@@ -173,6 +173,37 @@ namespace ompl_certificates
             }
         };
 
+        /** A planner that goes wrong without a valid start, or a valid goal state: FMT reads memory that is not its own, and
+            LazyLBTRRT frees some twice once it has a valid start. */
+        template <typename PlannerType>
+        class ValidEnds : public PlannerType
+        {
+        public:
+            using PlannerType::PlannerType;
+
+            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
+            {
+                const ob::ProblemDefinition &problem = *this->pdef_;
+                const auto isValid = [this](const ob::State *state)
+                { return this->si_->satisfiesBounds(state) && this->si_->isValid(state); };
+                bool hasStart = false;
+                for (unsigned int i = 0; i < problem.getStartStateCount() && !hasStart; ++i)
+                    hasStart = isValid(problem.getStartState(i));
+                if (!hasStart)
+                {
+                    OMPL_ERROR("%s: There are no valid initial states!", this->getName().c_str());
+                    return ob::PlannerStatus::INVALID_START;
+                }
+                const auto *goal = dynamic_cast<const ob::GoalState *>(problem.getGoal().get());
+                if (goal && !isValid(goal->getState()))
+                {
+                    OMPL_ERROR("%s: The goal is not valid!", this->getName().c_str());
+                    return ob::PlannerStatus::INVALID_GOAL;
+                }
+                return PlannerType::solve(ptc);
+            }
+        };
+
         template <typename PlannerType>
         ob::PlannerPtr make(const ob::SpaceInformationPtr &si, const SolveHooks &hooks)
         {
@@ -208,14 +239,14 @@ namespace ompl_certificates
                 {"DRRTstar",
                  {make<DRRTstar>, "dRRT*, for teams: a roadmap for each robot, and a search in their product"}},
                 {"EST", {make<og::EST>, "a tree that grows where it has few neighbors"}},
-                {"FMT", {make<og::FMT>, "FMT*: one batch of samples, solved by dynamic programming"}},
+                {"FMT", {make<ValidEnds<og::FMT>>, "FMT*: one batch of samples, solved by dynamic programming"}},
                 {"InformedRRTstar", {make<og::InformedRRTstar>, "RRT* that samples only where a better path may be"}},
                 {"KPIECE1", {make<og::KPIECE1>, "a tree that grows where a grid of a projection is little explored"}},
                 {"LBKPIECE1", {make<og::LBKPIECE1>, "BKPIECE1 that checks motions only when they are on a path"}},
                 {"LBTRRT",
                  {make<og::LBTRRT>, "between RRT and RRT*: a path at most so many times as long as the best"}},
                 {"LazyLBTRRT",
-                 {make<OneGoal<og::LazyLBTRRT>>, "LBTRRT that checks motions only when they are on a path"}},
+                 {make<OneGoal<ValidEnds<og::LazyLBTRRT>>>, "LBTRRT that checks motions only when they are on a path"}},
                 {"LazyPRM", {make<og::LazyPRM>, "PRM that checks motions only when they are on a path"}},
                 {"LazyPRMstar", {make<og::LazyPRMstar>, "PRM* that checks motions only when they are on a path"}},
                 {"LazyRRT", {make<og::LazyRRT>, "RRT that checks motions only when they are on a path"}},

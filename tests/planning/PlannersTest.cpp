@@ -259,6 +259,35 @@ TEST(Planners, DoNotStayWhereTheStartIsInvalid)
     EXPECT_FALSE(problem->hasSolution());
 }
 
+// OMPL's own FMT crashes without a valid goal, and LazyLBTRRT once it has a valid start again.
+TEST(Planners, EndTidilyWithoutAValidStartOrGoal)
+{
+    const auto si = squareWithoutObstacles();
+    si->setStateValidityChecker([](const ob::State *state)
+                                { return (*state->as<ob::RealVectorStateSpace::StateType>())[0] < 0.5; });
+    si->setup();
+    for (const std::string name : {"FMT", "LazyLBTRRT"})
+    {
+        SCOPED_TRACE(name);
+        const auto planner = makePlanner(name, si);
+        const auto solve = [&](double from, double to)
+        {
+            auto problem = std::make_shared<ob::ProblemDefinition>(si);
+            ob::ScopedState<> start(si), goal(si);
+            start = std::vector<double>{from, 0.1};
+            goal = std::vector<double>{to, 0.9};
+            problem->setStartAndGoalStates(start, goal);
+            planner->clear();
+            planner->setProblemDefinition(problem);
+            planner->setup();
+            return planner->solve(0.3);
+        };
+        EXPECT_EQ(solve(0.1, 0.9), ob::PlannerStatus::INVALID_GOAL);
+        EXPECT_EQ(solve(0.9, 0.1), ob::PlannerStatus::INVALID_START);
+        EXPECT_EQ(solve(0.1, 0.4), ob::PlannerStatus::EXACT_SOLUTION);
+    }
+}
+
 // OMPL's own goes on sampling for ever.
 TEST(Planners, AITstarEndsWithTheStraightWay)
 {
