@@ -12,6 +12,8 @@
 #include "common/PlannerList.h"
 #include "common/TeamBenchmark.h"
 
+#include "ompl_certificates/team/TeamObjective.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,6 +35,8 @@ namespace
         std::string methods;
         std::string nearest{"kdtree"};
         std::string motion{"discrete"};
+        std::vector<std::string> parameters;
+        std::string objective{"length"};
         bool first{false};
         unsigned int runs{0};
         double seconds{0.0};
@@ -44,8 +48,8 @@ namespace
     {
         app.add_option(
                "SCENE", options.scenes,
-               "Scene files: YAML, .cfg files of OMPL.app, or planning scenes of MoveIt (YAML) with one request and one "
-               "robot")
+               "Scene files: YAML, .cfg files of OMPL.app, or planning scenes of MoveIt (YAML) with one request and "
+               "one robot")
             ->required();
         demos::declare(app, options.moveIt);
         app.add_option("--planners", options.planners,
@@ -57,6 +61,12 @@ namespace
         app.add_option("--motion", options.motion,
                        "How motions are checked: discrete, or continuous, which proves them")
             ->check(demos::oneOf({"discrete", "continuous"}))
+            ->capture_default_str();
+        app.add_option("--planner-param", options.parameters,
+                       "Parameters of planners: NAME=VALUE for all of them, PLANNER.NAME=VALUE for one");
+        app.add_option("--objective", options.objective,
+                       "What planners that optimize lower, as in certificates plan, and what the costs are")
+            ->check(demos::oneOf(objectiveNames()))
             ->capture_default_str();
         app.add_flag("--first", options.first, "End each run with its first solution");
         app.add_option("--nearest", options.nearest, "What planners look for near states in")
@@ -107,13 +117,32 @@ namespace
         ompl::tools::Benchmark::Request request;
     };
 
+    /** Gives planners a parameter of the command line. */
+    void addParameter(const std::string &parameter, std::vector<demos::PlannerChoice> &planners)
+    {
+        const auto [name, value] = demos::splitAtEquals("--planner-param", parameter);
+        const std::string planner = name.substr(0, name.find('.'));
+        const auto isNamed = [&planner](const demos::PlannerChoice &choice) { return choice.planner == planner; };
+        const bool isForOne = planner != name && std::any_of(planners.begin(), planners.end(), isNamed);
+        for (demos::PlannerChoice &choice : planners)
+            if (!isForOne || isNamed(choice))
+            {
+                choice.parameters.emplace_back(isForOne ? name.substr(planner.size() + 1) : name, value);
+                choice.source = "--planner-param: " + choice.planner;
+            }
+    }
+
     Task readTask(const Options &options, const std::string &file)
     {
         const SceneFile content = demos::readScene(file, options.moveIt);
         content.scene.validate();
         Task task{content.scene, {}, {}};
+        if (options.objective == "arrival" && content.scene.hasRegions())
+            throw ompl::Exception("--objective", "arrival needs one state as the goal of each robot");
         task.planners = demos::choosePlanners(content, options.planners ? listOf("--planners", *options.planners)
                                                                         : std::vector<std::string>());
+        for (const std::string &parameter : options.parameters)
+            addParameter(parameter, task.planners);
         ompl::tools::Benchmark::Request &request = task.request;
         request = ompl::tools::Benchmark::Request(content.timeLimit.value_or(5.0), content.memoryLimit.value_or(4096.0),
                                                   content.runCount.value_or(10));
@@ -228,6 +257,7 @@ namespace
         settings.nearest = nearestStructureOf(options.nearest);
         settings.mode = options.motion == "continuous" ? CertificateMotionValidator::CONTINUOUS
                                                        : CertificateMotionValidator::DISCRETE;
+        settings.objective = options.objective;
         settings.endsAtFirst = options.first;
         settings.seed = options.seed;
         // The first one is what the others are compared with: one without certificates, FCL alone foremost.

@@ -151,8 +151,8 @@ namespace
         ompl::geometric::PathGeometric path = loadPath(options.path, setup->getSpaceInformation());
         const auto team = std::static_pointer_cast<TeamStateSpace>(setup->getStateSpace());
         const std::size_t count = path.getStateCount() - 1;
-        std::printf("%s: %zu states, %.6g of time\n", scene.getName().c_str(), path.getStateCount(),
-                    stateTimes(path).back());
+        std::printf("%s: %zu states, %.6g of time at the robots' speeds\n", scene.getName().c_str(),
+                    path.getStateCount(), stateTimes(path).back());
         printEnds(*setup->getProblemDefinition(), path.getStates());
         const bool isWithin = print("bounds", describeOutOfBounds(*team, path.getStates()), "kept by all states");
         demos::catchInterrupts();

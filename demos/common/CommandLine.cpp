@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <ompl/util/Exception.h>
 #include <sstream>
 
 #ifndef OMPL_CERTIFICATES_VERSION
@@ -174,5 +175,13 @@ namespace demos
                 words.push_back(word);
         }
         return words;
+    }
+
+    std::pair<std::string, std::string> splitAtEquals(const std::string &option, const std::string &text)
+    {
+        const std::size_t sign = text.find('=');
+        if (sign == 0 || sign == std::string::npos)
+            throw ompl::Exception(option, "'" + text + "' is not of the form NAME=VALUE");
+        return {text.substr(0, sign), text.substr(sign + 1)};
     }
 }

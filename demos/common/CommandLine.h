@@ -44,6 +44,10 @@ namespace demos
     /** \brief The words of \e text, which are separated by commas, without blanks around them; empty ones are left
         out */
     std::vector<std::string> splitAtCommas(const std::string &text);
+
+    /** \brief NAME and VALUE of NAME=VALUE
+        \throws ompl::Exception that names \e option if there is no name or no sign */
+    std::pair<std::string, std::string> splitAtEquals(const std::string &option, const std::string &text);
 }
 
 #endif

@@ -51,7 +51,10 @@ namespace demos
         app.add_flag(
             "--first", options.first,
             "End with the first solution, also if the planner could lower its cost; LBTRRT and LazyLBTRRT go on");
-        app.add_option("--seed", options.seed, "Seed of OMPL's random numbers; the same seed grows the same tree")
+        app.add_option(
+               "--seed", options.seed,
+               "Seed of OMPL's random numbers; the same seed grows the same tree, but for planners whose clock or threads "
+               "decide, such as PRM")
             ->check(countUpTo(4294967295ull))
             ->capture_default_str();
         app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")
@@ -159,10 +162,8 @@ namespace demos
             set("--range", "range", options.range);
         for (const std::string &parameter : options.parameters)
         {
-            const std::size_t sign = parameter.find('=');
-            if (sign == 0 || sign == std::string::npos)
-                throw ompl::Exception("--planner-param", "'" + parameter + "' is not of the form NAME=VALUE");
-            set("--planner-param", parameter.substr(0, sign), parameter.substr(sign + 1));
+            const auto [name, value] = splitAtEquals("--planner-param", parameter);
+            set("--planner-param", name, value);
         }
     }
 }

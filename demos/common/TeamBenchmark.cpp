@@ -3,6 +3,7 @@
 #include "common/Interrupt.h"
 #include "common/PlannerFactory.h"
 
+#include "ompl_certificates/team/TeamObjective.h"
 #include "ompl_certificates/team/TeamPathLength.h"
 
 #include <cmath>
@@ -51,7 +52,11 @@ namespace demos
 
     TeamBenchmark::TeamBenchmark(const Scene &scene, const std::vector<PlannerChoice> &planners,
                                  const TeamSetupPtr &host, const std::vector<Method> &methods, const Settings &settings)
-      : Benchmark(*host, scene.getName()), host_(host), methods_(methods), settings_(settings)
+      : Benchmark(*host, scene.getName())
+      , host_(host)
+      , goal_(scene.makeGoal(std::static_pointer_cast<TeamStateSpace>(host->getStateSpace())))
+      , methods_(methods)
+      , settings_(settings)
     {
         const ObstaclesPtr obstacles = scene.makeObstacles();
         for (const Method method : methods_)
@@ -113,12 +118,11 @@ namespace demos
 
         // The objective differs between planners, so it is set whenever the planner does.
         const ob::ProblemDefinitionPtr &problem = host_->getProblemDefinition();
-        ob::OptimizationObjectivePtr objective = defaultObjective(*planner);
+        const bool isUsual = settings_.objective == "length" && !settings_.endsAtFirst;
+        const ob::OptimizationObjectivePtr objective =
+            isUsual ? defaultObjective(*planner) : makeObjective(settings_.objective, si, goal_);
         if (settings_.endsAtFirst)
-        {
-            objective = std::make_shared<TeamPathLength>(si);
             objective->setCostThreshold(objective->infiniteCost());
-        }
         problem->setOptimizationObjective(objective);
         problem->clearSolutionPaths();
         planner->setProblemDefinition(problem);
@@ -180,9 +184,14 @@ namespace demos
             return entry == run.end() ? std::numeric_limits<double>::quiet_NaN() : std::stod(entry->second);
         };
         const bool solved = number("solved BOOLEAN") == 1.0;
+        double cost = solved ? number("solution length REAL") : std::numeric_limits<double>::quiet_NaN();
+        if (solved && settings_.objective != "length")
+        {
+            const ob::ProblemDefinition &problem = *host_->getProblemDefinition();
+            cost = problem.getSolutionPath()->cost(problem.getOptimizationObjective()).value();
+            run["solution_cost REAL"] = ompl::toString(cost);
+        }
         runs_.push_back({entries_[active_].planner.title, methods_[entries_[active_].method], solved, checkingSeconds_,
-                         nearestSeconds_, number("time REAL"),
-                         solved ? number("solution length REAL") : std::numeric_limits<double>::quiet_NaN(),
-                         number("graph states INTEGER")});
+                         nearestSeconds_, number("time REAL"), cost, number("graph states INTEGER")});
     }
 }

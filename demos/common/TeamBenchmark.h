@@ -34,6 +34,8 @@ namespace demos
             ompl_certificates::NearestStructure nearest{ompl_certificates::NearestStructure::KD_TREE};
             ompl_certificates::CertificateMotionValidator::Mode mode{
                 ompl_certificates::CertificateMotionValidator::DISCRETE};
+            /** \brief One of objectiveNames() */
+            std::string objective{"length"};
             /** \brief Whether planners end with their first solution */
             bool endsAtFirst{false};
             /** \brief The seed of run 0; that of run i is i more */
@@ -76,6 +78,7 @@ namespace demos
         /** The setup that is benchmarked, and for each method one of the same team that lends its checker and motion
             validator to it */
         ompl_certificates::TeamSetupPtr host_;
+        ompl::base::ScopedState<> goal_;
         std::vector<ompl_certificates::TeamSetupPtr> lenders_;
         std::vector<ompl_certificates::Method> methods_;
         const Settings settings_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -164,6 +165,40 @@ TEST(BenchmarkTeam, writesALogToStandardOutput)
     EXPECT_NE(program.errors().find("medians"), std::string::npos) << program.errors();
 }
 
+TEST(BenchmarkTeam, givesPlannersTheirParametersAndTheObjective)
+{
+    const Folder folder;
+    writeFile(folder / "scene.yaml", easyScene());
+    const auto logOf = [&folder](const std::string &objective)
+    {
+        Program program("benchmark_team", {folder / "scene.yaml", "--planners", "RRT,RRTConnect", "--methods", "shared",
+                                           "--first", "--runs", "1", "--planner-param", "range=0.5",
+                                           "RRT.goal_bias=0.25", "--objective", objective, "--log", folder / "log"});
+        EXPECT_EQ(program.wait(), 0) << program.errors();
+        return contentOf(folder / "log");
+    };
+    const std::string log = logOf("length");
+    const std::size_t second = log.find("geometric_RRTConnect[shared]");
+    ASSERT_NE(second, std::string::npos);
+    for (const std::string &part : {log.substr(0, second), log.substr(second)})
+        EXPECT_NE(part.find("\nrange = 0.5\n"), std::string::npos) << part;
+    EXPECT_NE(log.substr(0, second).find("\ngoal_bias = 0.25\n"), std::string::npos) << log;
+
+    // The same first path: its makespan is the length of the robot that goes farthest, of two.
+    std::vector<std::string> names;
+    const auto runs = runsOf(logOf("makespan"), "geometric_RRT[shared]", names);
+    const auto value = [&](const std::string &name)
+    {
+        const auto field = std::find(names.begin(), names.end(), name);
+        EXPECT_NE(field, names.end()) << name;
+        return std::stod(runs.at(0).at(static_cast<std::size_t>(field - names.begin())));
+    };
+    const double makespan = value("solution_cost REAL"), length = value("solution length REAL");
+    EXPECT_GE(makespan, length / std::sqrt(2.0) - 1e-6);
+    EXPECT_LT(makespan, 0.999 * length);
+    EXPECT_EQ(log.find("solution_cost"), std::string::npos);
+}
+
 TEST(BenchmarkTeam, suggestsWhatWasMeant)
 {
     const Folder folder;
@@ -194,6 +229,10 @@ TEST(BenchmarkTeam, refusesBadInput)
                                                        {scene, "--runs", "0", "--log", log},
                                                        {scene, "--time", "-1", "--log", log},
                                                        {scene, "--seed", "x", "--log", log},
+                                                       {scene, "--objective", "beauty", "--log", log},
+                                                       {scene, "--planner-param", "range", "--log", log},
+                                                       {scene, "--planner-param", "PRM.range=2", "--log", log},
+                                                       {scene, "--planner-param", "rnage=2", "--log", log},
                                                        {scene, scene, "--log", log},
                                                        {scene, "--log", folder / "none/x.log"},
                                                        {scene, "--log", scene}};
