@@ -331,9 +331,9 @@ class Scene:
     radians."""
     def __init__(self, low: ArrayLike, high: ArrayLike, name: str = "scene") -> None:
         """A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers."""
-    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None) -> int:
+    def add_obstacle(self, body: Body, pose: Optional[ArrayLike] = None, name: str = "") -> int:
         """Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, (x, y, z) or
-        (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix."""
+        (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix. Messages call it by its name, if it has one."""
     def add_cloud(self, points: ArrayLike, radius: float, cell: float = 0.0) -> int:
         """Add obstacles that are points, of shape (n, 3) or in the plane (n, 2), and return the number of the cloud,
         from 0 on. All within radius of a point is occupied. With a cell larger than 0 fewer points stand for them, one

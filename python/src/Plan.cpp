@@ -30,7 +30,13 @@ namespace ompl_certificates_python
             if (!plan.report.solved)
                 return "<Plan: not solved: " + plan.report.reason + ">";
             std::ostringstream text;
-            text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states>";
+            const bool isProved = plan.report.unprovedMotions == 0 && plan.report.unseenMotions == 0;
+            text << "<Plan: solved, cost " << costOf(plan) << ", " << plan.path.shape(0) << " states, "
+                 << (isProved                             ? "proved free"
+                     : plan.report.unprovedMotions >= 0   ? "not proved free"
+                     : plan.report.motion == "continuous" ? "motions proved"
+                                                          : "motions checked at samples")
+                 << ">";
             return text.str();
         }
 

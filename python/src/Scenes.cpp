@@ -27,9 +27,11 @@ namespace ompl_certificates_python
             return Scene(name, name, toBounds(low, high));
         }
 
-        std::size_t addObstacle(Scene &scene, const Body &body, const py::object &pose)
+        std::size_t addObstacle(Scene &scene, const Body &body, const py::object &pose, const std::string &name)
         {
-            scene.addObstacle({body, toPose(pose, scene.getDimension())});
+            if (name.find_first_of("\r\n") != std::string::npos)
+                throw ompl::Exception("name", "must not have a line break");
+            scene.addObstacle({body, toPose(pose, scene.getDimension())}, name.empty() ? name : "'" + name + "'");
             return scene.getObstacles().size() - 1;
         }
 
@@ -101,9 +103,11 @@ namespace ompl_certificates_python
             scene
                 .def(py::init(&makeScene), py::arg("low"), py::arg("high"), py::arg("name") = "scene",
                      "A scene without obstacles and robots. low and high bound the workspace, with 2 or 3 numbers.")
-                .def("add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(),
-                     "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
-                     "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix.")
+                .def(
+                    "add_obstacle", &addObstacle, py::arg("body"), py::arg("pose") = py::none(), py::arg("name") = "",
+                    "Add an obstacle and return its number, from 0 on. pose is (x, y) or (x, y, angle) in the plane, "
+                    "(x, y, z) or (x, y, z, qx, qy, qz, qw) in space, or a 4 × 4 matrix. Messages call it by its name, "
+                    "if it has one.")
                 .def(
                     "add_robot", &addRobot, py::arg("robot").none(false), py::arg("start"), py::arg("goal"),
                     py::arg("weight") = 1.0, py::arg("speed") = 1.0,

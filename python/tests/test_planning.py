@@ -22,7 +22,7 @@ MANY_THREADS = ("AnytimePathShortening", "CForest", "DRRTstar", "PRMstar", "SPAR
 def test_plan_leads_from_start_to_goal(room: oc.Scene) -> None:
     plan = oc.plan(room, time=1.0)
     assert plan.solved and plan
-    assert re.fullmatch(r"<Plan: solved, cost [\d.]+, \d+ states>", repr(plan))
+    assert re.fullmatch(r"<Plan: solved, cost [\d.]+, \d+ states, motions checked at samples>", repr(plan))
     assert plan.coordinates == ["left.x", "left.y", "right.x", "right.y"]
     assert (plan.path[0] == room.start).all() and (plan.path[-1] == room.goal).all()
     assert plan.times.shape == (len(plan.path),) and (np.diff(plan.times) >= 0).all()
@@ -36,6 +36,9 @@ def test_the_team_is_somewhere_at_any_time(room: oc.Scene) -> None:
     robot = oc.Robot.rigid("bar", oc.Body.box(1.0, 0.2), [0, 0], [10, 10])
     room.add_robot(robot, [1, 2, 3], [9, 2, -3])
     plan = oc.plan(room, time=1.0, seed=2, motion="continuous")
+    assert repr(plan).endswith(" states, motions proved>")
+    assert plan.prove().proved
+    assert repr(plan).endswith(" states, proved free>")
     assert (plan.at(plan.times) == plan.path).all()
     middle = (plan.times[:-1] + plan.times[1:]) / 2
     steps = plan.path[1:] - plan.path[:-1]

@@ -490,3 +490,15 @@ def test_some_links_may_touch_an_obstacle(scenes: pathlib.Path) -> None:
         told(["rood"], ["a"])
     with pytest.raises(oc.Error, match="^body: must be a body in space"):
         oc.TouchableObstacle("flat", oc.Body.disc(1))
+
+
+def test_messages_call_an_obstacle_by_its_name() -> None:
+    scene = oc.Scene([0, 0], [10, 10])
+    scene.add_robot(oc.Robot.rigid("disc", oc.Body.disc(0.5), [0, 0], [10, 10], turns=False), [1, 1], [9, 9])
+    assert scene.add_obstacle(oc.Body.box(1, 1), (5, 5), name="crate") == 0
+    assert scene.add_obstacle(oc.Body.box(1, 1), (5, 8)) == 1
+    checker = oc.Checker(scene)
+    assert checker.describe_collision([5, 5]) == "robot 'disc' touches 'crate'"
+    assert checker.describe_collision([5, 8]) == "robot 'disc' touches environment.obstacles[1]"
+    with pytest.raises(oc.Error, match="name: must not have a line break"):
+        scene.add_obstacle(oc.Body.box(1, 1), (5, 5), name="two\nlines")
