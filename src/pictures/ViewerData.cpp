@@ -165,9 +165,9 @@ namespace ompl_certificates
             append(poses, key.poses);
         }
         append(goalPoses, goal);
-        json result{{"name", robot.getName()},  {"color", SceneDrawing::colorOf(index)},
-                    {"bodies", bodies},         {"traced", robot.getTracedBody()},
-                    {"times", packed(times)},   {"poses", packed(poses)},
+        json result{{"name", robot.getName()},   {"color", SceneDrawing::colorOf(index)},
+                    {"bodies", bodies},          {"traced", robot.getTracedBody()},
+                    {"times", packed(times)},    {"poses", packed(poses)},
                     {"goal", packed(goalPoses)}, {"zones", zones}};
         if (const auto *arm = dynamic_cast<const Arm *>(&robot))
             for (std::size_t body = 0; body < bodies.size(); ++body)

@@ -3,7 +3,7 @@ import { Quaternion, Raycaster, Vector2, Vector3 } from 'three'
 import { Certificates } from './certificates.js'
 import { readPlan } from './data.js'
 import { Obstacles } from './obstacles.js'
-import { keys, layerList, make, robotList, statistics } from './panel.js'
+import { keys, layerList, robotList, statistics } from './panel.js'
 import { Playback } from './playback.js'
 import { Robot } from './robot.js'
 import { Shapes } from './shapes.js'
@@ -18,7 +18,7 @@ document.title = `${plan.name} · plan`
 byId('title').textContent = plan.name
 byId('subtitle').textContent = plan.report ? `${plan.report.planner} · ${plan.robots.length} ${plan.robots.length === 1 ? 'robot' : 'robots'}` : ''
 
-const view = makeView()
+const view = new View(plan, byId('canvas'))
 const shapes = new Shapes(plan)
 const stage = new Stage(plan)
 const obstacles = new Obstacles(plan, shapes)
@@ -26,16 +26,6 @@ const robots = plan.robots.map((robot) => new Robot(plan, robot, shapes))
 const certificates = new Certificates(plan)
 view.scene.add(stage.group, obstacles.group, certificates.group, ...robots.map(({ group }) => group))
 view.addLabels(stage.labels)
-
-/** Without WebGL there is nothing to see, and that is said. */
-function makeView() {
-  try {
-    return new View(plan, byId('canvas'))
-  } catch (error) {
-    byId('canvas').append(make('p', { class: 'trouble' }, 'This page needs WebGL, which this browser does not have, or has switched off.'))
-    throw error
-  }
-}
 
 // Playback
 

@@ -14,6 +14,7 @@ import {
 } from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import { look } from './look.js'
+import { make } from './panel.js'
 
 /** Where a scene of space is seen from at first, from its middle */
 const DIRECTION = new Vector3(-0.45, -1, 0.62).normalize()
@@ -24,11 +25,21 @@ const ROOM = { left: 60, right: 24, top: 78, bottom: 46 }
 /** Numbers nearer to each other than that are not both shown: across and down, in pixels. */
 const APART = [24, 12]
 
+/** Without WebGL there is nothing to see, and that is said. */
+function makeRenderer(element) {
+  try {
+    return new WebGLRenderer({ antialias: true })
+  } catch (error) {
+    element.append(make('p', { class: 'trouble' }, 'This page needs WebGL, which this browser does not have, or has switched off.'))
+    throw error
+  }
+}
+
 export class View {
   constructor(plan, element) {
     this.plan = plan
     this.element = element
-    this.renderer = new WebGLRenderer({ antialias: true })
+    this.renderer = makeRenderer(element)
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
     element.append(this.renderer.domElement)
     this.scene = new Scene()
