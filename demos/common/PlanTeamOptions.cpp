@@ -53,8 +53,8 @@ namespace demos
             "End with the first solution, also if the planner could lower its cost; LBTRRT and LazyLBTRRT go on");
         app.add_option(
                "--seed", options.seed,
-               "Seed of OMPL's random numbers; the same seed grows the same tree, but for planners whose clock or threads "
-               "decide, such as PRM")
+               "Seed of OMPL's random numbers; the same seed grows the same tree, but for planners whose clock or "
+               "threads decide, such as PRM")
             ->check(countUpTo(4294967295ull))
             ->capture_default_str();
         app.add_option("--range", options.range, "The planner's parameter 'range': the length of its steps")

@@ -1,5 +1,7 @@
 #include "ompl_certificates/planning/Planners.h"
 
+#include "MendedPlanners.h"
+
 #include "ompl_certificates/files/Suggestion.h"
 #include "ompl_certificates/planning/DRRTstar.h"
 #include "ompl_certificates/team/TeamStateSpace.h"
@@ -8,8 +10,6 @@
 #include <limits>
 #include <locale>
 #include <map>
-#include <ompl/base/goals/GoalState.h>
-#include <ompl/base/goals/GoalStates.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
 #include <ompl/geometric/planners/cforest/CForest.h>
 #include <ompl/geometric/planners/est/BiEST.h>
@@ -18,7 +18,6 @@
 #include <ompl/geometric/planners/fmt/BFMT.h>
 #include <ompl/geometric/planners/fmt/FMT.h>
 #include <ompl/geometric/planners/informedtrees/ABITstar.h>
-#include <ompl/geometric/planners/informedtrees/AITstar.h>
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/kpiece/BKPIECE1.h>
 #include <ompl/geometric/planners/kpiece/KPIECE1.h>
@@ -119,89 +118,6 @@ namespace ompl_certificates
             }
 
             SolveHooks hooks_;
-        };
-
-        /** AIT* samples on until it finds a state that could better the solution. Where that is the straight way, there
-            is none, and it never looks at its termination condition again. So such a solution satisfies it. */
-        class EndingAITstar : public og::AITstar
-        {
-        public:
-            using AITstar::AITstar;
-
-            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
-            {
-                const ob::OptimizationObjectivePtr objective = pdef_->getOptimizationObjective();
-                const auto *goal = dynamic_cast<const ob::GoalState *>(pdef_->getGoal().get());
-                if (!objective || !goal || pdef_->getStartStateCount() != 1)
-                    return AITstar::solve(ptc);
-                const ob::Cost before = objective->getCostThreshold();
-                const double best = objective->motionCostHeuristic(pdef_->getStartState(0), goal->getState()).value();
-                const ob::Cost least(best * (1.0 + 1e-9) + std::numeric_limits<double>::min());
-                if (objective->isCostBetterThan(before, least))
-                    objective->setCostThreshold(least);
-                try
-                {
-                    const ob::PlannerStatus status = AITstar::solve(ptc);
-                    objective->setCostThreshold(before);
-                    return status;
-                }
-                catch (...)
-                {
-                    objective->setCostThreshold(before);
-                    throw;
-                }
-            }
-        };
-
-        /** A planner that goes wrong with several goal states: BFMT reads memory that is not its own, LazyLBTRRT aborts
-            or goes through obstacles, AITstar never ends where the straight way is free, and pSBL knows one kind of
-            goal. */
-        template <typename PlannerType>
-        class OneGoal : public PlannerType
-        {
-        public:
-            using PlannerType::PlannerType;
-
-            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
-            {
-                const ob::Goal *goal = this->pdef_->getGoal().get();
-                const auto *list = dynamic_cast<const ob::GoalStates *>(goal);
-                if (dynamic_cast<const ob::GoalState *>(goal) || (list && list->getStateCount() == 1))
-                    return PlannerType::solve(ptc);
-                OMPL_ERROR("%s: plans for a goal of one state alone", this->getName().c_str());
-                return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-            }
-        };
-
-        /** A planner that goes wrong without a valid start, or a valid goal state: FMT reads memory that is not its own, and
-            LazyLBTRRT frees some twice once it has a valid start. */
-        template <typename PlannerType>
-        class ValidEnds : public PlannerType
-        {
-        public:
-            using PlannerType::PlannerType;
-
-            ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override
-            {
-                const ob::ProblemDefinition &problem = *this->pdef_;
-                const auto isValid = [this](const ob::State *state)
-                { return this->si_->satisfiesBounds(state) && this->si_->isValid(state); };
-                bool hasStart = false;
-                for (unsigned int i = 0; i < problem.getStartStateCount() && !hasStart; ++i)
-                    hasStart = isValid(problem.getStartState(i));
-                if (!hasStart)
-                {
-                    OMPL_ERROR("%s: There are no valid initial states!", this->getName().c_str());
-                    return ob::PlannerStatus::INVALID_START;
-                }
-                const auto *goal = dynamic_cast<const ob::GoalState *>(problem.getGoal().get());
-                if (goal && !isValid(goal->getState()))
-                {
-                    OMPL_ERROR("%s: The goal is not valid!", this->getName().c_str());
-                    return ob::PlannerStatus::INVALID_GOAL;
-                }
-                return PlannerType::solve(ptc);
-            }
         };
 
         template <typename PlannerType>

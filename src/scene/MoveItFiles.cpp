@@ -265,8 +265,8 @@ namespace ompl_certificates
             return settings;
         }
 
-        /** Give all other joints their values: of those that nobody tells MoveIt takes 0, or the middle of limits that 0
-            is not within. */
+        /** Give all other joints their values: of those that nobody tells MoveIt takes 0, or the middle of limits that
+            0 is not within. */
         void setOtherJoints(const KinematicTree &tree, ArmFile::ArmSettings &settings)
         {
             for (const KinematicTree::Link &link : tree.getLinks())

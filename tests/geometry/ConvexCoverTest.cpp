@@ -74,7 +74,7 @@ TEST(ConvexCover, ContainsACornerInItsMiddle)
     {
         const Eigen::Vector3d direction = k == 0 ? Eigen::Vector3d(1.0, 1.0, 1.9).normalized() : random.direction(3);
         for (const Eigen::Vector3d &corner : corners)
-            ASSERT_LE(direction.dot(corner - cover.getCenter() - cover.farthest(direction)), cover.getRounding() + 1e-12)
+            ASSERT_LE(direction.dot(corner - cover.getCenter() - cover.farthest(direction)) - cover.getRounding(), 1e-12)
                 << corner.transpose() << " along " << direction.transpose();
     }
 }
