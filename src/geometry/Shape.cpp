@@ -65,8 +65,8 @@ namespace ompl_certificates
             if (size.minCoeff() <= tooThin * size.norm())
             {
                 std::ostringstream text;
-                text << "A box must be thicker than " << tooThin << " of its diagonal; its sides are "
-                     << size.transpose();
+                text << "A box must be thicker than " << tooThin << " of its diagonal; its sides are " << size.x()
+                     << ", " << size.y() << " and " << size.z();
                 throw ompl::Exception(text.str());
             }
             if (!(size.minCoeff() > thin * size.maxCoeff()) || !size.allFinite())

@@ -204,7 +204,7 @@ namespace ompl_certificates
              ".shape.quaternion: give either"},
             {"ThinBox",
              "{type: rigid, space: R3, shape: {type: box, size: [1, 1, 1.0e-9]}, start: [1, 1, 1], goal: [2, 2, 2]}",
-             ".shape.size: A box must be thicker than 3e-07 of its diagonal; its sides are 1 "},
+             ".shape.size: A box must be thicker than 3e-07 of its diagonal; its sides are 1, 1 and 1e-09"},
             {"FlatPolytope",
              "{type: rigid, space: R3, shape: {type: polytope, vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], "
              "[1, 1, 0]]}, start: [1, 1, 1], goal: [2, 2, 2]}",
