@@ -65,7 +65,7 @@ namespace
         app.add_option("--planner-param", options.parameters,
                        "Parameters of planners: NAME=VALUE for all of them, PLANNER.NAME=VALUE for one");
         app.add_option("--objective", options.objective,
-                       "What planners that optimize lower, as in certificates plan, and what the costs are")
+                       "What planners that optimize lower, as in certificates plan; the table has costs by it")
             ->check(demos::oneOf(objectiveNames()))
             ->capture_default_str();
         app.add_flag("--first", options.first, "End each run with its first solution");
